@@ -11,43 +11,45 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// Where a frame's time goes, in milliseconds, smoothed over about half a second. `time.timings`.
+/// Duration of the parts of a frame, in milliseconds, smoothed over about half a second.
+/// `time.timings`.
 struct Timings {
     double input = 0;     // delivering input to the game
     double update = 0;    // the game's update(dt)
     double scripts = 0;   // timers, coroutines and step(dt)
     double modules = 0;   // modules' steps and reports: the physics
-    double handlers = 0;  // barriers: watchers and event handlers
-    double draw = 0;      // drawing, layers included
-    double frame = 0;     // the whole frame, waiting for the screen included
+    double handlers = 0;  // barriers: watchers and handlers of events
+    double draw = 0;      // drawing, with layers
+    double frame = 0;     // the whole frame, with the wait for the screen
 };
 
 struct Clock {
-    // Set by whoever likes; a frame or a turn with what is none throws (`require_usable`).
+    // Settings that any code may write; a frame or a turn with an unusable one throws
+    // (`require_usable`).
     double dt = 1.0 / 60;        // s, one fixed step
     double scale = 1;            // simulated seconds a real second
     bool paused = false;         // no steps are made
-    bool step_once = false;      // one step although paused; false again when it is made
+    bool step_once = false;      // one step while paused; false again after it
     std::int32_t max_steps = 5;  // steps one frame may make to catch up
     double rewind_limit = 60;    // s of the past that are kept; 0: none
     double rewind_memory = 128;  // MiB that may take
 
     // Kept by the loop.
-    std::int64_t step = 0;           // fixed steps made
+    std::int64_t step = 0;           // number of fixed steps
     double now = 0;                  // s, simulation time
-    std::int64_t frame = 0;          // frames made
-    std::int64_t dropped_steps = 0;  // steps that were due but given up since the game was too slow
-    double alpha = 1;                // how far drawing is between the last two steps, 0 to 1
+    std::int64_t frame = 0;          // number of frames
+    std::int64_t dropped_steps = 0;  // steps that were skipped because the game was too slow
+    double alpha = 1;                // position of drawing between the last two steps, 0 to 1
     double fps = 0;                  // frames a second, smoothed
-    std::int64_t oldest = 0;         // steps one can go back to
+    std::int64_t oldest = 0;         // the earliest step that one can go back to
     std::int64_t newest = 0;
     Timings timings{};
-    std::function<void(std::int64_t step)> go_to{};  // where one can
+    std::function<void(std::int64_t step)> go_to{};  // goes to a step, where that is possible
 
     /// One fixed step passes.
     void advance();
-    /// Throws Error(out_of_range) for what nobody can go on with: a `dt` that is none or not above
-    /// 0, another number that is none or negative.
+    /// Throws Error(out_of_range) for unusable settings: a `dt` that is not a number above 0, or
+    /// another number that is negative or not a number.
     void require_usable() const;
 
   private:
@@ -58,8 +60,8 @@ struct Clock {
     double origin_dt_ = 0;
 };
 
-/// How far simulation time is, for snapshots. What users set is saved by value; whether it is
-/// paused is the present's affair.
+/// Simulation time in snapshots. Settings of users are saved by value; `paused` is not part of a
+/// snapshot.
 class ClockPart : public property::SnapshotPart {
   public:
     explicit ClockPart(Clock& clock) : clock_(clock) {}

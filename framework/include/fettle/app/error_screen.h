@@ -1,6 +1,6 @@
 #pragma once
-// The error screen: a script went wrong, or does not come back, and its author sees where, why and
-// with which values.
+// The error screen: for a script with an error, or one that does not return; shows place, reason
+// and values to the author of the script.
 
 #include <functional>
 #include <optional>
@@ -18,23 +18,24 @@ namespace fettle::app {
 class ErrorScreen : public Layer {
   public:
     struct Actions {
-        std::function<void()> reload;  // R
-        std::function<void()> go_on;   // escape: the game goes on as if nothing had happened
+        std::function<void()> reload;             // R
+        std::function<void()> go_on;              // escape: the game goes on as without the error
         std::function<void(std::string)> copy{};  // C: the whole text, for a clipboard
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
 
-    /// Shows an error; one that is shown already stays, since the first is the cause of the rest.
+    /// Shows an error; an error that is already shown stays, since the first is the cause of the
+    /// others.
     void show(const script::ScriptError& error);
     void hide() { error_.reset(); }
     bool visible() const { return error_.has_value() || running_.has_value(); }
 
-    /// Shows where a script is that does not come back, and asks what is to become of it; to be
-    /// called again and again while it goes on.
+    /// Shows the place of a script that does not return, and asks whether to stop it; to be called
+    /// repeatedly while the script runs.
     void show_running(const script::LongCall& call);
-    /// Whether it is to be stopped.
+    /// True if the user wants to stop the script.
     bool stop_wanted() const { return stop_wanted_; }
-    /// It has come back.
+    /// The script has returned.
     void came_back();
     const std::optional<script::ScriptError>& error() const { return error_; }
 
@@ -53,11 +54,11 @@ class ErrorScreen : public Layer {
     std::size_t further_errors_ = 0;
     std::optional<script::LongCall> running_;
     bool stop_wanted_ = false;
-    bool waits_ = false;  // the author knows, and does not want to be told more than that
+    bool waits_ = false;  // the user has chosen to wait, and gets no more messages
     int scroll_ = 0;      // lines
 };
 
-/// As it is written to stderr: message, where, source line, traceback, local variables.
+/// The error as it is written to stderr: message, place, source line, traceback, local variables.
 std::string error_text(const script::ScriptError& error);
 
 }  // namespace fettle::app

@@ -1,6 +1,6 @@
 #pragma once
-// Input events, free of the window library: what the window hands to layers, to the tree and to the
-// game.
+// Input events, independent of the window library: the window passes them to layers, to the tree
+// and to the game.
 
 #include <cstdint>
 #include <string>

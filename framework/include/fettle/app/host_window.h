@@ -1,6 +1,6 @@
 #pragma once
-// Layers in a window that is somebody else's: a game with a loop and a window of its own, written
-// with SFML, gets the console by handing it its events and letting it draw last.
+// Layers in a window of another library: a game with its own loop and SFML window gets the console
+// by passing its events to it and letting it draw last.
 
 #include <memory>
 
@@ -18,7 +18,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// The window must outlive it. It opens, clears and shows nothing by itself.
+/// The window must outlive this object, which never opens, clears or displays it.
 class HostWindow {
   public:
     explicit HostWindow(sf::RenderWindow& window);
@@ -26,13 +26,13 @@ class HostWindow {
     HostWindow(const HostWindow&) = delete;
     HostWindow& operator=(const HostWindow&) = delete;
 
-    /// True: the layer has taken the event, the game should not have it too.
+    /// True: the layer has used the event, and the game should not get it.
     bool handle(const sf::Event& event, Layer& layer);
-    /// Draws the layer over what is there. `seconds`: real time since the last frame. The window's
-    /// own view is as it was afterwards.
+    /// Draws the layer over the picture. `seconds`: real time since the last frame. Leaves the
+    /// window's own view unchanged.
     void draw(Layer& layer, double seconds);
-    /// Draws instances of the tree in the world as `view` shows it, each by its class's own
-    /// drawing.
+    /// Draws instances of the tree in the world as `view` shows it, each with the draw function of
+    /// its class.
     void draw(const property::Tree& tree, property::Handle top, const View& view, double alpha);
     Clipboard& clipboard();
 

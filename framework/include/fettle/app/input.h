@@ -1,9 +1,9 @@
 #pragma once
 // Input as properties: `input.keys.space`, `input.mouse.world`, `input.gamepads[1].left`.
 //
-// A property that changes is input, whoever changes it: the window sets `input.keys.space` when the
-// space bar goes down, and a script or a test that sets it has pressed it just the same. Either way
-// the game's callbacks are called in the next input phase, in the order of what happened.
+// A change of one of these properties is input, with any cause: the window sets `input.keys.space`
+// when the space bar goes down, and when a script or a test sets it, the effect is the same. The
+// game's callbacks are called in the next input phase, in the order of the changes.
 
 #include <array>
 #include <cstdint>
@@ -26,7 +26,7 @@ class Runtime;
 
 namespace fettle::app {
 
-/// Every key there is, by the name that events and `input.keys` use.
+/// All keys, by the names that events and `input.keys` use.
 std::span<const std::string_view> key_names();
 
 class Input {
@@ -40,25 +40,25 @@ class Input {
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
-    /// An event that the game is to get.
+    /// Applies an event for the game.
     void apply(const InputEvent& event);
-    /// An event that a layer took for itself: keys and buttons that the game holds are let go, and
-    /// the mouse is known to have moved; nothing else reaches the game.
+    /// Applies an event that a layer used: keys and buttons that the game holds are released, and
+    /// the mouse position is updated; nothing else reaches the game.
     void observe(const InputEvent& event);
-    /// Lets go of every key and button, as when the window loses the focus.
+    /// Releases every key and button, as when the window loses the focus.
     void release_all();
 
-    /// Calls the game's callbacks for what happened since the last time, until one fails or quits.
-    /// False when one failed; the rest is dropped.
+    /// Calls the game's callbacks for all input since the last call, until one fails or quits.
+    /// False if one failed; the rest is dropped.
     bool deliver(script::Runtime& runtime);
-    /// Forgets what was not delivered.
+    /// Drops input that was not delivered.
     void drop();
-    /// The frame is over: what counts per frame (the wheel) starts anew.
+    /// End of the frame: values per frame (the wheel) are reset.
     void end_frame();
 
-    /// Whether the game sees a key ("space") held down; false for unknown names.
+    /// True if the game has a key ("space") held down; false for unknown names.
     bool key(std::string_view name) const;
-    /// Whether the game sees a mouse button ("left") held down; false for unknown names.
+    /// True if the game has a mouse button ("left") held down; false for unknown names.
     bool button(std::string_view name) const;
     bool any_button() const;
     property::Vec2 mouse() const;  // px

@@ -1,6 +1,6 @@
 #pragma once
-// A layer lies over the game: it sees input first and draws last. The console is one, the error
-// screen another.
+// A layer lies over the game: it gets input first and draws last, such as the console and the error
+// screen.
 
 #include <string>
 #include <string_view>
@@ -24,7 +24,7 @@ class Clipboard {
 class Layer {
   public:
     virtual ~Layer() = default;
-    /// True: the event ends here and reaches neither lower layers nor the game.
+    /// True: the event goes no further, neither to lower layers nor to the game.
     virtual bool handle(const InputEvent& event) = 0;
     /// Once a frame, after the game is drawn. `seconds`: real time since the last frame.
     virtual void draw(Surface& surface, double seconds) = 0;

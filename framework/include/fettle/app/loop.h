@@ -26,7 +26,7 @@ namespace fettle::app {
 
 class Screen;
 
-/// What the loop asks of a module.
+/// Functions of a module that the loop calls.
 struct SteppedModule {
     std::string name{};
     std::function<void(double dt)> step{};
@@ -34,11 +34,11 @@ struct SteppedModule {
     std::function<std::uint64_t()> hash{};
 };
 
-/// Told of everything that comes into a loop, in order: what a recording holds.
+/// Gets everything that comes into a loop, in order: the content of a recording.
 class Witness {
   public:
     virtual ~Witness() = default;
-    /// `taken`: by a layer, so that the game itself does not get it.
+    /// `taken`: a layer used the event, so that the game does not get it.
     virtual void event(const InputEvent& event, bool taken) = 0;
     /// A frame or a turn begins, and ends.
     virtual void frame_begins(double seconds, std::int64_t step_limit) = 0;
@@ -48,77 +48,76 @@ class Witness {
     virtual void stepped() = 0;
 };
 
-/// **Lifetimes.** Tree and services outlive the loop, and layers and the witness what they are
-/// given to. A runtime may be destroyed before the loop: then `stopped` is true, and `frame` and
-/// `turn` throw Error(deleted).
+/// **Lifetimes.** Tree and services outlive the loop; layers and the witness outlive the loop that
+/// they were given to. A runtime may be destroyed before the loop: then `stopped` is true, and
+/// `frame` and `turn` throw Error(deleted).
 ///
-/// `frame` and `turn` throw, before anything moves, Error(out_of_range) for a clock that nobody can
-/// go on with (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. What a
-/// function that a host gave them throws leaves them.
+/// `frame` and `turn` throw, before they change anything, Error(out_of_range) for an unusable clock
+/// (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. Exceptions of
+/// functions of the host leave them.
 class Loop {
   public:
     Loop(property::Tree& tree, script::Runtime& runtime, Services& services);
     ~Loop();
     Loop(const Loop&) = delete;
 
-    /// Throws std::invalid_argument, which names the module, for one without `step`.
+    /// Throws std::invalid_argument, which names the module, if it has no `step`.
     void add(SteppedModule module);
-    /// Layers get events last added first, and are drawn last added last. Not owned.
+    /// The last added layer gets events first and is drawn last. Not owned.
     void add(Layer& layer);
-    /// Called before the callbacks of the `n`th step of this run, the first being 1: once each, as
-    /// `lived` counts, wherever `time.step` is meanwhile. A headless run counts turns, so that a
-    /// paused game can be woken.
+    /// Called before the callbacks of the `n`th step of this run, the first being 1: once for each
+    /// `n`, as `lived` counts, whatever the value of `time.step`. A headless run counts turns, so
+    /// that a paused game can be resumed.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
-    /// Called after each barrier, whatever came of it. What it throws leaves the frame, unless the
-    /// barrier threw already.
+    /// Called after each barrier, also after one that failed. Its exceptions leave the frame,
+    /// unless the barrier has thrown already.
     void after_barrier(std::function<void()> hook);
-    /// Called when a frame begins and nothing of the game runs.
+    /// Called at the beginning of a frame, when no code of the game runs.
     void between_frames(std::function<void()> hook);
 
-    /// Told when a barrier fails as a whole (handlers that never come to rest); without it, the
-    /// exception leaves the frame.
+    /// Called when a barrier fails as a whole (handlers that never stop making changes); without
+    /// it, the exception leaves the frame.
     void on_error(std::function<void(const script::ScriptError&)> sink);
 
-    /// An event from the window: layers first, then the tree. The game's callbacks follow in the
-    /// next frame.
+    /// Handles an event from the window: layers get it first, then the tree. The game's callbacks
+    /// follow in the next frame.
     void handle(const InputEvent& event);
-    /// The same with the layers' answer given.
+    /// As `handle`, with the recorded answer of the layers.
     void feed(const InputEvent& event, bool taken);
-    /// Not owned; null: nobody.
+    /// Not owned; null: no witness.
     void witness(Witness* witness) { witness_ = witness; }
-    /// A frame, `seconds` of real time after the last (Error(out_of_range) for what is none). Steps
-    /// that are due are made, `time.max_steps` at most; `step_limit`: none once this run has lived
-    /// so many.
+    /// A frame, `seconds` of real time after the last one (Error(out_of_range) unless it is a
+    /// number, at least 0). Makes the steps that are due, at most `time.max_steps`; none once this
+    /// run has made `step_limit` steps.
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
-    /// A frame of a headless run: one step, unless paused, however long it takes.
+    /// A frame of a headless run: one step, unless paused; real time has no effect.
     void turn();
     /// Draws the game and the layers. `seconds`: real time since the last.
     void draw(Screen& screen, double seconds);
-    /// Draws the layers alone: the game is in the middle of something.
+    /// Draws only the layers, while the game is in the middle of a call.
     void draw_layers(Screen& screen, double seconds);
 
-    /// Steps this run has made; a moment gone back to and lived again counts again. Turns of a
-    /// headless run count although they make no step while paused.
+    /// Steps that this run has made; steps that are made again after going back count again. Turns
+    /// of a headless run count, too, although they make no step while paused.
     std::uint64_t lived() const { return lived_; }
 
-    /// After an error: input, updates and steps rest, edits still take effect.
+    /// After an error: input, updates and steps stop; edits still have an effect.
     void halt() { halted_ = true; }
     void resume();
     bool halted() const { return halted_; }
-    /// Halted, or the game has called quit(), or its runtime is gone.
+    /// Halted, or the game has called quit(), or its runtime is destroyed.
     bool stopped() const {
         return halted_ || runtime_life_.expired() || runtime_.quit_status().has_value();
     }
-    /// The window was asked to close.
+    /// True after a request to close the window.
     bool closing() const { return closing_; }
 
     Timeline& timeline() { return timeline_; }
 
-    /// Of everything that influences later steps: modules, the clock, and the values the tree
-    /// keeps.
+    /// Hash of all data that influence later steps: modules, the clock, and the values in the tree.
     std::uint64_t hash() const;
-    /// The same, part by part: what a difference can be named by.
+    /// The hashes of the parts, by name: to name a difference.
     std::vector<std::pair<std::string, std::uint64_t>> hashes() const;
 
   private:
@@ -147,7 +146,7 @@ class Loop {
     std::function<void(const script::ScriptError&)> on_error_;
     Timeline timeline_;
     Witness* witness_ = nullptr;
-    double owed_ = 0;  // s of simulation time not yet stepped
+    double owed_ = 0;  // s of simulation time that are due
     std::uint64_t lived_ = 0;
     std::uint64_t announced_ = 0;
     bool halted_ = false;

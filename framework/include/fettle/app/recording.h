@@ -1,7 +1,6 @@
 #pragma once
-// Recordings: everything that came into a run from outside, with the hash of the state after every
-// step, so that the run can be made again and be seen to be the same. docs/design/time.md tells the
-// format.
+// Recordings: all input of a run, with the hash of the state after every step, so that the run can
+// be repeated and compared. docs/design/time.md has the format.
 
 #include <cstdint>
 #include <cstdio>
@@ -23,40 +22,39 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// A file that cannot be written, read, or understood. The message names it, and the line.
+/// A file that cannot be written, read, or parsed. The message names the file and the line.
 class RecordingError : public std::runtime_error {
   public:
     using runtime_error::runtime_error;
 };
 
-/// How a run began.
+/// Start of a run.
 struct RunStart {
     std::filesystem::path game;
-    std::vector<std::string> modules;  // named beside what the game itself names
+    std::vector<std::string> modules;  // in addition to those that the game names
     std::uint64_t seed = 0;
     double width = 0, height = 0;  // of the window, pixels
     std::vector<std::string> evals;
     std::vector<std::pair<std::uint64_t, std::string>> at;
-    std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each in words
+    std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each as its words
 };
 
-/// A file that the run came upon: another one is not the same run.
+/// A file that the run has read: with another content it would be another run.
 struct RunFile {
     std::string name;
-    std::optional<std::uint64_t> checksum{};  // nothing: there was no such file
-    bool overwritten = false;                 // by the run itself; what it was is here
+    std::optional<std::uint64_t> checksum{};  // none: the file did not exist
+    bool overwritten = false;                 // by the run itself; its old content is here
     std::optional<std::string> content{};
 };
 
-/// Writes a recording as the run goes on. What was written so far is a recording of the run so far,
-/// whatever happens then.
+/// Writes a recording during the run. The file is at any moment a recording of the run so far.
 class Recorder : public Witness, public property::Observer {
   public:
     /// Throws RecordingError.
     Recorder(const std::filesystem::path& file, const RunStart& start);
     ~Recorder() override;
     Recorder(const Recorder&) = delete;
-    /// The game is loaded: from now on everything counts.
+    /// The game is loaded: recording begins.
     void begin(property::Tree& tree, Loop& loop);
 
     void command(std::string_view command);
@@ -71,7 +69,7 @@ class Recorder : public Witness, public property::Observer {
                const property::Value& now) override;
     void was_reset(property::Handle instance, const property::Property& property) override;
 
-    /// What went wrong with the file since, "" when nothing: a run is not ended by a full disk.
+    /// The error of writing the file, "" if there is none: a full disk does not end a run.
     const std::string& problem() const { return problem_; }
 
   private:
@@ -84,17 +82,18 @@ class Recorder : public Witness, public property::Observer {
     std::string problem_;
     property::Tree* tree_ = nullptr;
     Loop* loop_ = nullptr;
-    bool inside_ = false;  // a frame: what is written then comes from the game itself
+    bool inside_ = false;  // in a frame: writes come from the game itself
 };
 
-/// A recording, read. Throws RecordingError for what is damaged, newer, or none.
+/// A recording that was read. The reader throws RecordingError for a file that is damaged, newer,
+/// or no recording.
 class Recording {
   public:
     explicit Recording(const std::filesystem::path& file);
     ~Recording();
     const RunStart& start() const { return start_; }
     const std::vector<RunFile>& files() const { return files_; }
-    /// How many steps it holds.
+    /// Number of its steps.
     std::uint64_t steps() const;
 
   private:
@@ -110,16 +109,16 @@ class Recording {
     std::vector<Item> items_;
 };
 
-/// Makes a recorded run again.
+/// Repeats a recorded run.
 class Replay : public Witness {
   public:
     Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime, Loop& loop);
     ~Replay() override;
-    /// Goes on to the end of the next frame. False when there is none.
+    /// Runs to the end of the next frame. False if there is none.
     bool frame();
-    /// The first difference, in a sentence; "" while there is none.
+    /// The first difference, as a sentence; "" if there is none.
     const std::string& difference() const { return difference_; }
-    /// Steps that were the same.
+    /// Number of steps without a difference.
     std::uint64_t steps() const { return steps_; }
 
     void event(const InputEvent&, bool) override {}

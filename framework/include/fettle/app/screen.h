@@ -1,6 +1,6 @@
 #pragma once
-// What a frame is drawn on: a window, or a picture in memory. Both need a display; a headless run
-// makes neither.
+// The target of drawing: a window, or a picture in memory. Both need a display; a headless run
+// creates neither.
 
 #include <cstdint>
 #include <filesystem>
@@ -34,18 +34,18 @@ class Screen {
     virtual void begin(property::Color background) = 0;
     /// Draws in the world as `view` shows it. Valid until `present`.
     virtual property::Painter& painter(const View& view) = 0;
-    /// Draws in pixels, over what was drawn before.
+    /// The surface for drawing in pixels, over the picture.
     virtual Surface& surface() = 0;
     /// Ends a frame and shows it.
     virtual void present() = 0;
-    /// The frame presented next is to be saved: a window shows its frames and forgets them.
+    /// Call before a frame that is to be saved: a window otherwise does not keep its frames.
     virtual void keep_frame() {}
-    /// Writes the last frame kept. The ending of the name says the format: png, jpg, bmp or
-    /// tga. Throws std::runtime_error that names file and reason.
+    /// Writes the last kept frame. The ending of the name is the format: png, jpg, bmp or tga.
+    /// Throws std::runtime_error that names file and reason.
     virtual void save(const std::filesystem::path& file) = 0;
-    /// Of the last frame kept; none when there was none.
+    /// Pixels of the last kept frame; empty if there is none.
     virtual Pixels pixels() const = 0;
-    /// Forgets every texture a layer made on the surface: its maker is gone.
+    /// Releases every texture that a layer made on the surface, after the layer is destroyed.
     virtual void release_textures() = 0;
     virtual Clipboard& clipboard() = 0;
 };
@@ -61,12 +61,12 @@ class Window : public Screen {
     virtual bool poll(InputEvent& event) = 0;
     virtual bool focused() const = 0;
     virtual void set_title(const std::string& title) = 0;
-    /// Frames wait for the screen; where the system does not do it, the window waits by itself.
-    /// Off: as fast as they go.
+    /// Frames wait for the screen; if the system does not support it, the window waits itself. Off:
+    /// no waiting.
     virtual void set_vsync(bool on) = 0;
 };
 
-/// Whether a window or a picture can be made. Makes neither and is safe without a display.
+/// True if a window or a picture can be created. Creates neither and is safe without a display.
 bool display_available();
 
 /// Both throw std::runtime_error when there is no display.

@@ -1,5 +1,5 @@
 #pragma once
-// What every game finds in its tree beside the world: `time`, `view`, `input`, `audio`.
+// Services that every game has in its tree beside the world: `time`, `view`, `input`, `audio`.
 
 #include <fettle/app/clock.h>
 #include <fettle/app/export.h>
@@ -12,7 +12,7 @@ FETTLE_APP_BEGIN
 namespace fettle::app {
 
 struct Audio {
-    double volume = 1;  // of everything, 0 to 1
+    double volume = 1;  // of all sounds, 0 to 1
     bool muted = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A surface that textured triangles are drawn on in pixels: enough for an immediate-mode user
-// interface, free of the window library.
+// A surface for textured triangles in pixels: enough for an immediate-mode user interface,
+// independent of the window library.
 
 #include <cstdint>
 #include <span>
@@ -44,9 +44,9 @@ class Surface {
                            std::span<const std::uint16_t> indices, Texture texture,
                            const ClipRectangle& clip) = 0;
 
-    /// One line of UTF-8 text, its top left corner at x, y, in a face `size` pixels high. Returns
-    /// its width in pixels; with `color.a` 0 it is only measured. A surface without a font draws
-    /// nothing and returns 0.
+    /// Draws one line of UTF-8 text, its top left corner at x, y, in a font `size` pixels high.
+    /// Returns its width in pixels; with `color.a` 0 the text is only measured. A surface without a
+    /// font draws nothing and returns 0.
     virtual float text(float x, float y, std::string_view line, float size, SurfaceColor color,
                        Face face) {
         (void)x, (void)y, (void)line, (void)size, (void)color, (void)face;

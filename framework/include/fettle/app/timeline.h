@@ -1,9 +1,9 @@
 #pragma once
-// The timeline: the past of a running game. Every so often the whole state is kept as a keyframe,
-// and in between everything that was done from outside the simulation. Going to a moment is
-// restoring the keyframe before it and stepping the modules again, with scripts, handlers and
-// formulas off and what they did taken from the log; the result is the state as it was, bit for
-// bit. docs/design/time.md.
+// The timeline: the past of a running game. At intervals the whole state is kept as a keyframe, and
+// between keyframes a log of all changes from outside the simulation. To go to a moment, the
+// keyframe before it is restored and the modules are stepped again, with scripts, handlers and
+// formulas off and their changes taken from the log; the result is the same state, bit for bit.
+// docs/design/time.md.
 
 #include <cstdint>
 #include <deque>
@@ -28,68 +28,69 @@ class FETTLE_APP_PRIVATE PackedBytes;
 
 class Timeline {
   public:
-    /// `step_modules`: what a step is besides what is done from outside.
+    /// `step_modules`: steps the modules, which is the part of a step that is not in the log.
     Timeline(property::Tree& tree, Clock& clock, std::function<void(double dt)> step_modules);
     ~Timeline();
     Timeline(const Timeline&) = delete;
 
-    // --- Told by the loop
-    /// From here to `end_step`, or to `leave_step` where that is not reached, nobody can travel.
+    // --- Calls of the loop
+    /// From here to `end_step`, or to `leave_step` if that is not reached, going to another step is
+    /// refused.
     void begin_step();
-    /// Right before the modules step.
+    /// Call right before the modules step.
     void modules_step(double dt);
-    /// The modules have stepped, and all of it is delivered.
+    /// Call when the modules have stepped and all events are delivered.
     void end_step();
-    /// The step is over, however it went.
+    /// Call at the end of a step, also after an exception.
     void leave_step() { in_step_ = false; }
 
-    // --- Travelling, between steps: in the middle of one, and while time travels, `go_to`,
-    // `go_near`, `rewind` and `clear` throw Error(bad_structure), and nothing has changed
-    /// Throws as they do. `what`: "the past cannot be left".
+    // --- Going to another step. In the middle of a step, and while another step is being restored,
+    // `go_to`, `go_near`, `rewind` and `clear` throw Error(bad_structure) and change nothing
+    /// Throws in these cases, too. `what`: text for the message, "the past cannot be left".
     void require_between_steps(const char* what) const;
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
     void require(std::int64_t step) const;
-    /// Nothing of the past is forgotten until a step is made from here: then what came later is.
-    /// Throws as `require` does.
+    /// The later steps are kept until a step is made from here; then they are dropped. Throws as
+    /// `require` does.
     void go_to(std::int64_t step);
-    /// The same, or the nearest step that is kept; nowhere while nothing is.
+    /// As `go_to`, but to the nearest step that is kept; does nothing if none is kept.
     void go_near(std::int64_t step);
-    /// By simulation time from now, as far back as the past is kept, and no further than the
-    /// newest step; nowhere while nothing is. Throws Error(out_of_range) for what is no number.
+    /// Goes back by this simulation time from now, at most to the oldest step that is kept and not
+    /// beyond the newest; does nothing if none is kept. Throws Error(out_of_range) for NaN.
     void rewind(double seconds);
 
-    /// Keyframes may take this share of the time the game's steps take, 0.01 unless told; the less,
-    /// the longer it takes to go somewhere.
+    /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
+    /// smaller share makes going to a step slower.
     void set_share(double share) { share_ = share; }
 
-    /// Forgets the past.
+    /// Drops all steps.
     void clear();
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
-    /// Bytes it takes, about: keyframes, what was written in between, and the memory to make the
-    /// next keyframe in. At the end of a step that and the history of edits are no more than
-    /// `time.rewind_memory`, of which the history has a quarter at most.
+    /// Memory in bytes, estimated: keyframes, the log between them, and the memory for the next
+    /// keyframe. At the end of a step this and the history of edits are no more than
+    /// `time.rewind_memory`, of which the history has at most a quarter.
     std::size_t memory() const;
-    /// How many whole states are kept.
+    /// Number of keyframes.
     std::size_t keyframes() const { return keyframes_.size(); }
 
   private:
     struct Step {
         std::int64_t number = 0;
         double dt = 0;
-        std::vector<property::LoggedWrites> before;  // the modules stepped
+        std::vector<property::LoggedWrites> before;  // before the modules stepped
         property::LoggedWrites after;
         std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
-        std::size_t bytes = 0;  // of all that
+        std::size_t bytes = 0;  // of all of these
     };
     struct Keyframe {
         std::int64_t step = 0;
-        bool jumped_to = false;  // no step leads here
+        bool jumped_to = false;  // the tree came here by a jump, not by a step
         std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
-        std::size_t held = 0;  // bytes of those
-        // Of the history: what it holds, and what it had forgotten by then.
+        std::size_t held = 0;  // bytes of these
+        // Bytes of the history: those that it holds, and those that it had dropped by then.
         std::size_t history = 0, forgotten = 0;
         std::size_t memory() const;
     };
@@ -128,22 +129,23 @@ class Timeline {
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
     std::deque<Step> steps_;
-    Step tail_;  // done since the newest step, while one is earlier; `before` and `changes` only
+    Step tail_;  // changes after the newest step, while the tree is at an earlier one; `before` and
+                 // `changes` only
     Step open_;
     bool in_step_ = false;
-    bool stepping_ = false;         // and what is done is kept
+    bool stepping_ = false;         // in a step: changes are logged
     std::int64_t here_ = 0;         // the step that the tree is at
     std::int64_t spacing_ = 0;      // steps from one keyframe to the next
     std::size_t logged_ = 0;        // bytes of `steps_`
-    std::size_t logged_since_ = 0;  // of those, since the last keyframe
-    std::size_t room_ = 0;          // bytes that the past and the history may take
-    std::size_t history_room_ = 0;  // of these, the history
-    std::int64_t no_room_at_ = -1;  // step at which not even one keyframe fitted; -1: none
-    std::size_t no_room_ = 0;       // and how much there was
+    std::size_t logged_since_ = 0;  // bytes of these since the last keyframe
+    std::size_t room_ = 0;          // bytes that the past and the history may use
+    std::size_t history_room_ = 0;  // bytes of these for the history
+    std::int64_t no_room_at_ = -1;  // step at which there was no room for one keyframe; -1: none
+    std::size_t no_room_ = 0;       // and the room that there was
     double share_ = 0.01;
-    double begun_ = 0;   // s, when the step began
-    double worked_ = 0;  // s, that steps took since the last keyframe
-    double cost_ = 0;    // s, that the last keyframe took
+    double begun_ = 0;   // s, at the start of the step
+    double worked_ = 0;  // s, duration of the steps since the last keyframe
+    double cost_ = 0;    // s, duration of making the last keyframe
 };
 
 }  // namespace fettle::app

@@ -1,5 +1,5 @@
 #pragma once
-// The view: which part of the world is seen, and how big. Seen in the tree as `view`.
+// The view: the visible part of the world, and its scale. In the tree as `view`.
 
 #include <array>
 #include <string>
@@ -12,7 +12,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// What is shown over the picture; `view.show`.
+/// What is drawn over the picture; `view.show`.
 struct Show {
     bool aabbs = false;
     bool contacts = false;

@@ -1,12 +1,12 @@
 #pragma once
-// A module written in C++ as one that plugs in: derive from Module as for one that is linked in,
-// and say FETTLE_GUEST(Wind, "1.0") in one source file of a shared object that links Fettle::guest.
+// Modules written in C++ as plug-ins: derive from Module as for a module that is linked in, and
+// write FETTLE_GUEST(Wind, "1.0") in one source file of a shared object that links Fettle::guest.
 //
-// The library holds a `property::Tree` of its own kind that hands everything on through the C
-// interface, so that the shared object fits any program with the same interface, however that was
-// compiled. It knows the classes that the module defines; of others it knows names and bases, and
-// their values and methods by name. Watching, formulas, history and drawing order stay with the
-// program.
+// The library has its own implementation of `property::Tree`, which forwards all calls through the
+// C interface, so that the shared object works with any program with the same interface, whatever
+// its compiler. It knows the classes that the module defines; of other classes it knows names and
+// bases, and their values and methods by name. Watching, formulas, history and drawing order are
+// done by the program.
 
 #include <memory>
 
@@ -15,7 +15,7 @@
 
 namespace fettle::module {
 
-/// What `fettle_module_open` does for a module in C++.
+/// Implements `fettle_module_open` for a module in C++.
 fettle_status open_guest(const fettle_host* host, fettle_module* module, const char* version,
                          std::unique_ptr<Module> (*make)());
 

@@ -1,6 +1,6 @@
 #pragma once
 // A module plugs native objects into the tree: it registers classes whose properties are bound to
-// memory of its own, and is stepped by whoever runs the loop.
+// its own memory, and the loop steps it.
 
 #include <cstdint>
 #include <string_view>
@@ -13,9 +13,9 @@ FETTLE_MODULE_BEGIN
 
 namespace fettle::module {
 
-/// A module whose classes are saved natively (`property::Snapshots`) writes what its rows are in
-/// `save`, reads it in `restore`, and calls `tree.add_part(*this)` in `attach`. The others have
-/// nothing to do: their instances are saved value by value.
+/// A module whose classes are saved natively (`property::Snapshots`) writes its rows in `save`,
+/// reads them in `restore`, and calls `tree.add_part(*this)` in `attach`. Other modules do nothing:
+/// their instances are saved value by value.
 class Module : public property::SnapshotPart {
   public:
     ~Module() override;
@@ -25,14 +25,15 @@ class Module : public property::SnapshotPart {
     std::function<void()> restore(property::ByteReader&, const property::Memory&) override {
         return [] {};
     }
-    /// Registers its classes and creates the services it offers (`game.world`). Called once; the
-    /// module outlives the tree's use of it.
+    /// Registers its classes and creates its services (`game.world`). Called once; the module
+    /// outlives the tree's use of it.
     virtual void attach(property::Tree& tree) = 0;
-    /// One fixed step of `dt` seconds. Writes its own memory only; no handler runs meanwhile.
+    /// One fixed step of `dt` seconds. Writes the module's own memory only; no handler runs during
+    /// it.
     virtual void step(double dt) = 0;
-    /// Tells the tree what happened in the step (events); the barrier that delivers it follows.
+    /// Reports the events of the step to the tree; the next barrier delivers them.
     virtual void report(property::Tree& tree) = 0;
-    /// Of everything that influences later steps, in a fixed order.
+    /// Hash of all data that influence later steps, in a fixed order.
     virtual std::uint64_t hash() const = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Modules in shared objects. docs/guide/hosting.md shows one being written,
-// docs/design/modules.md tells the rules of the border.
+// Modules in shared objects. docs/guide/hosting.md shows how to write one, docs/design/modules.md
+// has the rules of the C interface.
 
 #include <filesystem>
 #include <functional>
@@ -17,8 +17,8 @@ FETTLE_MODULE_BEGIN
 
 namespace fettle::module {
 
-/// A shared object could not be taken in. The message names the file, what was expected and what
-/// was found.
+/// A shared object could not be loaded. The message names the file, what was expected and what was
+/// found.
 class LoadError : public std::runtime_error {
   public:
     explicit LoadError(const std::string& message) : std::runtime_error(message) {}
@@ -26,38 +26,38 @@ class LoadError : public std::runtime_error {
         : std::runtime_error(file.string() + ": " + reason) {}
 };
 
-/// What came of taking in a module anew.
+/// Result of a reload.
 struct Reloaded {
-    std::size_t instances = 0;  // that live on
-    std::size_t values = 0;     // that were given back to them
-    /// What is not as it was, a line each: a property that is gone, a value its owner now refuses.
+    std::size_t instances = 0;  // that still live
+    std::size_t values = 0;     // that were set again on these instances
+    /// What has changed, one line each: a property that no longer exists, a value that its owner
+    /// now refuses.
     std::vector<std::string> notes;
 };
 
-/// A module in a shared object. It stays in the process as long as this lives, which must be longer
-/// than the tree it is attached to.
+/// A module in a shared object. It stays in the process as long as this object lives, which must be
+/// longer than the life of the tree it is attached to.
 ///
-/// The module is tried before it is let in: opening it, attaching it and its own test happen first
-/// in a forked copy of the process, so that a module that crashes does so there and is refused with
+/// The module is tested before it is attached: opening, attaching and its own test happen first in
+/// a forked copy of the process, so that a module that crashes does so there and is refused with
 /// the reason.
 class Plugin : public Module {
   public:
-    /// Opens the file and asks the module for its name; nothing is registered yet. Throws
-    /// LoadError.
+    /// Opens the file and gets the module's name; registers nothing. Throws LoadError.
     static std::unique_ptr<Plugin> open(const std::filesystem::path& file);
     ~Plugin() override;
     Plugin(const Plugin&) = delete;
     Plugin& operator=(const Plugin&) = delete;
 
     const std::filesystem::path& file() const;
-    /// As the module gives it; "" when it gives none.
+    /// Version from the module; "" if it has none.
     const std::string& version() const;
-    /// Where what the module prints goes; without it, to stdout.
+    /// Sets the receiver of the module's output; without it, the output goes to stdout.
     void on_print(std::function<void(std::string_view)> sink);
 
     std::string_view name() const override;
-    /// Throws LoadError: a class or an instance of that name is there already, the module refuses,
-    /// its own test fails, or it crashes.
+    /// Throws LoadError if a class or an instance of a name already exists, if the module refuses,
+    /// if its own test fails, or if it crashes.
     void attach(property::Tree& tree) override;
     void step(double dt) override;
     void report(property::Tree& tree) override;
@@ -66,11 +66,11 @@ class Plugin : public Module {
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from, const property::Memory&) override;
 
-    /// Takes in the file as it is now, between two frames and not from within a handler: saves the
-    /// values of the module's instances by name, ends the old module, opens the new one, and gives
-    /// the instances back, the same handles with the same children, watchers and formulas. Values
-    /// go by name, never by bytes, so the new module may lay out its memory as it likes. Throws
-    /// LoadError and leaves the old module as it was when the new one fails its trial.
+    /// Loads the current file, between two frames and not from within a handler: saves the values
+    /// of the module's instances by name, ends the old module, opens the new one, and sets the
+    /// values again on the same handles, with the same children, watchers and formulas. Values are
+    /// saved by name, never as bytes, so the new module may have another memory layout. If the test
+    /// of the new module fails, throws LoadError and keeps the old module.
     Reloaded reload();
 
     struct FETTLE_MODULE_PRIVATE State;
@@ -80,15 +80,15 @@ class Plugin : public Module {
     std::unique_ptr<State> state_;
 };
 
-/// The modules of a game: no file and no name twice.
+/// The modules of a game: each file and each name once.
 class Plugins {
   public:
-    /// Throws LoadError, also when the file, or another with a module of the same name, is loaded
-    /// already.
+    /// Throws LoadError, also if the file, or another with a module of the same name, is already
+    /// loaded.
     Plugin& open(const std::filesystem::path& file);
     /// In order of opening.
     const std::vector<std::unique_ptr<Plugin>>& all() const { return plugins_; }
-    /// Null when there is none of that name.
+    /// Null if there is no module of that name.
     Plugin* find(std::string_view name) const;
 
   private:

@@ -1,8 +1,8 @@
 #pragma once
-// A function of a script that says which instances count: handed to a method whose last parameter
-// is called `accept`, as in world:raycast(a, b, nil, nil, function(shape) return shape ~= mine
-// end). It is asked in the middle of a search, so it may read everything and change nothing
-// (`Inquiry`).
+// A function of a script that accepts or rejects instances: an argument of a method whose last
+// parameter is called `accept`, as in world:raycast(a, b, nil, nil, function(shape) return shape ~=
+// mine end). It is called in the middle of a search, so it may read everything and must not change
+// anything (`Inquiry`).
 
 #include <cstdint>
 #include <exception>
@@ -22,23 +22,24 @@ class Tree;
 
 class Acceptance {
   public:
-    /// What the parameter is called. Its value is true when a function was given.
+    /// Name of the parameter. Its value is true if there is a function.
     static constexpr std::string_view parameter = "accept";
 
-    /// In force on this thread while it lives. `method`: what it was handed to, for messages.
+    /// In force on this thread while it lives. `method`: name of the method, for messages.
     Acceptance(Tree& tree, std::string method, std::function<bool(Handle)> accepts);
     ~Acceptance();
     Acceptance(const Acceptance&) = delete;
     Acceptance& operator=(const Acceptance&) = delete;
 
-    /// What the function of the method that is being called says; true where there is none. Throws
-    /// nothing, since no search is made to be left in its middle: once the function has thrown, it
-    /// is asked no more and accepts nothing.
+    /// The answer of the function in force; true if there is none. Never throws, since a search
+    /// cannot be left in the middle: after an exception, the function is called no more and all
+    /// answers are false.
     static bool accepts(Handle instance) noexcept;
-    /// To be called when the method has returned: throws what the function has thrown.
+    /// Call it after the method has returned: throws the exception of the function, if there was
+    /// one.
     void finish() const;
-    /// What the function in force has said so far; nothing where there is none. Who calls the
-    /// method again gives the same answers.
+    /// The answers of the function in force so far; empty if there is none. A replay of the call
+    /// gives the same answers.
     static std::vector<std::uint8_t> answers();
 
   private:

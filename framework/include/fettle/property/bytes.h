@@ -1,7 +1,7 @@
 #pragma once
-// Bytes: how state is written down for snapshots and read again, in the byte order of the machine.
-// Reading trusts nothing: whatever does not fit throws, and no count can ask for more memory than
-// there are bytes.
+// Serialization of state for snapshots, in the byte order of the machine. The reader checks
+// everything: data of a wrong size throw, and no count can request more memory than there are
+// bytes.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +19,9 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// What may be written byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are not;
-/// whoever owns memory has a destructor that does something. References must not be in it.
+/// Types that may be written byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are
+/// not; a type that owns memory has a destructor that is not trivial. They must not contain
+/// references.
 template <class T>
 concept Bytewise =
     std::is_trivially_destructible_v<T> && !std::is_pointer_v<T> && !std::is_reference_v<T>;
@@ -33,7 +34,7 @@ class ByteWriter {
     void put(const T& value) {
         raw(&value, sizeof value);
     }
-    /// As a count and its elements.
+    /// Writes the count and then the elements.
     template <Bytewise T>
     void put(const std::vector<T>& list) {
         put(std::uint64_t{list.size()});
@@ -45,15 +46,15 @@ class ByteWriter {
     void put(const Value& value);
     void raw(const void* from, std::size_t size) {
         if (size == 0) return;
-        // GCC 12 takes an insertion of bytes for an overrun (its bug 105329).
+        // GCC 12 reports an overrun for an insertion of bytes (its bug 105329).
         const std::size_t at = out_->size();
         out_->resize(at + size);
         std::memcpy(out_->data() + at, from, size);
     }
-    /// What is written between the two is a block of its own, with its size in front.
+    /// The bytes written between `begin_block` and `end_block` are a block, with its size in front.
     std::size_t begin_block();
     void end_block(std::size_t begin);
-    /// For formats of others that append for themselves.
+    /// For other formats that append to the bytes.
     std::vector<std::byte>& out() { return *out_; }
     std::size_t size() const { return out_->size(); }
 
@@ -61,10 +62,10 @@ class ByteWriter {
     std::vector<std::byte>* out_;
 };
 
-/// All of it throws Error(damaged): "the saved physics is damaged: it ends too early".
+/// All members throw Error(damaged), e.g. "the saved physics is damaged: it ends too early".
 class ByteReader {
   public:
-    /// `what` is read, for messages.
+    /// `what`: name of the data, for messages.
     explicit ByteReader(std::span<const std::byte> in, std::string what = "snapshot")
         : in_(in), what_(std::move(what)) {}
 
@@ -83,15 +84,15 @@ class ByteReader {
         raw(elements.data(), elements.size(), sizeof(T));
         return elements;
     }
-    /// Of things that take at least `least` bytes each.
+    /// A count of elements of at least `least` bytes each.
     std::size_t count(std::size_t least = 1);
     std::string_view text();
     Value value() { return value(0); }
-    /// The next block; reading it cannot leave it.
+    /// The next block, with a reader that cannot read beyond it.
     ByteReader block(std::string what = {});
     std::span<const std::byte> rest() const { return in_; }
     bool at_end() const { return in_.empty(); }
-    /// Throws unless everything was read.
+    /// Throws unless all bytes were read.
     void finish() const;
     void require(bool holds, const char* otherwise) const {
         if (!holds) fail(otherwise);
@@ -111,7 +112,7 @@ class ByteReader {
     std::string what_;
 };
 
-/// A checksum of 64 bits; not against forgers.
+/// A checksum of 64 bits; not secure against forgery.
 std::uint64_t checksum(std::span<const std::byte> bytes);
 
 }  // namespace fettle::property

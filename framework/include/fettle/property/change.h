@@ -1,5 +1,5 @@
 #pragma once
-// Changes: what a watcher is told, and who caused it.
+// Changes: what a watcher gets, and their cause.
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +15,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Who writes.
+/// The writer of a change.
 enum class Writer : std::uint8_t {
     module,
     simulation,
@@ -26,14 +26,14 @@ enum class Writer : std::uint8_t {
     undo,
     load,
     remote,
-    restore  // a snapshot came back
+    restore  // a snapshot was restored
 };
 
 std::string_view writer_name(Writer writer);
 
 struct Cause {
     Writer writer = Writer::module;
-    /// Where, when known: "main.lua:30", a module's name; "" otherwise.
+    /// The place, when known: "main.lua:30", a module's name; "" otherwise.
     std::string where{};
     std::uint64_t step = 0;
     /// "console, step 412"; "main.lua:30, step 412".
@@ -50,13 +50,13 @@ struct Change {
     Cause cause;
 };
 
-/// An instance came into being or was deleted.
+/// An instance was created or deleted.
 struct Existence {
     Handle instance;
     const Class* instance_class = nullptr;
-    std::string path;  // where it is, or was
+    std::string path;  // current or last path
     Cause cause;
-    /// Of a deletion: its last values, in the order of the class's properties, then the ad-hoc
+    /// After a deletion: the last values, in the order of the class's properties, then the ad-hoc
     /// ones.
     std::vector<std::pair<const Property*, Value>> last_values;
 };
@@ -76,13 +76,13 @@ using EventHandler = std::function<void(const Occurrence&)>;
 struct WatchOptions {
     /// Deliver the current value at the next barrier, as a change from nil.
     bool initial = false;
-    /// Names the handler in error messages, e.g. "main.lua:12".
+    /// Name of the handler in error messages, e.g. "main.lua:12".
     std::string label{};
 };
 
 class FETTLE_PROPERTY_PRIVATE Watchers;
 
-/// A watcher's registration. Copyable; letting go of it does not end the watch, `stop` does.
+/// A watcher's registration. Copyable; its destruction does not end the watch, `stop` does.
 class Connection {
   public:
     Connection() = default;
@@ -97,7 +97,7 @@ class Connection {
     std::uint64_t id_ = 0;
 };
 
-/// Ends the watch with its own life.
+/// Ends the watch in its destructor.
 class ScopedConnection {
   public:
     ScopedConnection() = default;
@@ -118,7 +118,8 @@ class ScopedConnection {
     Connection connection_;
 };
 
-/// A handler threw. `where` is the label of the handler; `path` what it was told about.
+/// An exception of a handler. `where`: label of the handler; `path`: the property or instance that
+/// it was called for.
 struct HandlerError {
     std::string path;
     std::string where;

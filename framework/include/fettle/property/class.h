@@ -40,11 +40,10 @@ class FETTLE_PROPERTY_PRIVATE Shadows;
 class FETTLE_PROPERTY_PRIVATE StoredColumns;
 class FETTLE_PROPERTY_PRIVATE TreeImage;
 
-/// A module's own number for one of its objects: an array index, or whatever the module encodes in
-/// 32 bits.
+/// A module's number for one of its objects: an array index, or any other 32 bits.
 using Row = std::uint32_t;
 
-/// Inclusive.
+/// An inclusive range.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -52,7 +51,7 @@ struct Range {
         return min != -std::numeric_limits<double>::infinity() ||
                max != std::numeric_limits<double>::infinity();
     }
-    /// A NaN is in no range.
+    /// NaN is in no range.
     bool contains(double x) const { return x >= min && x <= max; }
     bool contains(const Vec2& v) const { return contains(v.x()) && contains(v.y()); }
     static constexpr Range nothing() { return {.min = 1, .max = 0}; }
@@ -66,21 +65,21 @@ enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc }
 
 struct Binding;
 
-/// What became of a value put into a cell: it was there already; it is there now; it is for the
-/// long way, which knows why it cannot be there; or nobody tried, since it takes more than the
-/// shortest way (`Tree::begin_write` alone says so).
+/// Result of putting a value into a cell. `same`: the cell has it already. `done`: it is written.
+/// `declined`: only `Binding::set` can refuse it with a reason. `untried`: the shortest way cannot
+/// write it (only `Tree::begin_write` returns this).
 enum class Put : std::uint8_t { same, done, declined, untried };
 
-/// A number or a vector as it is read and written without a Value in between: what scripts do most.
-/// Made by the makers below; the binding is handed in so that a column knows its stride.
+/// Reads and writes a number or a vector without a Value in between, for what scripts do most. Made
+/// by the makers below; the binding is passed so that a column has its stride.
 template <class T>
 struct Typed {
     using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
     T (*get)(const Binding&, Row) = nullptr;
-    /// Writes unless the cell holds these very bits. May throw as `Binding::set` does.
+    /// Writes unless the cell has the same bits. May throw as `Binding::set` does.
     Put (*put)(const Binding&, Row, Passed value) = nullptr;
-    /// `put` writes memory of the module and does nothing else: it neither throws nor asks the
-    /// tree. It may be given more digits than the cell holds.
+    /// True if `put` only writes memory of the module: it neither throws nor uses the tree. Its
+    /// argument may have more digits than the cell.
     bool plain = false;
 };
 
@@ -104,40 +103,38 @@ struct Binding {
     Value (*node_get)(void* context, const Tree& tree, Handle self) = nullptr;
     void (*node_set)(void* context, Tree& tree, Handle self, const Value& value) = nullptr;
 
-    // Optional. `reset` gives the value back to its owner (a mass to be computed from density
-    // again) instead of writing the default; `overridden` tells whether the value differs from what
-    // `reset` would leave.
+    // Optional. `reset` removes the override (a mass is computed from density again) instead of
+    // writing the default; `overridden`: whether there is an override.
     void (*reset)(void* context, Row row) = nullptr;
     bool (*overridden)(void* context, Row row) = nullptr;
 
-    // Optional, after a write: may only set dirty flags and wake sleepers. Derived data is pulled,
-    // not pushed.
+    // Optional, after a write: may only set dirty flags and wake bodies. Derived data are computed
+    // when they are read.
     void (*invalidate)(void* context, Row row) = nullptr;
 
-    // Optional: the same again for a number and for a vec2.
+    // Optional: typed ways for a number and for a vec2.
     Typed<double> number{};
     Typed<Vec2> vec2{};
 };
 
-/// Describes one property. Aggregate: name the fields you need and leave the rest.
+/// Describes one property. An aggregate: set the fields you need.
 struct Property {
     std::string name;
     Type type = Type::number;
     Value default_value{};
-    std::string unit{};  // "kg", "m/s", "rad"; "" where it has none
-    Range range{};       // numbers; of a vec2 or a color, each component
+    std::string unit{};  // "kg", "m/s", "rad"; "" without a unit
+    Range range{};       // of numbers; for a vec2 or a color, of each component
     std::string doc{};   // one or two sentences, shown by help
     Binding binding{};
 
-    bool read_only = false;  // derived, or the simulation's alone
+    bool read_only = false;  // derived, or written by the simulation only
     bool transient = false;  // not saved
-    bool simulated = false;  // the simulation writes it without telling
-    bool clamp = false;      // out of range is clamped instead of refused
+    bool simulated = false;  // the simulation writes it without reporting changes
+    bool clamp = false;      // true: values out of range are clamped, not refused
     bool infinity = false;   // plus or minus infinity is allowed
-    bool nullable =
-        false;  // nil is a value of its own; elsewhere assigning nil restores the default
-    bool any_type = false;  // takes any type (ad-hoc properties)
-    bool hidden = false;    // not listed by inspectors
+    bool nullable = false;   // nil is a value; otherwise assigning nil restores the default
+    bool any_type = false;   // takes any type (ad-hoc properties)
+    bool hidden = false;     // not listed by inspectors
 
     std::vector<std::string> enumerators{};  // a text property takes only these
     Type element = Type::nil;                // type of a list's elements; nil: any
@@ -150,20 +147,22 @@ struct Property {
     const Class* owner = nullptr;
     std::vector<Value> enumerator_values{};
     std::uint32_t stored_index = 0;
-    /// Whether the typed ways of `Tree` may read and write it.
+    /// Which typed ways of `Tree` may read and write the property.
     struct Shortcut {
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
         Way read = Way::none;
         Way write = Way::none;
-        Way plain = Way::none;  // as `write`, where a call of a plain `put` is all there is to do
+        Way plain = Way::none;  // as `write`, if a call of a plain `put` is enough
         bool narrow = false;    // rounded to float
-        // In range, and no greater than that integers are exact; after rounding too.
+        // Values that may be written: in range, small enough that integers are exact; also after
+        // rounding.
         Range takes = Range::nothing();
     } shortcut{};
-    /// Broad watchers (class, pattern) that may match this property. Kept by `note_interest`.
+    /// Number of broad watchers (class, pattern) that may match this property. Set by
+    /// `note_interest`.
     mutable std::uint32_t interest = 0;
-    /// What may be written by a call of a plain `put` and nothing else: nothing while somebody is
-    /// interested, and never anything but what the property's type says, or there may be no `put`.
+    /// Values that a call of a plain `put` alone may write: none while there is a watcher, or if
+    /// the type does not fit, since then there may be no `put`.
     mutable Range numbers_at_once = Range::nothing();
     mutable Range vec2s_at_once = Range::nothing();
     void note_interest(std::uint32_t watchers) const {
@@ -188,7 +187,7 @@ struct Property {
     int enumerator_index(std::string_view text) const;
 };
 
-/// A parameter of a method, or a named field of what a method or an event tells.
+/// A parameter of a method, or a named field of a result or an event.
 struct Field {
     std::string name;
     Type type = Type::number;
@@ -196,33 +195,33 @@ struct Field {
     std::string doc{};
     std::string reference_class{};  // class of a reference, or of the references in a list
     Type element = Type::nil;       // type of a list's elements; nil: any
-    bool nullable = false;          // of what is told: may be nil
-    Range range{};                  // of an answer, each component
+    bool nullable = false;          // in a result or event: may be nil
+    Range range{};                  // range of an answer, for each component
 };
 
-/// Values under the names of their fields: what an event tells, what a query finds.
+/// Values by the names of their fields: the data of an event, the result of a query.
 struct Record {
     const std::vector<Field>* fields = nullptr;
     std::vector<Value> values;
-    /// nil when there is no such field.
+    /// nil if there is no such field.
     Value get(std::string_view name) const;
 };
 
-/// What a method returns: nothing (nil), a value, a record or a list of records.
+/// Result of a method: nothing (nil), a value, a record or a list of records.
 using Result = std::variant<Value, Record, std::vector<Record>>;
 
-/// What a method changes. `nothing`: it asks, and a formula may call it. `tree`: properties and
-/// instances, by the tree's own members. `memory`: its module's memory, which nobody else hears of.
-/// Formulas, and what is asked in the middle of a step or of a query, may call neither of the last
-/// two.
+/// What a method changes. `nothing`: it only reads, and a formula may call it. `tree`: properties
+/// and instances, by the tree's own members. `memory`: its module's memory, without reporting
+/// changes. Formulas, and functions that are called in the middle of a step or of a query, may not
+/// call methods of the last two kinds.
 enum class Effect : std::uint8_t { nothing, tree, memory };
 
 struct Method {
     std::string name;
     std::vector<Field> parameters{};
-    std::size_t required = 0;      // how many of the parameters must be given
-    std::vector<Field> returns{};  // fields of the record(s), or one entry for a plain value
-    bool many = false;             // returns a list of such records
+    std::size_t required = 0;      // number of required parameters
+    std::vector<Field> returns{};  // fields of the record(s), or one entry for a single value
+    bool many = false;             // the result is a list of such records
     std::string doc{};
     void* context = nullptr;
     /// Arguments are coerced to the parameters' types before the call; missing optional ones are
@@ -235,10 +234,9 @@ struct Method {
     const Class* owner = nullptr;
 };
 
-/// Told while all the instances that it names live: what was deleted since it happened, by another
-/// handler say, is no longer touched or come upon. An event called `..._end` whose class has a
-/// `..._begin` with the same fields in front is told all the same, to those who were told of the
-/// beginning.
+/// Delivered while all the instances in it live: if one was deleted since, by another handler for
+/// example, it is no longer valid. An event called `..._end` whose class has a `..._begin` with the
+/// same first fields is still delivered, to the handlers that got the beginning.
 struct Event {
     std::string name;
     std::vector<Field> fields{};
@@ -251,48 +249,49 @@ struct Event {
     mutable std::uint32_t listeners = 0;
 };
 
-/// Called by the tree as instances of the class come, move and go. All optional.
+/// Called by the tree when instances of the class are created, moved and deleted. All optional.
 struct Lifecycle {
     void* context = nullptr;
-    /// Makes the module's row, with defaults, before anyone can see the instance. May throw Error
-    /// when there is no room for it. Until the instance is made, `place` included, it cannot be
-    /// deleted: that throws Error(bad_structure).
+    /// Creates the module's row, with defaults, before the instance is visible. May throw Error if
+    /// there is no room. Until the instance is complete, with `place`, deleting it throws
+    /// Error(bad_structure).
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
-    /// The chain of parents above `self` changed (parents are told before children). Returns the
-    /// row, possibly another.
+    /// The chain of parents above `self` changed (called for parents before children). Returns the
+    /// row, possibly another one.
     Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
-    /// Ends the row. Meanwhile whoever is being deleted cannot be deleted again, moved, renamed or
-    /// get anything below it, and no snapshot can be restored: that throws Error(bad_structure).
-    /// What this throws is told by `Tree::destroy` when all is gone, and to nobody at the end of
-    /// the tree.
+    /// Ends the row. During this, the instances that are being deleted cannot be deleted again,
+    /// moved, renamed or get children, and no snapshot can be restored: that throws
+    /// Error(bad_structure). `Tree::destroy` throws its exceptions after all instances are deleted;
+    /// at the end of the tree they are ignored.
     void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
-    /// Draws the instance. `alpha`: how far between the last two steps, 0 to 1.
+    /// Draws the instance. `alpha`: time between the last two steps, 0 to 1.
     void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                  double alpha) = nullptr;
-    /// Draws over everything else, when all has been drawn.
+    /// Draws over all instances, after they are drawn.
     void (*draw_over)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                       double alpha) = nullptr;
 };
 
-/// What a snapshot holds of the instances of a class beside what the tree keeps of them.
+/// The data in a snapshot for the instances of a class, in addition to those of the tree.
 enum class Snapshots : std::uint8_t {
     by_value,  // each property that can be written and is not transient, by its name
-    natively,  // nothing: the class's module is a SnapshotPart and saves what the rows are
-    never      // nothing, and the tree's own columns neither: it belongs to the present (a console)
+    natively,  // each property that can be written and is not transient, by name
+    never      // no data, and none of the tree's own columns: it belongs to the present (a console)
 };
 
 struct ClassDescriptor {
     std::string name;
     std::string base = "Object";  // "" only for Object itself
     std::string doc{};
-    bool creatable = true;  // may be made by users; services such as `time` may not
+    bool creatable = true;  // users may create instances; services such as `time` may not be
+                            // created
     Snapshots snapshots = Snapshots::by_value;
     std::vector<Property> properties{};
     std::vector<Method> methods{};
     std::vector<Event> events{};
     Lifecycle lifecycle{};
-    /// What an instance is called when nobody names it: "body" gives body_1, body_2 ... Default:
-    /// the class name in lower case.
+    /// Stem of the names of unnamed instances: "body" gives body_1, body_2 ... Default: the class
+    /// name in lower case.
     std::string stem{};
 };
 
@@ -304,11 +303,11 @@ class Class {
     const std::string& doc() const { return descriptor_.doc; }
     const Class* base() const { return base_; }
     bool creatable() const { return descriptor_.creatable; }
-    /// Of the nearest native class up the chain: what scripts derive is saved like its base.
+    /// Of the nearest native base class: a script's class is saved like its base.
     Snapshots snapshots() const { return snapshots_; }
     bool is_a(const Class& other) const;
     const std::string& stem() const { return descriptor_.stem; }
-    /// Of the nearest class up the chain that has one.
+    /// Of the nearest base class that has one, or its own.
     const Lifecycle& lifecycle() const { return *lifecycle_; }
 
     // With everything inherited, base class first.
@@ -316,7 +315,7 @@ class Class {
     const std::vector<const Method*>& methods() const { return methods_; }
     const std::vector<const Event*>& events() const { return events_; }
 
-    // nullptr when there is none.
+    // nullptr if there is none.
     const Property* property(Symbol name) const;
     const Method* method(Symbol name) const;
     const Event* event(Symbol name) const;
@@ -355,15 +354,15 @@ class Class {
     std::vector<const Property*>
         observed_;  // simulated or derived: compared with shadows while watched
     std::vector<const Property*>
-        initial_;  // inherited natively, with a default of this class's own
+        initial_;  // inherited natively, with another default in this class
     std::uint32_t id_ = 0;
-    mutable bool columns_found_ = false;  // no `base` of a column gave null for the first row
+    mutable bool columns_found_ = false;  // no `base` of a column returned null for the first row
 };
 
 // --- Binding makers
 // -------------------------------------------------------------------------------------------------
 
-/// Bit for bit: a NaN is itself, -0.0 is not 0.0.
+/// Compares bits: a NaN equals itself, -0.0 is not 0.0.
 inline bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -371,7 +370,7 @@ inline bool same_bits(const Vec2& a, const Vec2& b) {
     return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
 }
 
-/// The typed ways to a cell of `T` at a fixed place in a row, kept there as `Kept`s.
+/// The typed ways to a `T` at a fixed place in a row, stored as `Kept`s.
 template <class T, class Kept, class Context, class Base>
 Typed<T> typed_column() {
     constexpr std::size_t count = std::is_same_v<T, double> ? 1 : 2;
@@ -407,7 +406,7 @@ Typed<T> typed_column() {
 }
 
 /// A column over `Element`s of `stride` bytes. `base` is a captureless lambda: (Context&) ->
-/// pointer to the first element. Scripts write numbers and vectors faster where it is `noexcept`.
+/// pointer to the first element. Scripts write numbers and vectors faster if it is `noexcept`.
 template <class Context, class Base>
 Binding column(Context& context, Native native, std::size_t stride, Base) {
     static_assert(std::is_empty_v<Base>, "a lambda without captures, not a function's address");
@@ -426,7 +425,7 @@ Binding column(Context& context, Native native, std::size_t stride, Base) {
     return b;
 }
 
-/// What a getter gives, if the typed ways know it: double or Vec2; else void.
+/// The result type of a getter, if there are typed ways for it: double or Vec2; else void.
 template <class Context, class Get>
 using TypedResult = std::conditional_t<
     std::is_floating_point_v<std::invoke_result_t<Get, Context&, Row>>, double,
@@ -434,7 +433,7 @@ using TypedResult = std::conditional_t<
         std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, Context&, Row>>, Vec2>, Vec2,
         void>>;
 
-/// Where the typed ways of a binding to a T are kept.
+/// The typed ways of a binding for T.
 template <class T>
 Typed<T>& typed(Binding& binding) {
     if constexpr (std::is_same_v<T, double>)
@@ -443,7 +442,7 @@ Typed<T>& typed(Binding& binding) {
         return binding.vec2;
 }
 
-/// `get`: captureless lambda (Context&, Row) -> anything a Value can be made of.
+/// `get`: captureless lambda (Context&, Row) -> any type that converts to Value.
 template <class Context, class Get>
 Binding accessor(Context& context, Get) {
     static_assert(std::is_empty_v<Get>, "a lambda without captures, not a function's address");

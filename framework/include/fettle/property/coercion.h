@@ -1,5 +1,5 @@
 #pragma once
-// Whether a value could be one of a property, before there is an instance to give it to.
+// Coercion of a value to the type of a property, before there is an instance.
 
 #include <string>
 
@@ -13,9 +13,8 @@ namespace fettle::property {
 
 class Tree;
 
-/// What `value` becomes as a value of the property: the rules of `Tree::set`, except for what the
-/// owner of the property has to say. Throws Error(wrong_type, out_of_range, not_finite) with `path`
-/// in front of the message.
+/// `value` as a value of the property: the rules of `Tree::set`, without those of the property's
+/// owner. Throws Error(wrong_type, out_of_range, not_finite) with `path` in front of the message.
 Value coerced(const Tree& tree, const Property& property, const Value& value,
               const std::string& path);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which moment the picture shows that is being drawn.
+// The moment of the picture that is being drawn.
 
 #include <fettle/property/export.h>
 
@@ -7,17 +7,17 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// A picture is being drawn on this thread while it lives.
+/// While it lives, this thread draws a picture.
 class Drawing {
   public:
-    /// `alpha`: how far the moment is between the last two steps, 0 to 1.
+    /// `alpha`: position of the moment between the last two steps, 0 to 1.
     explicit Drawing(double alpha);
     ~Drawing();
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// Of the picture that is being drawn; 1, the last step, while none is. So what scripts compute
-    /// with it outside of `draw` depends on no frame.
+    /// Of the current picture; 1, the last step, outside of drawing. So the results of scripts
+    /// outside of `draw` do not depend on frames.
     static double alpha();
 
   private:

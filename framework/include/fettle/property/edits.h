@@ -1,6 +1,6 @@
 #pragma once
-// Edits: what people do to a tree, told to whoever keeps it. Scripts' own writes are none of these,
-// so listening costs the game nothing.
+// Edits: changes of a tree by people, reported to an observer that keeps them. Writes of scripts
+// are not reported, so an observer costs the game nothing.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Everything a property of an instance can be: absent, its default, a value, a formula.
+/// All states of a property of an instance: absent, its default, a value, a formula.
 struct CellState {
     bool present = false;
     bool overridden = false;
@@ -21,19 +21,20 @@ struct CellState {
     std::optional<Formula> formula{};
 };
 
-/// Told of every edit by a person (console, inspector, remote, a script's `edit` block), and of
-/// what undo and redo make of it, at the moment it has been done. Members must not throw and must
-/// not change the tree; who edits is `Tree::cause()`.
+/// Gets every edit by a person (console, inspector, remote, a script's `edit` block), and the
+/// changes by undo and redo, right after they are made. Members must not throw and must not change
+/// the tree; `Tree::cause()` is the writer.
 class EditObserver {
   public:
     virtual ~EditObserver() = default;
-    /// The property is something else now; `before` is what it was. An ad-hoc one may be gone.
+    /// The property has changed; `before` is its old state. An ad-hoc property may have been
+    /// removed.
     virtual void edited(Handle, const Property&, const CellState& /*before*/) {}
-    /// It was created, and has no place in the tree yet unless it was brought back by undo.
+    /// The instance was created; it has no place in the tree yet unless undo restored it.
     virtual void born(Handle) {}
-    /// Before the instance, and everything below it, goes.
+    /// Called before the instance and everything below it is deleted.
     virtual void dying(Handle) {}
-    /// It has another name or parent. Null parent: it hung nowhere.
+    /// The instance has another name or parent. Null parent: it was detached.
     virtual void moved(Handle, Handle /*old_parent*/, const std::string& /*old_name*/) {}
 };
 

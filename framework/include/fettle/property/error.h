@@ -35,7 +35,7 @@ class Error : public std::runtime_error {
     ErrorKind kind() const { return kind_; }
 
   private:
-    /// A zero byte, which a name or a text in the message may hold, would end it.
+    /// A zero byte in a name or a text would end the message.
     static std::string shown(std::string message) {
         for (std::size_t at = message.find('\0'); at != std::string::npos;
              at = message.find('\0', at + 2))

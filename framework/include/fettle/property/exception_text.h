@@ -1,5 +1,5 @@
 #pragma once
-// What a person reads of an exception that C++ itself has thrown.
+// Messages for users from exceptions of C++.
 
 #include <exception>
 #include <string>
@@ -10,10 +10,11 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// The message of the exception; for what the standard library throws without a message for people
-/// (`std::bad_alloc`, `basic_string::_M_create`, a failure of the file system), what has happened.
+/// The message of the exception; for exceptions of the standard library with no readable message
+/// (`std::bad_alloc`, `basic_string::_M_create`, an error of the file system), a description of
+/// what happened.
 std::string exception_text(const std::exception& error);
-/// The same of the exception that is being handled, for `catch (...)`: C++ may throw what is no
+/// As above, for the exception that is being handled in `catch (...)`: it may be no
 /// `std::exception`, and has no message then.
 std::string exception_text();
 

@@ -16,30 +16,30 @@ namespace fettle::property {
 class Tree;
 
 struct Formula {
-    /// Computes the value from what it reads of the tree. It may throw; it must not write.
+    /// Computes the value from other values of the tree. It may throw; it must not write.
     std::function<Value(const Tree&)> function;
-    /// Its text, as it is shown, edited and saved; "" for a formula that has none.
+    /// Its text, for display, editing and saving; "" if it has none.
     std::string source{};
-    /// Why the text alone does not make the same formula again ("uses the local variable \"speed\"
-    /// of main.lua:12"), so that files hold its value instead; "" when it does.
+    /// Why the text alone does not define the same formula ("uses the local variable \"speed\" of
+    /// main.lua:12"), so that files contain its value instead; "" if it does.
     std::string not_saved{};
-    /// Bytes that the function alone keeps in memory, about.
+    /// Bytes of memory that only this function uses, estimated.
     std::size_t holds = 0;
 };
 
-/// Memory a formula takes, about.
+/// Memory of a formula, in bytes, estimated.
 inline std::size_t bytes_of(const Formula& formula) {
     return sizeof formula + formula.source.capacity() + formula.not_saved.capacity() +
            formula.holds;
 }
 
-/// Makes a formula of its text. Throws Error(formula) with what is wrong with the text.
+/// Makes a formula from its text. Throws Error(formula) with the error in the text.
 using FormulaCompiler = std::function<Formula(const std::string& source)>;
 
-/// Where a value comes from, as a tree.
+/// The sources of a value, as a tree.
 struct Explanation {
     std::string path;
-    std::string value;    // as printed, with its unit; "" where there is none
+    std::string value;    // as printed, with its unit; "" if there is none
     std::string source;   // of a formula
     std::string problem;  // of a formula in error
     std::vector<Explanation> from;

@@ -1,5 +1,5 @@
 #pragma once
-// Who is told of formulas that get into error.
+// Reports of errors in formulas.
 
 #include <functional>
 #include <string>
@@ -13,17 +13,17 @@ namespace fettle::property {
 
 struct FormulaProblem {
     Handle instance;
-    std::string path;     // of the property that has the formula
-    std::string message;  // what the formula raised, or why its result is no value of the property
+    std::string path;     // path of the property with the formula
+    std::string message;  // error of the formula, or why its result does not fit the property
 };
 
-/// Tells at barriers which formulas have got into error: each once, and once more when the text of
-/// its error is another, but for its numbers. A formula that is in error only because it reads one
-/// that is, is not told; of a circle of formulas one is told. There is one such function for a
-/// tree; an empty one ends it.
+/// `sink` gets, at barriers, each formula with a new error: once, and again when the text of its
+/// error changes, numbers aside. A formula with an error only because it reads a formula with an
+/// error is not reported; of a cycle of formulas one is reported. A tree has one such function; an
+/// empty one ends the reports.
 void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> sink);
 
-/// What is wrong with the formula now has been told elsewhere.
+/// The current error of the formula was reported elsewhere.
 void formula_problem_told(Tree& tree, Handle instance, const Property& property);
 
 }  // namespace fettle::property

@@ -1,5 +1,5 @@
 #pragma once
-// History: what people have edited, to be undone and done again.
+// History: the edits of people, for undo and redo.
 
 #include <string>
 #include <vector>
@@ -16,22 +16,21 @@ struct HistoryEntry {
     std::string name;
     Cause cause;
     std::size_t edits = 0;
-    bool undone = false;     // can be done again
-    bool too_large = false;  // it took more memory than the history may, and cannot be undone
+    bool undone = false;     // can be redone
+    bool too_large = false;  // it used more memory than the history may use, and cannot be undone
 };
 
 struct UndoResult {
     bool done = false;  // false: there was nothing to undo
     std::string name;
-    /// What could not be brought back, a line each: watchers that ended with their instance, values
-    /// their owner refused, instances their module would not make, or that the game has deleted
-    /// since. The rest of the step is undone all the same.
+    /// What could not be restored, one line each: watchers that ended with their instance, values
+    /// that their owner refused, instances that their module refused to create, or that the game
+    /// has deleted since. The rest of the step is undone.
     std::vector<std::string> notes;
 };
 
-/// Who wrote a property last. Edits by people, and changes of what is watched, keep file and line;
-/// anything else keeps writer and step, as long as it is among the last quarter of a million
-/// writes.
+/// The last writer of a property. Edits by people, and changes of watched properties, keep file and
+/// line; other writes keep writer and step, if they are among the last quarter of a million writes.
 struct Provenance {
     bool known = false;
     Cause cause;

@@ -1,5 +1,5 @@
 #pragma once
-// What an element of a column is: how many bytes it has, and which type of value.
+// Elements of columns: size in bytes, and type of the value.
 
 #include <cstddef>
 
@@ -15,7 +15,7 @@ Type type_of(Native native);
 
 /// The size of one element in bytes.
 std::size_t size_of(Native native);
-/// Bytes from one element of a column to the next, at most.
+/// The maximum distance from one element of a column to the next, bytes.
 inline constexpr std::size_t largest_stride = std::size_t{1} << 30;
 
 }  // namespace fettle::property

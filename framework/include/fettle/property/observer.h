@@ -1,7 +1,6 @@
 #pragma once
-// Observers: told of everything that is done to a tree from outside the simulation, at the moment
-// it has been done. Logs that play it again and journals that keep it are fed by them; game logic
-// watches instead.
+// Observers: get all changes of a tree from outside the simulation, right after they are made. They
+// feed logs for replay, and journals; game logic uses watchers instead.
 
 #include <memory>
 #include <span>
@@ -18,57 +17,57 @@ namespace fettle::property {
 class SnapshotPart;
 class Tree;
 
-/// A number (in `x`) or a vec2 that was written to a declared property. One of nobody (an empty
-/// instance) was refused after all.
+/// A number (in `x`) or a vec2 that was written to a declared property. An empty instance: the
+/// write was refused later.
 struct PlainWrite {
     Handle instance;
     const Property* property = nullptr;
     double x = 0, y = 0;
-    /// As the property holds it.
+    /// The value in the property.
     Value value() const;
 };
 
-/// Some of them in their order. Who wants to look at them later keeps `owner` rather than a copy.
+/// Several of them in order. To read them later, keep `owner` rather than a copy.
 struct PlainWrites {
     std::span<const PlainWrite> list;
     std::shared_ptr<const void> owner;
 };
 
-/// Members are called in the middle of a write, scripts' writes included: an implementation costs
-/// the game what it costs, must not throw, and must not change the tree. Who writes is
-/// `Tree::cause()`; what a formula computes is written by Writer::formula.
+/// Members are called in the middle of a write, also of writes by scripts: their time is part of
+/// the game's time; they must not throw and must not change the tree. `Tree::cause()` is the
+/// writer; it is Writer::formula for results of formulas.
 class Observer {
   public:
     virtual ~Observer() = default;
-    /// A plain value was written; it replaced a formula, if there was one. The property may be an
-    /// ad-hoc one that came with it.
+    /// A plain value was written, and replaced a formula if there was one. It may have added an
+    /// ad-hoc property.
     virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
-    /// Several writes of the typed ways (`Tree::write`), in their order: what scripts write most,
-    /// told together because a call for each would cost more than the write. Told before anything
-    /// else is, and before the writer or the step changes. Calls `wrote` for
-    /// each unless it is overridden.
+    /// Several writes of the typed ways (`Tree::write`), in order: scripts use these most, and a
+    /// call for each would cost more than the write. Called before any other member, and before the
+    /// writer or the step changes. Calls `wrote` for each unless it is overridden.
     virtual void wrote_plain(const PlainWrites& writes);
-    /// The property was given back to its owner, or its default.
+    /// The override of the property was removed, or its default was restored.
     virtual void was_reset(Handle, const Property&) {}
-    /// An ad-hoc property ended.
+    /// An ad-hoc property was removed.
     virtual void removed(Handle, const Property&) {}
-    /// A formula became the value of the property, or ended and left its last value:
-    /// `Tree::formula` tells which.
+    /// The property got a formula, or lost it and kept its last value: `Tree::formula` says which.
     virtual void formula_changed(Handle, const Property&) {}
-    /// Its row and its defaults exist. Instances that its class makes below it come first.
+    /// The instance has its row and its defaults. Instances that its class creates below it are
+    /// reported before.
     virtual void created(Handle) {}
-    /// Before the instance, and everything below it, goes.
+    /// Called before the instance and everything below it is deleted.
     virtual void destroying(Handle) {}
-    /// It has another name, parent or place among its siblings.
+    /// The instance has another name, parent or place among its siblings.
     virtual void moved(Handle) {}
-    /// Around a call of a method that changes its module's own memory (`Method::effect`). What it
-    /// does to the tree meanwhile is told as well.
+    /// Called before and after a method that changes its module's own memory (`Method::effect`).
+    /// Its changes of the tree are reported, too.
     virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
     virtual void call_ends(Handle, const Method&) {}
-    /// Somebody reads what edits have left out of date in a module's memory, and it is about to be
-    /// brought up to date (`Tree::refreshing`).
+    /// A read is about to bring data up to date in a module's memory that edits left out of date
+    /// (`Tree::refreshing`).
     virtual void refreshing(SnapshotPart&, std::uint64_t /*what*/) {}
-    /// A snapshot was restored: anything may be different. Nothing else is told of it.
+    /// A snapshot was restored: everything may be different. Its changes are not reported one by
+    /// one.
     virtual void restored() {}
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// What an instance looks like. A class may say how it is drawn by drawing itself with a Painter;
-// whoever has a window implements Painter. Neither knows the other.
+// Drawing of instances. A class may have a function that draws its instances with a Painter; the
+// window implements Painter. Neither depends on the other.
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Things a viewer can show on top of the picture; each is a property under `view.show`.
+/// Marks that a viewer can show on top of the picture; each is a property under `view.show`.
 enum class Overlay : std::uint8_t { aabbs, contacts, joints, centers, velocities, names, islands };
 
 /// Fill and border of a drawn figure. Either may be transparent (alpha 0). Border width in pixels.
@@ -35,9 +35,9 @@ class Painter {
     /// Half axes along x and y, then turned by `angle`.
     virtual void ellipse(const Vec2& center, const Vec2& radii, double angle,
                          const Paint& paint) = 0;
-    /// Polygon of any outline, either way round, also one that crosses itself: inside is what the
-    /// outline goes round at least once, counted with its direction. `rounding` is a radius around
-    /// it in metres, for convex ones only.
+    /// Polygon with any outline, clockwise or counter-clockwise, also with crossing edges: the
+    /// inside is the part that the outline encloses at least once, counted with direction.
+    /// `rounding` is a radius around it in metres, for convex polygons only.
     virtual void polygon(std::span<const Vec2> vertices, double rounding, const Paint& paint) = 0;
     /// A line `width` pixels thick.
     virtual void line(const Vec2& from, const Vec2& to, Color color, float width) = 0;
@@ -48,13 +48,13 @@ class Painter {
     /// the next multiple of twice the height from its beginning.
     virtual void text(const Vec2& position, std::string_view text, double height, Color color,
                       TextAlign align = TextAlign::middle) = 0;
-    /// The circles, ellipses and polygons that follow are parts of the thing of that number, until
-    /// another is told; 0: each is a thing by itself. Parts of one paint that are drawn one after
-    /// another have a border round the whole and none inside, and what one sees through is seen
-    /// once.
+    /// The circles, ellipses and polygons that follow are parts of one figure with that number,
+    /// until another number is set; 0: each is a figure of its own. Consecutive parts with the same
+    /// paint have one border around the whole, no border inside, and where they overlap a
+    /// transparent fill is drawn once.
     virtual void part_of(std::uint64_t whole) = 0;
     virtual bool shows(Overlay overlay) const = 0;
-    /// Whether anything of the box can be seen: lets a class skip what is outside the view.
+    /// True if any of the box is visible: a class need not draw what is outside the view.
     virtual bool sees(const Vec2& lower, const Vec2& upper) const = 0;
     /// Until `end_screen`, coordinates are pixels from the top left corner, y down.
     virtual void begin_screen() = 0;

@@ -24,17 +24,16 @@ struct Segment {
     bool is_index() const { return std::holds_alternative<std::int64_t>(key); }
 };
 
-/// Throws Error(bad_path) that says where it went wrong. A leading `game.` may be left out; "game"
-/// alone is the root.
+/// Throws Error(bad_path), which names the place of the error. A leading `game.` may be omitted;
+/// "game" alone is the root.
 std::vector<Segment> parse_path(std::string_view text);
 
-/// `name` as it stands in a path behind its parent: `.ball`, or `["my ball"]` where it is not an
-/// identifier.
+/// `name` in a path after its parent: `.ball`, or `["my ball"]` if it is not an identifier.
 std::string path_suffix(std::string_view name);
-/// Letters, digits and underscores, no digit first, not a word Lua reserves.
+/// Letters, digits and underscores, not beginning with a digit, not a reserved word of Lua.
 bool is_identifier(std::string_view name);
 
-/// What a path names: an instance; a property of it; or a part of a property's value.
+/// The target of a path: an instance; a property of it; or a part of a property's value.
 struct Place {
     Handle instance;
     const Property* property = nullptr;  // nullptr: the instance itself
@@ -43,7 +42,7 @@ struct Place {
 
 /// Throws Error(unknown_name) with the nearest spelling, Error(bad_path), Error(deleted).
 Place resolve(const Tree& tree, std::string_view path);
-/// Of a value: its component or element. Throws as above; `what` is the path for the message.
+/// A component or an element of a value. Throws as above; `what`: the path for the message.
 Value part_of(const Value& whole, const std::vector<Segment>& part, const std::string& what);
 /// `whole` with that part replaced. One past the end of a list appends.
 Value with_part(const Value& whole, const std::vector<Segment>& part, const Value& value,
@@ -53,23 +52,23 @@ Value with_part(const Value& whole, const std::vector<Segment>& part, const Valu
 Value get(const Tree& tree, std::string_view path);
 void set(Tree& tree, std::string_view path, const Value& value);
 
-/// A pattern over instances and optionally a property: `*` is any one name (or part of one:
-/// `ball_*`), `**` any number of steps down, none included. `world.**` is every property of
-/// everything below the world.
+/// A pattern for instances and optionally a property: `*` is any one name (or part of one:
+/// `ball_*`), `**` any number of levels, also none. `world.**` is every property of everything
+/// below the world.
 class Pattern {
   public:
     /// Throws Error(bad_path).
     explicit Pattern(std::string_view text);
     const std::string& text() const { return text_; }
-    /// Its names, each of which may hold stars.
+    /// Its names, each of which may contain stars.
     const std::vector<std::string>& segments() const { return segments_; }
     bool matches(const Tree& tree, Handle instance, const Property& property) const;
     bool matches(const Tree& tree, Handle instance) const;
-    /// The names of a path, the root's left out; nothing of it need exist.
+    /// `names`: the names of a path, without the root; they need not exist.
     bool matches(const std::vector<std::string>& names) const;
-    /// False when no property of this name can match: cheap, for turning changes away early.
+    /// False if no property of this name can match: cheap, to skip changes early.
     bool may_match(Symbol property) const;
-    /// The one name of properties that can match; empty where there may be several.
+    /// The only property name that can match; empty if several may match.
     Symbol only_property() const;
 
   private:

@@ -9,8 +9,8 @@ namespace fettle::property {
 class Tree;
 
 /// While it lives, a function is called that must not destroy the tree, since work on the tree goes
-/// on when it returns. When it does so nevertheless, the program is ended with a message that names
-/// `what`, which must outlive this: "the function given to on_print".
+/// on when it returns. If the function does destroy it, the program ends with a message that
+/// contains `what`, which must outlive this object: "the function given to on_print".
 class Pinned {
   public:
     Pinned(Tree& tree, const char* what);

@@ -1,7 +1,7 @@
 #pragma once
-// Events that ask: what a module tells inside a step, where waiting for the barrier would be too
-// late. Handlers are called at once, in the order they were registered, and may change some of the
-// values they are told; of the tree they may read everything and change nothing (`Inquiry`).
+// Questions: events that a module emits inside a step, when the next barrier would be too late.
+// Handlers are called at once, in the order of registration, and may change some of the event's
+// values; they may read the whole tree but must not change it (`Inquiry`).
 
 #include <cstddef>
 #include <span>
@@ -17,12 +17,12 @@ namespace fettle::property {
 
 class Tree;
 
-/// While one lives, a function of a game is asked something in the middle of a step or of a search:
-/// the memory of modules must stay as it is. The function may read the tree. Whatever would change
-/// the tree throws Error(rejected), and formulas keep the values they have.
+/// While one lives, a function of a game is called in the middle of a step or of a search: the
+/// memory of modules must not change. The function may read the tree. Calls that would change the
+/// tree throw Error(rejected), and formulas keep their values.
 class Inquiry {
   public:
-    /// Errors read "`subject` `rule` delete an instance"; both must outlive the inquiry.
+    /// Errors read "`subject` `rule` delete an instance"; both must outlive this object.
     Inquiry(Tree& tree, std::string_view subject, std::string_view rule);
     ~Inquiry();
     Inquiry(const Inquiry&) = delete;
@@ -36,7 +36,7 @@ class Inquiry {
     const Inquiry* outer_;
 };
 
-/// What a handler is being asked.
+/// A question with its values, for a handler.
 class Question {
   public:
     Question(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
@@ -49,11 +49,11 @@ class Question {
 
     const Event& event() const { return event_; }
     std::span<const Value> values() const { return values_; }
-    /// Changes the value of a field. Throws Error: for one that is only told, a value that is none
-    /// of the field's type, or one outside its range.
+    /// Changes the value of a field. Throws Error for a read-only field, for a value of another
+    /// type, or outside the field's range.
     void answer(std::size_t field, const Value& value);
 
-    /// The question whose handler is running on this thread; null outside of one.
+    /// The question whose handler is running on this thread; null if there is none.
     static Question* current();
 
   private:
@@ -64,9 +64,9 @@ class Question {
     std::size_t changeable_;
 };
 
-/// Asks those who listen to an event of an instance. `values` are those of the event's fields; the
-/// fields from `changeable` on may be changed, and are handed from one handler to the next. Errors
-/// of handlers go to the tree's error sink, as at a barrier.
+/// Calls the handlers of an event of an instance. `values` are those of the event's fields; the
+/// fields from `changeable` on may be changed, and go from one handler to the next. Errors of
+/// handlers go to the tree's error sink, as at a barrier.
 void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
          std::size_t changeable);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a module may know of a snapshot while it reads its own part of it.
+// Information for a module that reads its part of a snapshot.
 
 #include <functional>
 
@@ -13,9 +13,9 @@ namespace fettle::property {
 
 class Tree;
 
-/// Within `SnapshotPart::restore`: who is about to be there, as what, and which row it is going to
-/// have. A part that says itself what rows are checks here that each is one of its own, and whose
-/// it is: bytes from a stranger may hold any number. Nobody at any other time.
+/// Within `SnapshotPart::restore`: visits each instance that will exist, with its class and its
+/// row. A part that stores rows itself checks here that each row exists and belongs to the
+/// instance: foreign bytes may hold any number. At any other time there are none.
 void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit);
 
 }  // namespace fettle::property

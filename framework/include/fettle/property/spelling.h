@@ -1,5 +1,5 @@
 #pragma once
-// Nearest spelling: which name the user may have meant.
+// Spelling: the name that the user may have meant.
 
 #include <cstddef>
 #include <span>
@@ -18,13 +18,13 @@ namespace fettle::property {
 /// alignment.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
-/// Whether `name` is so near to `declared` that it is surely a slip: other case, one edit or one
-/// transposition. Names under four letters are compared by case only, since they are near
-/// everything; names that differ only in what counts them (wheel1 and wheel2, item_a and item_b)
-/// are different names.
+/// True if `name` is so similar to `declared` that it is surely a typing error: other case, one
+/// edit or one transposition. Names under four letters are compared by case only, since they are
+/// similar to many; names with different numbers or letters at the end (wheel1 and wheel2, item_a
+/// and item_b) are different names.
 bool near_miss(std::string_view name, std::string_view declared);
 
-/// The candidate nearest to `name`, or "" when none is near enough to be worth suggesting.
+/// The candidate nearest to `name`, or "" if none is near enough.
 std::string nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// ` (did you mean "mass"?)` or "".

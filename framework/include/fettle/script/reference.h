@@ -1,6 +1,7 @@
 #pragma once
-// The reference of everything a game can use, from the class descriptors of a tree and those of the
-// language: annotations for editors, and pages for people. Nothing in them is written by hand.
+// The reference of everything that a game can use, from the class descriptors of a tree and the
+// descriptions of the language: annotations for editors, and pages for readers. All of it is
+// generated.
 
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ FETTLE_SCRIPT_BEGIN
 namespace fettle::script {
 
 /// One file of LuaCATS annotations (`---@meta`, as lua-language-server reads them). `tree`: with
-/// all modules and services attached; what hangs under its root is global.
+/// all modules and services attached; children of its root are globals.
 std::string annotations(const property::Tree& tree);
 
 struct ReferencePage {

@@ -1,7 +1,7 @@
 #pragma once
 // A Lua runtime over a property tree: loads a game, calls its callbacks, runs its timers, evaluates
-// what is typed into a console. Every object a script sees is a handle into the tree; nothing of
-// Lua appears in this header.
+// console commands. Every object of a script is a handle into the tree; this header contains
+// nothing of Lua.
 
 #include <cstdint>
 #include <filesystem>
@@ -31,24 +31,24 @@ struct FETTLE_SCRIPT_PRIVATE Machine;
 struct Options {
     std::uint64_t seed = 0;
     std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
-    // Bytes one console command may add: in Lua and in the tree. A chunk of `run`: memory_limit.
+    // Bytes that one console command may add, in Lua and in the tree. For a chunk of `run`:
+    // memory_limit.
     std::size_t console_memory = std::size_t{128} << 20;
     std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
-    /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: as
-    /// long as it likes. `limit_calls` says more, and can change it.
+    /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: no
+    /// limit. `limit_calls` can change it.
     double call_seconds = 10;
-    std::filesystem::path assets;  // where files are looked for that the game's folder lacks
-    // Not owned; a game has none of what is missing.
+    std::filesystem::path assets;  // folder for files that the game's folder does not have
+    // Not owned; null: the game has none.
     property::GameSaves* saves = nullptr;
     property::Tweaks* tweaks = nullptr;
-    property::GameFiles* files = nullptr;  // none: what is on the disk
-    /// Name of the recording whose run this one makes again; "" when it makes none. What was
-    /// written to the game's files then is not written again: functions that would say so and go
-    /// on.
+    property::GameFiles* files = nullptr;  // null: the files on the disk
+    /// Name of the recording that this run replays; "" in a normal run. A replay does not write the
+    /// game's files again: functions that would write them report this and go on.
     std::string replay{};
 };
 
-/// A script went wrong: what the error screen and stderr show.
+/// An error of a script, as the error screen and stderr show it.
 struct ScriptError {
     std::string message;      // "main.lua:12: world.bal: no such name (did you mean \"ball\"?)"
     std::string file;         // "main.lua", "console"; "" when unknown
@@ -57,25 +57,26 @@ struct ScriptError {
     std::string traceback;    // one frame a line
     std::string locals;       // `name = value` a line: local variables of the frame that failed
     std::string context;      // "update", "timer", "watcher of world.ball.mass", "load", "console"
-    int column = 0;           // from 1, where a caret belongs under the source line; 0 when unknown
+    int column = 0;           // from 1, place of the caret under the source line; 0 when unknown
 };
 
-/// The error as a console shows it: message, then the source line and a caret under what is wrong.
+/// The error as lines for a console: message, then the source line and a caret under the error.
 std::vector<std::string> error_lines(const ScriptError& error);
 
-/// A call into the game's scripts that does not come back.
+/// A call into the game's scripts that has not returned for too long.
 struct LongCall {
-    ScriptError where;   // it has no message
-    double seconds = 0;  // that it has lasted
+    ScriptError where;   // place; it has no message
+    double seconds = 0;  // s since its start
 };
 
-/// What came of one console command.
+/// Result of one console command.
 struct Evaluation {
     bool ok = false;
-    bool incomplete = false;         // the chunk needs more lines; nothing was run
-    std::vector<std::string> lines;  // printed text, results and echoes of assignments, in order
+    bool incomplete = false;         // the chunk needs more lines; nothing has run
+    std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
+                                     // in order
     std::optional<ScriptError> error;
-    property::Value result;  // the last result, nil when it has none that is a value
+    property::Value result;  // the last result; nil if it is no value of the tree
 };
 
 struct Completion {
@@ -86,14 +87,14 @@ struct Completion {
     std::size_t replace_from = 0;  // byte offset
 };
 
-/// **Lifetimes.** A tree has one runtime at a time: a second throws Error(bad_structure); when the
-/// first is destroyed, another may follow. Watchers, timers and handlers of the scripts end with
+/// **Lifetimes.** A tree has one runtime at a time: a second throws Error(bad_structure); after the
+/// first is destroyed, another may be made. Watchers, timers and handlers of the scripts end with
 /// the runtime; formulas that they defined are in error from then on. The runtime may outlive the
-/// tree: whatever would run a script throws Error(deleted) then. Functions given to `on_error`,
-/// `on_print` and the others may destroy the runtime that calls them; what runs goes on to its end
-/// without it. None may destroy the tree but that of `on_command`; that of `on_print` ends the
-/// program then, with a message. They should not throw: what they throw leaves the call (`run`,
-/// `step`) that told them.
+/// tree: functions that would run a script then throw Error(deleted). Functions given to
+/// `on_error`, `on_print` and the others may destroy the runtime that calls them; the running call
+/// goes on to its end without it. Only the function given to `on_command` may destroy the tree; if
+/// that of `on_print` does, the program ends with a message. They should not throw: an exception
+/// leaves the call (`run`, `step`) that called them.
 class Runtime {
   public:
     Runtime(property::Tree& tree, Options options);
@@ -101,22 +102,22 @@ class Runtime {
     Runtime(const Runtime&) = delete;
     Runtime& operator=(const Runtime&) = delete;
 
-    /// For objects that hold a reference to the runtime and may outlive it: expired from the
-    /// beginning of its destruction on.
+    /// For objects that refer to the runtime and may outlive it: expired as soon as its destruction
+    /// begins.
     std::weak_ptr<const void> lifetime() const;
 
-    /// Runs main.lua of a folder, or one .lua file; then its `start()`. False when it raised; the
-    /// error goes to the sink. The folder is where the game's files are, and none of them lies
-    /// elsewhere: links that lead out of it are not followed. Throws property::FileError when the
-    /// file cannot be read, and Error(bad_structure) while a script of this runtime runs.
+    /// Runs main.lua of a folder, or one .lua file; then its `start()`. False if it raised an
+    /// error, which goes to the sink. The game's files are in this folder only: links that lead out
+    /// of it are not followed. Throws property::FileError if the file cannot be read, and
+    /// Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
     /// Runs a chunk as part of the game (`--eval`). It may add `Options::memory_limit` bytes, in
-    /// Lua and in the tree, and like every call take `Options::call_seconds`: then it is stopped.
-    /// False when it raised or was stopped; the error goes to the sink.
+    /// Lua and in the tree, and, like every call, take `Options::call_seconds`: then it is stopped.
+    /// False if it raised an error or was stopped; the error goes to the sink.
     bool run(std::string_view chunk, const std::string& name);
 
-    /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False when
-    /// it raised.
+    /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False if it
+    /// raised an error.
     bool call(std::string_view callback, std::span<const property::Value> arguments);
     bool call(std::string_view callback, std::initializer_list<property::Value> arguments) {
         return call(callback, std::span(arguments.begin(), arguments.size()));
@@ -133,52 +134,52 @@ class Runtime {
     /// Runs a command: an expression prints its value, an assignment echoes old and new, `path?`
     /// prints help.
     Evaluation evaluate(std::string_view command);
-    /// Candidates for what stands before `cursor` (byte offset), best first.
+    /// Completions for the text before `cursor` (byte offset), best first.
     std::vector<Completion> complete(std::string_view input, std::size_t cursor);
-    /// What `it` means in the console.
+    /// Sets the instance that `it` means in the console.
     void set_it(property::Handle instance);
     property::Handle it() const;
 
     // --- Calls that do not come back
     // --------------------------------------------------------------------------------
 
-    /// A call into the game's scripts (main.lua, a chunk, a callback, a timer, a handler, drawing)
-    /// that takes longer than `seconds` is asked about, ten times a second from then on: `go_on`
-    /// says whether it may; it may look at events, draw, and evaluate commands meanwhile. Without
-    /// it, and when it has destroyed the runtime whatever it says, the call is stopped, as by an
-    /// error: so it is after `Options::call_seconds` until this is
-    /// called. 0: calls last as long as they like. A runtime whose calls are limited has a thread
-    /// of its own from its first call on, and uses the signal SIGURG, whose handler it sets.
+    /// Calls `go_on` ten times a second during a call into the game's scripts (main.lua, a chunk, a
+    /// callback, a timer, a handler, drawing) that takes longer than `seconds`; its result says
+    /// whether the call may go on. It may read events, draw, and evaluate commands. If it is empty,
+    /// or has destroyed the runtime, the call is stopped, as by an error; before the first call of
+    /// `limit_calls`, calls are stopped so after `Options::call_seconds`. 0: no limit. A runtime
+    /// with a limit has its own thread from its first call on, and uses the signal SIGURG, whose
+    /// handler it sets.
     void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
 
     // --- Towards the host
     // -------------------------------------------------------------------------------------------
 
     void on_error(std::function<void(const ScriptError&)> sink);
-    /// print() outside console commands.
+    /// Receives the output of print() outside console commands.
     void on_print(std::function<void(std::string_view)> sink);
-    /// What is no error and has surely another effect than its author thinks: a property added
-    /// under the name that another engine has for a declared one, a function that nothing calls and
-    /// that is nearly called like a callback. Each is told once.
+    /// Receives notes on code that is no error but surely has another effect than intended: a
+    /// property added under the name that another engine has for a declared one, a function that
+    /// nothing calls and whose name is nearly that of a callback. Each note is given once.
     void on_note(std::function<void(std::string_view)> sink);
-    /// What rewind(seconds) does, at a barrier between steps. Without it rewind is refused.
+    /// Implements rewind(seconds), called at a barrier between steps. Without it rewind is refused.
     void on_rewind(std::function<void(double seconds)> rewind);
-    /// Asked before every console command how many bytes it may add, in Lua and in the tree
-    /// together, instead of what the options say. `property` is named by the error of a command
-    /// that needs more. Empty: the options again.
+    /// `bytes` is called before every console command: how many bytes the command may add, in Lua
+    /// and in the tree together, instead of the number in the options. The error of a command that
+    /// needs more names `property`. Empty: the number in the options.
     void on_command_memory(std::function<std::size_t()> bytes, std::string property);
-    /// Told of every console command before it runs.
+    /// Called for every console command before it runs.
     void on_command(std::function<void(std::string_view)> sink);
-    /// Stops the script that runs, wherever it is, and every other one until `go_on`; each tells
-    /// its error as usual. A signal handler of the thread that runs scripts may call this, and
-    /// nothing else of a runtime.
+    /// Stops the running script, anywhere, and every other script until `go_on`; each reports its
+    /// error as usual. A signal handler of the thread that runs scripts may call this, and nothing
+    /// else of a runtime.
     void interrupt() noexcept;
-    /// Scripts run again. Between calls into the runtime.
+    /// Scripts may run again. Call it between calls into the runtime.
     void go_on();
     bool interrupted() const;
-    /// Status given to quit(), once it was called.
+    /// Status that a script gave to quit(); none if quit() was not called.
     std::optional<int> quit_status() const;
-    /// Whether the game defines a global function of that name.
+    /// True if the game defines a global function of that name.
     bool defines(std::string_view callback) const;
 
     /// Bytes held by Lua.
