@@ -1,14 +1,14 @@
 #pragma once
-// Classes: what an instance of a kind has. A class is registered once, by a descriptor; dispatch in
-// Lua, completion, help, inspector widgets, range checks, scene files and reference pages are all
-// derived from it.
+// Classes: properties, methods and events of instances. A class is registered once, by a
+// descriptor; dispatch in Lua, completion, help, inspector widgets, range checks, scene files and
+// reference pages are all derived from it.
 //
-// Whoever computes with a value owns its memory. A property's binding says where that memory is:
-//   column    in an array of the module's own, at a fixed stride
-//   accessor  behind a getter and a setter of the module's own
+// The module that computes with a value owns its memory. A property's binding says where it is:
+//   column    in an array of the module, at a fixed stride
+//   accessor  behind a getter and a setter of the module
 //   node      computed from the tree itself (a name, a list of references)
-//   stored    nobody else wants it: the tree keeps it, in typed columns of the class
-//   ad_hoc    added to one instance by a user; the tree keeps it beside the instance
+//   stored    in the tree itself, in typed columns of the class
+//   ad_hoc    added to one instance by a user; the tree keeps it with the instance
 
 #include <bit>
 #include <cstddef>

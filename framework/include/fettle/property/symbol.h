@@ -1,5 +1,5 @@
 #pragma once
-// Symbols: names made once into small numbers, so that comparing two names is comparing two
+// Symbols: names converted once to small numbers, so that comparing two names is comparing two
 // integers.
 
 #include <cstdint>
@@ -16,14 +16,14 @@ namespace fettle::property {
 /// An interned name. Interning is thread-safe; symbols live as long as the process.
 class Symbol {
   public:
-    /// Different names a process can have: nobody needs so many, and none is ever given back.
+    /// The greatest number of different names in a process; a name is never released.
     static constexpr std::uint32_t most = std::uint32_t{1} << 22;
 
     Symbol() = default;
-    /// Throws Error(bad_name) when there are too many different names.
+    /// Throws Error(bad_name) if there are too many different names.
     explicit Symbol(std::string_view text);
-    /// The symbol of `text` if anyone has interned it, else the empty symbol. Never grows the
-    /// table, so that names typed by a user or read from a file leave nothing behind.
+    /// The symbol of `text` if it is interned, else the empty symbol. Never adds to the table, so
+    /// that names typed by a user or read from a file use no memory.
     static Symbol find(std::string_view text);
     const std::string& text() const;
     std::uint32_t id() const { return id_; }

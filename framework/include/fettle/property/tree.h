@@ -2,16 +2,16 @@
 // The live property tree: instances with classes, parents, ordered children and properties,
 // reachable by path.
 //
-// Whoever computes with a value owns its memory; the tree is the map to it. Reading a property
-// reads the module's own memory; an edit goes coerce -> validate -> equal? stop -> setter ->
-// invalidate hook -> queue the change. The simulation writes its own memory and calls nothing here:
-// what is watched of it is compared with a shadow value at the barrier after the step. Handlers run
-// at barriers only.
+// The module that computes with a value owns its memory; the tree knows where it is. Reading a
+// property reads the module's own memory; an edit goes coerce -> validate -> equal? stop -> setter
+// -> invalidate hook -> queue the change. The simulation writes its own memory and calls nothing
+// here: its watched values are compared with shadow values at the barrier after the step. Handlers
+// run at barriers only.
 //
 // One thread owns a tree. Throwing members throw property::Error with path, value, expectation and
-// nearest spelling; what a getter or a lifecycle function of a class throws goes on to the caller
-// as it is. A handle belongs to the tree that gave it: another tree may have an instance of its own
-// under the same number, and takes it for that.
+// nearest spelling; exceptions of a getter or a lifecycle function of a class go on to the caller
+// unchanged. A handle belongs to its tree: in another tree, the same number may refer to another
+// instance.
 
 #include <cstdint>
 #include <functional>
@@ -39,47 +39,48 @@ namespace fettle::property {
 class EditObserver;
 class Observer;
 
-/// Of an instance that was deleted.
+/// What is known of a deleted instance.
 struct Remains {
     const Class& of;
     std::string name;
 };
 
-/// **Lifetimes.** Handles are numbers: after the tree they mean nothing and do no harm.
+/// **Lifetimes.** Handles are numbers: after the tree they refer to nothing and do no harm.
 /// Connections, values, records and snapshots may outlive it. Classes, properties, methods and
-/// events live as long as the tree that they were registered with, and are refused by any other.
-/// Modules, parts of snapshots and observers are not owned: they live until the tree is gone, or
-/// until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
-/// tree, and are of no use then. A handler, a function given to `at_barrier` or a method may
-/// destroy the tree that calls it: `barrier` or `call` throws Error(deleted) when it has returned.
-/// Formulas, lifecycle functions, setters, observers, what is asked in the middle of a step or of a
-/// search (question.h, acceptance.h), and what is given to `each_below`, `mark_weight` or `restore`
-/// must not: the program is ended then, with a message that names them. Getters, and setters that
-/// the typed ways call, must not either, and nobody looks: that would cost every read and write.
+/// events live as long as the tree that they were registered with, and any other tree refuses them.
+/// Modules, parts of snapshots and observers are not owned: they live until the tree is destroyed,
+/// or until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
+/// tree, and are useless then. A handler, a function given to `at_barrier` or a method may destroy
+/// the tree that calls it: `barrier` or `call` throws Error(deleted) after it has returned.
+/// Formulas, lifecycle functions, setters, observers, functions that are called in the middle of a
+/// step or of a search (question.h, acceptance.h), and functions given to `each_below`,
+/// `mark_weight` or `restore` must not: the program is ended then, with a message that names them.
+/// Getters, and setters that the typed ways call, must not either, and this is not checked: a check
+/// would cost every read and write.
 class Tree {
   public:
     Tree();
     ~Tree();
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
-    /// For objects that hold a reference to the tree and may outlive it: expired from the beginning
-    /// of its destruction on.
+    /// For objects that refer to the tree and may outlive it: expired as soon as its destruction
+    /// begins.
     std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
     // ----------------------------------------------------------------------------------------------------
 
-    /// Throws Error, which names class and member, for what a class cannot be: a name that is taken
-    /// or is none, within the class too; an unknown base; an accessor without `get`, a column
+    /// Throws Error, which names class and member, for an invalid descriptor: a name that is taken
+    /// or invalid, also within the class; an unknown base; an accessor without `get`, a column
     /// without `base` or of another type, a method without `call`; a range that ends before it
-    /// begins; a default that its own property would refuse. What a base class declares may be
-    /// declared again with another default or doc alone.
+    /// begins; a default that its own property would refuse. A property of a base class may be
+    /// declared again only with another default or doc.
     const Class& define(ClassDescriptor descriptor);
     const Class* find_class(std::string_view name) const;
     /// Throws Error(unknown_name) with the nearest spelling.
     const Class& class_named(std::string_view name) const;
     std::vector<const Class*> classes() const;  // in order of definition
-    /// The class every other derives from: plain nodes, `Object {}`.
+    /// The base class of all classes: plain nodes, `Object {}`.
     const Class& object_class() const;
 
     // --- Instances
@@ -90,60 +91,61 @@ class Tree {
     /// gets its class's stem: "circle", then "circle_2" under a parent when `first_plain`, else
     /// "body_1", "body_2".
     Handle create(const Class& instance_class, Handle parent = {}, std::string_view name = {});
-    /// Deletes the instance and everything below it. Handles die at once; `deleted` is delivered at
-    /// the barrier. What a module throws as it is told (`Lifecycle::destroy`) changes nothing of
-    /// that: when all is gone the first is thrown as Error(rejected).
+    /// Deletes the instance and everything below it. Handles become invalid at once; `deleted` is
+    /// delivered at the barrier. Exceptions of modules (`Lifecycle::destroy`) do not stop this:
+    /// after all instances are deleted, the first is thrown as Error(rejected).
     void destroy(Handle instance);
     bool alive(Handle instance) const;
     /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
     void require(Handle instance) const;
     const Class& class_of(Handle instance) const;
-    /// What is still known of an instance that was deleted, so that who kept its handle can tell
-    /// what it was; nothing while it lives, and of those that were deleted long ago.
+    /// What is known of a deleted instance, for messages about its handle; none while it lives, and
+    /// for instances that were deleted long ago.
     std::optional<Remains> remains(Handle instance) const;
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
-    /// know which rows there are: from then on it reads and writes the module's memory there.
+    /// check the row: from then on it reads and writes the module's memory there.
     void set_row(Handle instance, Row row);
 
-    Handle parent(Handle instance) const;  // null for the root and for what is detached
+    Handle parent(Handle instance) const;  // null for the root and for detached instances
     Handle first_child(Handle instance) const;
     Handle next_sibling(Handle instance) const;
     std::vector<Handle> children(Handle instance) const;
     std::size_t child_count(Handle instance) const;
-    /// From 1; a null handle when there are not so many. Fast when they are asked for in order.
+    /// From 1; a null handle if there are fewer. Fast if called in order.
     Handle nth_child(Handle instance, std::uint64_t n) const;
-    /// Null handle when there is none.
+    /// Null handle if there is none.
     Handle child(Handle instance, std::string_view name) const;
     bool is_below(Handle instance, Handle ancestor) const;
-    /// Another number whenever an instance came, went or got another place or name.
+    /// A number that changes whenever an instance is created, deleted, moved or renamed.
     std::uint64_t structure() const;
     /// Number of living instances, and their visit in a fixed order (parents before children).
     std::size_t size() const;
     void each_below(Handle top, const std::function<void(Handle)>& visit) const;
 
     std::string name(Handle instance) const;
-    /// "world.ball"; "game" for the root; "(detached ball)" when it hangs nowhere.
+    /// "world.ball"; "game" for the root; "(detached ball)" for a detached instance.
     std::string path(Handle instance) const;
     std::string path(Handle instance, const Property& property) const;
     /// Throws Error(bad_name): empty, taken by a sibling, or a property or method of the parent.
     void rename(Handle instance, std::string_view name);
     /// Gives the instance another parent (null: detaches it). `name` empty: keeps its own, numbered
-    /// when taken. Throws Error(bad_structure) for a parent below the instance itself.
-    /// All of it, or nothing: a module may refuse (Error(rejected)).
+    /// if taken. Throws Error(bad_structure) for a parent below the instance itself. In case of an
+    /// error nothing has changed: a module may refuse (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
               bool first_plain = false);
-    /// Deletes `old` and gives its name and its parent to `by`, which is detached. All of it, or
-    /// nothing; throws as `move` does.
+    /// Deletes `old` and gives its name and its parent to `by`, which is detached. In case of an
+    /// error nothing has changed; throws as `move` does.
     void replace(Handle old, Handle by);
-    /// For who may have to take a move back: puts the instance where it hangs now, under the name
-    /// it has. Does nothing when it, or what it hung under, is gone; throws nothing.
+    /// Returns a function that takes a later move back: it puts the instance back to its current
+    /// place and name. The function does nothing if the instance or its parent was deleted; it
+    /// never throws.
     std::function<void()> way_back(Handle instance);
 
     // --- Properties
     // -------------------------------------------------------------------------------------------------
 
-    /// Declared or ad-hoc; nullptr when the instance has none of that name.
+    /// Declared or ad-hoc; nullptr if the instance has none of that name.
     const Property* find(Handle instance, Symbol name) const;
     const Property* find(Handle instance, std::string_view name) const;
     /// Throws Error(unknown_name) with the nearest spelling.
@@ -154,21 +156,21 @@ class Tree {
 
     Value get(Handle instance, const Property& property) const;
     Value get(Handle instance, std::string_view name) const;
-    /// The value in its owner's memory, whatever a formula in error says of it. No dependency of a
+    /// The value in its owner's memory, even if its formula is in error. Not a dependency of a
     /// running formula.
     Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
-    /// The typed ways, for numbers and vec2s in ordinary circumstances, of a property that the
-    /// instance has: here that is not checked. False when `get` or `set`
-    /// has to do it (another type, a formula, a dead instance, somebody to be told, a value that is
-    /// not finite or out of range). Observers hear of what was written this way before they hear of
-    /// anything else, and before the writer or the step changes, but not at once.
+    /// The typed ways, for numbers and vec2s in the usual cases, of a property that the instance
+    /// has: this is not checked. False if `get` or `set` must be used (another type, a formula, a
+    /// deleted instance, a watcher, a value that is not finite or out of range). Observers get
+    /// these writes before any other change, and before the writer or the step changes, but not at
+    /// once.
     bool read(Handle instance, const Property& property, double& number) const;
     bool read(Handle instance, const Property& property, Vec2& vector) const;
-    /// For those who mind each nanosecond: the row of the instance, where properties with a
-    /// `shortcut.read` of `number` or `vec2` may be read by their bindings' own `get`; nullptr when
-    /// `read` has to be asked. Holds until anything is done to the tree.
+    /// For the fastest reads: the row of the instance, for the `get` of the bindings of properties
+    /// with a `shortcut.read` of `number` or `vec2`; nullptr if `read` must be used. Valid until
+    /// the next change of the tree.
     const Row* readable(Handle instance) const;
     bool write(Handle instance, const Property& property, double number) {
         const Put begun = begin_write(instance, property, number);
@@ -178,25 +180,25 @@ class Tree {
         const Put begun = begin_write(instance, property, vector);
         return begun == Put::done || end_write(begun, instance, property, vector);
     }
-    /// `write` in two calls, for those who mind each nanosecond. The first takes the shortest way
-    /// and throws nothing. Unless it returns Put::done, the second has to be called with the same
-    /// arguments before anything else is done to the tree; it does the rest, and returns and throws
-    /// what `write` does.
+    /// `write` in two calls, for the fastest writes. The first takes the shortest way and never
+    /// throws. Unless it returns Put::done, the second must be called with the same arguments
+    /// before anything else is done to the tree; it does the rest, and returns and throws what
+    /// `write` does.
     Put begin_write(Handle instance, const Property& property, double number);
     Put begin_write(Handle instance, const Property& property, const Vec2& vector);
     bool end_write(Put begun, Handle instance, const Property& property, double number);
     bool end_write(Put begun, Handle instance, const Property& property, const Vec2& vector);
-    /// Back to the default (or to what its owner computes).
+    /// Restores the default (or the value that its owner computes).
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance, const Property& property) const;
 
-    /// Sets a property, adding it to this instance when it has none of that name. Throws
-    /// Error(near_miss) when the name is nearly a declared one, Error(bad_name) when a child or a
+    /// Sets a property, adding it to this instance if it has none of that name. Throws
+    /// Error(near_miss) if the name is nearly a declared one, Error(bad_name) if a child or a
     /// method has it.
     void set_or_add(Handle instance, std::string_view name, const Value& value);
     void remove_ad_hoc(Handle instance, std::string_view name);
 
-    /// What `value` becomes as that property: the coercion rules of the tree; throws like `set`.
+    /// `value` coerced to the type of that property by the rules of the tree; throws like `set`.
     /// Changes nothing.
     Value coerce(Handle instance, const Property& property, const Value& value) const;
     /// As the console prints it, references by path, numbers of float properties short.
@@ -205,60 +207,57 @@ class Tree {
     // --- Formulas
     // ----------------------------------------------------------------------------------------------------
 
-    /// The function *is* the value of the property from now on: what it reads is discovered by
-    /// running it, a read of the property gives the settled value, and a plain write replaces the
-    /// formula. An error in it, a cycle included, is thrown by reads; the owner's memory keeps the
-    /// last good value meanwhile.
+    /// From now on the function *is* the value of the property: its dependencies are found by
+    /// running it, a read of the property gives its result, and a plain write replaces the formula.
+    /// Reads throw its error, also that of a cycle; the owner's memory keeps the last good value.
     void set_formula(Handle instance, const Property& property, Formula formula);
-    /// Adds the property first when the instance has none of that name; throws as `set_or_add`
-    /// does.
+    /// Adds the property first if the instance has none of that name; throws as `set_or_add` does.
     void set_formula(Handle instance, std::string_view name, Formula formula);
-    /// nullptr where the value is a plain one. Valid until the formula is replaced.
+    /// nullptr if the value is a plain one. Valid until the formula is replaced.
     const Formula* formula(Handle instance, const Property& property) const;
-    /// Leaves the last good value as a plain one.
+    /// Removes the formula; its last good value stays as a plain one.
     void remove_formula(Handle instance, const Property& property);
-    /// Settles the formula and tells what is wrong with it; "" when nothing is, or when there is
-    /// none.
+    /// Computes the formula and returns its error; "" if there is no error or no formula.
     std::string problem(Handle instance, const Property& property) const;
-    /// Where the value comes from: the formula's sources, theirs, and so on, 3000 levels deep.
-    /// Where more are below, the last has one source, "…".
+    /// The sources of the value: those of the formula, their sources, and so on, 3000 levels deep.
+    /// If there are more levels, the last has one source, "…".
     Explanation why(Handle instance, const Property& property) const;
-    /// Of how many properties a formula is the value.
+    /// Number of properties with a formula.
     std::size_t formula_count() const;
     /// True while a formula runs: nothing may be changed then.
     bool in_formula() const;
-    /// Throws Error "..., it cannot `what`", naming the formula that runs or what is asked
-    /// (`Inquiry`). What changes the tree does so by itself; this is for what changes a game
-    /// otherwise. `what`: "call quit".
+    /// Throws Error "..., it cannot `what`", which names the running formula or question
+    /// (`Inquiry`). Changes of the tree check this themselves; call it before other changes of a
+    /// game. `what`: "call quit".
     void require_changeable(std::string_view what) const;
-    /// False while a formula runs or a function is asked something.
+    /// False while a formula or an inquiry runs.
     bool changeable() const;
-    /// Whoever knows the language formulas are written in says how they are made of their text, so
-    /// that files can hold them. Empty: nobody does.
+    /// Sets the compiler that makes formulas from their text, so that files can hold them. Empty:
+    /// there is none.
     void compile_formulas_with(FormulaCompiler compiler);
     const FormulaCompiler& formula_compiler() const;
 
     // --- History
     // ----------------------------------------------------------------------------------------------------
 
-    /// What people write (console, inspector, remote) is undoable, each write by itself; between
-    /// `begin_edit` and `end_edit` all of it is one step of undo. With `scripts` what scripts and
-    /// modules write meanwhile is an edit too; a drag, during which the game goes on, leaves that
-    /// out. May be nested.
+    /// Writes by people (console, inspector, remote) can be undone, each write by itself; all
+    /// writes between `begin_edit` and `end_edit` are one step of undo. With `scripts`, writes of
+    /// scripts and modules in between are part of the edit; a drag, during which the game goes on,
+    /// does without. May be nested.
     void begin_edit(std::string name, bool scripts = true);
     void end_edit();
     /// Acts at once, as a new edit at the current time. Throws Error(bad_structure) in the middle
-    /// of an edit that has changed something; before that, it undoes the step before the edit, as a
-    /// console command does that is nothing but `undo()`.
+    /// of an edit that has changed something; before the first change, it undoes the step before
+    /// the edit, for a console command that is only `undo()`.
     UndoResult undo();
     UndoResult redo();
     /// The latest first.
     std::vector<HistoryEntry> history() const;
-    /// What the history may hold, 64 MiB unless told; the oldest entries go first. One that takes
-    /// more than three quarters of it by itself stays in the list by its name only.
+    /// Memory of the history, 64 MiB by default; the oldest entries are dropped first. An entry
+    /// that takes more than three quarters of it keeps only its name.
     void set_history_limit(std::size_t bytes);
-    /// What the history takes, about, and what it ever took: snapshots hold what it has forgotten
-    /// since they were taken.
+    /// Memory of the history, estimated, and the sum of all that it has ever used: snapshots hold
+    /// entries that it has dropped since.
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;
     Provenance who(Handle instance, const Property& property) const;
@@ -266,7 +265,7 @@ class Tree {
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
 
-    /// Draws what is below `top`, by the classes' own drawing.
+    /// Draws the instances below `top`, with the draw functions of their classes.
     void draw(Handle top, Painter& painter, double alpha) const;
 
     // --- Watching
@@ -276,10 +275,10 @@ class Tree {
                      WatchOptions options = {});
     Connection watch(Handle instance, std::string_view name, ChangeHandler handler,
                      WatchOptions options = {});
-    /// Every property of one instance, ad-hoc ones included.
+    /// Watches every property of one instance, ad-hoc ones included.
     Connection watch(Handle instance, ChangeHandler handler, WatchOptions options = {});
-    /// One property (or, with nullptr, every property) of every instance of a class or of one
-    /// derived from it.
+    /// Watches one property (or, with nullptr, every property) of every instance of a class or of
+    /// one derived from it.
     Connection watch(const Class& of, const Property* property, ChangeHandler handler,
                      WatchOptions options = {});
     Connection watch_pattern(std::string_view pattern, ChangeHandler handler,
@@ -292,77 +291,78 @@ class Tree {
                   WatchOptions options = {});
     Connection on(const Class& of, const Event& event, EventHandler handler,
                   WatchOptions options = {});
-    /// Whether anyone listens: ask before making a record.
+    /// True if there is a handler: check it before making a record.
     bool listens(Handle instance, const Event& event) const;
     bool listens(const Event& event) const;
-    /// Queued; delivered at the next barrier. Throws Error, though nobody listens, for an event of
-    /// another class or tree, and another number of values than it has fields.
+    /// Queues the event for the next barrier. Throws Error, even without handlers, for an event of
+    /// another class or tree, and for a number of values that differs from its fields.
     void emit(Handle instance, const Event& event, std::vector<Value> values);
 
-    /// Runs at the end of the next barrier between steps, when all is delivered; what it changes is
-    /// delivered in the same barrier. Errors go the way of handlers' errors.
+    /// Runs at the end of the next barrier between steps, after all deliveries; its changes are
+    /// delivered in the same barrier. Its errors are treated as errors of handlers.
     void at_barrier(std::function<void()> action);
 
-    /// Delivers everything queued, and compares what is watched of the simulation. Errors of
-    /// handlers go to the error sink; without one the first is thrown when all are delivered, and
-    /// so is the first that the sink throws. Throws Error(no_barrier_end) after 16 generations of
-    /// handlers that make changes. `between_steps` is false in the middle of a step, when what
-    /// `at_barrier` was given has to wait.
+    /// Delivers everything queued, and compares the watched values of the simulation. Errors of
+    /// handlers go to the error sink; without one, the first error is thrown after all deliveries,
+    /// and so is the first exception of the sink. Throws Error(no_barrier_end) after 16 generations
+    /// of handlers that make changes. `between_steps` is false in the middle of a step, when
+    /// functions given to `at_barrier` must wait.
     void barrier(bool between_steps = true);
     void on_handler_error(std::function<void(const HandlerError&)> sink);
-    /// How many watchers are registered.
+    /// Number of registered watchers.
     std::size_t watcher_count() const;
 
-    /// Not owned; told of everything done from outside the simulation, until `unobserve`.
+    /// Not owned; gets all changes from outside the simulation, until `unobserve`.
     void observe(Observer& observer);
     void unobserve(Observer& observer);
-    /// Not owned; told of what people edit, instead of the one before. Null: nobody.
+    /// Not owned; gets the edits of people, instead of the observer before. Null: none.
     void observe_edits(EditObserver* observer);
 
     // --- Growth
     // --------------------------------------------------------------------------------------------------
 
-    /// About how many bytes instances, values, watchers and what else lasts have come to take, an
-    /// estimate that is the same in every run: for telling how much something adds.
+    /// Memory of instances, values, watchers and other lasting data, in bytes; an estimate that is
+    /// the same in every run: for measuring how much something adds.
     std::int64_t weight() const;
-    /// Something else that was made for good, or given back.
+    /// Adds memory that was allocated for good, or subtracts freed memory.
     void add_weight(std::int64_t bytes);
-    /// `passed` is called, once, when the weight comes to be more than `mark`; it may set another
-    /// mark, and changes nothing else. It is called in the middle of what makes the tree grow.
+    /// `passed` is called, once, when the weight exceeds `mark`; it may set another mark, and must
+    /// change nothing else. It is called in the middle of the change that makes the tree grow.
     void mark_weight(std::int64_t mark, std::function<void()> passed);
 
     // --- Snapshots
     // --------------------------------------------------------------------------------------------------
 
-    /// Not owned; what it is becomes part of snapshots until `remove_part`. Throws Error(bad_name)
-    /// for a name taken.
+    /// Not owned; its state becomes part of snapshots until `remove_part`. Throws Error(bad_name)
+    /// if the name is taken.
     void add_part(SnapshotPart& part);
     void remove_part(SnapshotPart& part);
     const std::vector<SnapshotPart*>& parts() const;
-    /// To be called by a part, before it does so, when a *read* makes it bring memory up to date
-    /// that edits had left behind, where doing it earlier or later may differ in the last bit; not
-    /// for what an edit does itself. `what` is given back to it by `SnapshotPart::refresh`.
+    /// A part calls this before a *read* makes it update memory that edits left out of date, if an
+    /// earlier or later update may differ in the last bit; not for updates by an edit itself.
+    /// `what` is passed back to it by `SnapshotPart::refresh`.
     void refreshing(SnapshotPart& part, std::uint64_t what);
-    /// All of it: instances, values, formulas, the history of edits, the step, and the parts.
+    /// The whole state: instances, values, formulas, the history of edits, the step, and the parts.
     Snapshot snapshot() const;
-    /// The same, written over `room`, which it keeps. Who takes many gives the memory of an old one
-    /// (`Snapshot::take_payload`): finding new pages takes the system longer than filling them.
+    /// As `snapshot`, written into `room`, which the snapshot keeps. For many snapshots, pass the
+    /// memory of an old one (`Snapshot::take_payload`): new pages cost the system more time than
+    /// filling them.
     Snapshot snapshot(std::vector<std::byte> room) const;
-    /// Puts the tree back, in place. Who existed then has their handles again; who came since is
-    /// deleted, and no handle to them will ever mean anybody else. Whom its module would not make
-    /// again (`Lifecycle::create`) is missing with all below: `restore_remarks` tells. Watchers
-    /// stay with the instances that exist on both sides and are told of what changed, cause
-    /// `restore`, at the next barrier; so is who listens to `restored` of the root. Classes stay.
-    /// Changes that were still to be delivered are not.
+    /// Restores the tree in place. Instances that existed then have their handles again; later ones
+    /// are deleted, and their handles will never refer to another instance. An instance that its
+    /// module refuses to create (`Lifecycle::create`) is missing with all instances below it: see
+    /// `restore_remarks`. Watchers stay with the instances that exist on both sides and get the
+    /// changes, with cause `restore`, at the next barrier; so do handlers of `restored` of the
+    /// root. Classes stay. Changes that were still to be delivered are dropped.
     ///
-    /// Throws Error(damaged) or, for what this game does not have (a class, a module),
+    /// Throws Error(damaged) or, for a class or a module that this game does not have,
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in
-    /// anything that must not destroy the tree (Lifetimes): see `at_barrier`.
+    /// functions that must not destroy the tree (Lifetimes): see `at_barrier`.
     void restore(const Snapshot& snapshot);
-    /// The same; `go_on` then redoes what happened since, before anybody is told.
+    /// As `restore`; `go_on` then repeats the later changes, before any handler is called.
     void restore(const Snapshot& snapshot, const std::function<void()>& go_on);
-    /// Reads all of it as `restore` does, and changes nothing: throws Error(damaged, unknown_name)
-    /// where `restore` would.
+    /// Reads the whole snapshot as `restore` does, and changes nothing: throws Error(damaged,
+    /// unknown_name) where `restore` would.
     void check(const Snapshot& snapshot) const;
 
     // --- Time and cause
@@ -370,10 +370,9 @@ class Tree {
 
     std::uint64_t step() const;
     void set_step(std::uint64_t step);
-    /// The simulation has written without telling: the next barrier compares what is watched of it.
+    /// The simulation has made a step: the next barrier compares its watched values.
     void stepped();
-    /// Who is writing now. `locate`, when given, is asked for the place only when somebody needs
-    /// it.
+    /// Sets the current writer. `locate`, if given, is called only when the place is needed.
     class CauseScope {
       public:
         CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate = nullptr);

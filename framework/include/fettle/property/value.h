@@ -1,7 +1,7 @@
 #pragma once
-// Values: what a property can hold. One small tagged value (24 bytes); numbers, vectors, colors and
-// references live inside it, texts and lists are immutable and shared, so that copying any value
-// costs a few instructions.
+// Values of properties. One small tagged value (24 bytes); numbers, vectors, colors and references
+// are inside it, texts and lists are immutable and shared, so that copying any value costs a few
+// instructions.
 
 #include <atomic>
 #include <cstddef>
@@ -28,8 +28,8 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// Names an instance: index and generation. A handle of a deleted instance is detected, never
-/// followed. The default handle names nothing.
+/// Identifies an instance: index and generation. A handle of a deleted instance is detected, never
+/// followed. The default handle refers to nothing.
 struct Handle {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;
@@ -49,7 +49,7 @@ enum class Type : std::uint8_t {
     list
 };
 
-/// The word users see: "nil", "boolean", "integer", "number", "text", "vec2", "color", "reference",
+/// The name for users: "nil", "boolean", "integer", "number", "text", "vec2", "color", "reference",
 /// "list".
 std::string_view type_name(Type type);
 
@@ -110,7 +110,7 @@ class Value {
     /// integer or number
     bool is_numeric() const { return type_ == Type::integer || type_ == Type::number; }
 
-    // Each throws Error(wrong_type), which names both types, where the value is of another.
+    // Each throws Error(wrong_type), which names both types, if the value has another type.
     bool boolean() const { return as(Type::boolean).boolean; }
     std::int64_t integer() const { return as(Type::integer).integer; }
     double number() const { return as(Type::number).number; }
@@ -158,16 +158,16 @@ class Value {
 };
 static_assert(sizeof(Value) == 24);
 
-/// How many digits a printed number needs: a property that is a `float` in memory prints 0.1, not
+/// Number of digits of a printed number: a property that is a `float` in memory prints 0.1, not
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
 
 /// The shortest decimal that reads back as the same number; "inf", "-inf", "nan".
 std::string number_text(double number, Precision precision = Precision::double_precision);
 
-/// As the console prints it and as Lua reads it back: `nil`, `true`, `2`, `0.1`, `"text"`, `vec(1,
-/// 2)`, `color("#ff8800")`, `{1, 2}`. A reference prints as `#index:generation`; `Tree::text`
-/// prints its path instead.
+/// The text of the console, which Lua reads back: `nil`, `true`, `2`, `0.1`, `"text"`, `vec(1, 2)`,
+/// `color("#ff8800")`, `{1, 2}`. A reference prints as `#index:generation`; `Tree::text` prints its
+/// path instead.
 std::string value_text(const Value& value, Precision precision = Precision::double_precision);
 
 /// A CSS color name ("tomato") or "#rgb", "#rrggbb", "#rrggbbaa". Returns false when `text` is

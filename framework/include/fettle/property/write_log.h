@@ -1,6 +1,6 @@
 #pragma once
-// A log of everything that is done to a tree from outside the simulation, so that it can be done
-// again: between two states of the modules it says what scripts, formulas, handlers and people did.
+// A log of all changes of a tree from outside the simulation, for replay: between two states of the
+// modules it contains the changes by scripts, formulas, handlers and people.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,36 +17,37 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// A piece of the log. Only of use in the process, and the tree, that made it.
+/// A piece of the log. Only usable in its process and its tree.
 struct LoggedWrites {
     std::vector<std::byte> bytes;
-    std::vector<Formula> formulas;  // that the bytes speak of, by number
-    Memory history;                 // of edits, as it was at the end, where it has changed
-    std::size_t history_bytes = 0;  // of what was edited meanwhile
-    bool too_much = false;          // more was done than a log should hold: it cannot be done again
+    std::vector<Formula> formulas;  // formulas in the log, by number
+    Memory history;                 // of edits, at the end of the piece, if it has changed
+    std::size_t history_bytes = 0;  // bytes of the edits in the piece
+    bool too_much = false;          // there were more changes than a log may hold: it cannot be
+                                    // played
     bool empty() const { return bytes.empty() && history == nullptr; }
-    std::size_t memory() const;  // bytes it takes, about
+    std::size_t memory() const;  // its memory in bytes, estimated
 };
 
-/// Notes what is done while it lives. Costs a write about as much as copying what was written. It
-/// may be destroyed after the tree; nothing else may be done with it then.
+/// Logs all changes while it lives. A logged write costs about as much as a copy of its data. It
+/// may outlive the tree; only its destructor may be called then.
 class WriteLog : public Observer {
   public:
     explicit WriteLog(Tree& tree);
     ~WriteLog() override;
     WriteLog(const WriteLog&) = delete;
 
-    /// What was noted since the last call.
+    /// The log since the last call.
     LoggedWrites take();
-    /// Whether there is something to take.
+    /// True if there is something to take.
     bool any() const { return !bytes_.empty() || !kept_.empty(); }
     /// Bytes it holds now.
     std::size_t memory() const;
-    /// Bytes one piece may take, 32 MiB unless told. What is more is not noted: `too_much`.
+    /// Maximum bytes of one piece, 32 MiB by default. Further changes are not logged: `too_much`.
     void set_most(std::size_t bytes) { most_ = bytes; }
-    /// Does a piece again: in the `go_on` of `Tree::restore`, in the state it was noted in. Throws
-    /// Error(rejected) for a piece of another tree, Error(deleted) when its own is gone. That the
-    /// bytes are those that `take` gave is not checked: they hold addresses.
+    /// Repeats a piece: in the `go_on` of `Tree::restore`, in the state at its beginning. Throws
+    /// Error(rejected) for a piece of another tree, Error(deleted) if its tree is destroyed. It
+    /// does not check that the bytes are those of `take`: they contain addresses.
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;
@@ -62,7 +63,7 @@ class WriteLog : public Observer {
     void call_ends(Handle instance, const Method& method) override;
     void refreshing(SnapshotPart& part, std::uint64_t what) override;
     void restored() override;
-    /// The last number that was given to a name of that stem below `parent`.
+    /// The last number that was used for a name of that stem below `parent`.
     void numbered(Handle parent, Symbol stem, std::uint32_t last);
 
   private:
@@ -70,16 +71,16 @@ class WriteLog : public Observer {
     class FETTLE_PROPERTY_PRIVATE Player;
     void note(Did what, Handle instance, const Property& property);
 
-    /// Plain writes come between the first `at` bytes and the others. Where they are kept they need
-    /// be copied once only, when all is taken.
+    /// Plain writes between the first `at` bytes and the others. They are kept and copied only
+    /// once, when all is taken.
     struct Kept {
         std::size_t at;
         PlainWrites writes;
     };
-    static constexpr std::size_t worth_keeping = 128;               // fewer are sooner copied
+    static constexpr std::size_t worth_keeping = 128;               // fewer are copied at once
     static constexpr std::size_t most_kept = std::size_t{1} << 20;  // bytes, for the next piece
 
-    /// Whether what is done now is to be noted.
+    /// True if changes are to be logged now.
     bool notes();
     void forget();
     void note_history();
@@ -98,8 +99,8 @@ class WriteLog : public Observer {
     std::uint64_t history_version_ = 0;
     std::size_t history_bytes_ = 0;
     bool call_noted_ = false;
-    int calls_ = 0;             // that run; what they do to the tree is done by them again
-    std::vector<Handle> made_;  // by the outermost of them
+    int calls_ = 0;             // running calls of methods, which repeat their changes of the tree
+    std::vector<Handle> made_;  // instances made by the outermost of them
 };
 
 }  // namespace fettle::property

@@ -1,7 +1,7 @@
 #pragma once
-// The files that a game itself reads and writes while it runs: scripts, scenes, kept tweaks. Who
-// records a run learns here what it began with; who makes it again gives that back, and what the
-// run writes stays in memory.
+// The files that a game itself reads and writes while it runs: scripts, scenes, kept tweaks. A
+// recording gets their content at the start of the run from here; a replay puts that content back,
+// and the files that it writes stay in memory.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,60 +21,61 @@ FETTLE_STORAGE_BEGIN
 
 namespace fettle::property {
 
-/// The checksum of what a file holds; nothing where there is no file. Throws FileError.
+/// The checksum of a file's content; none if the file does not exist. Throws FileError.
 std::optional<std::uint64_t> file_checksum(const std::filesystem::path& file);
 
 class GameFiles {
   public:
-    /// Bytes; greater files are refused.
+    /// Bytes; larger files are refused.
     static constexpr std::size_t size_limit = std::size_t{64} << 20;
 
-    /// From now on only what lies below `game` is a file of this game, and, to be read, what lies
-    /// below `shared`. Links that lead out of these folders are not followed. Until then every file
-    /// is one.
+    /// From now on only files below `game` are files of this game, and, for reading, files below
+    /// `shared`. Links that lead out of these folders are not followed. Before this call all files
+    /// are allowed.
     void stay_below(const std::filesystem::path& game, const std::filesystem::path& shared = {});
 
     /// Throws FileError: missing, unreadable, not a regular file, too large, outside of the game's
     /// folders.
     std::string read(const std::filesystem::path& file);
     bool exists(const std::filesystem::path& file);
-    /// Whole or not at all, and durably. Throws FileError; the old file is then as it was.
+    /// Writes the whole file or nothing, and waits for the disk. Throws FileError; the old file is
+    /// then unchanged.
     void write(const std::filesystem::path& file, std::string_view content);
-    /// The same for the text of a scene, which replaces another scene or nothing: FileError for a
-    /// file of another kind, a hidden one, and a name that means something to Fettle itself
-    /// (`main.lua`, `modules.json`, `game.json`, `*.tweaks.json`, what ends in .lua, .so or
-    /// .sqlite).
+    /// As `write`, for the text of a scene, which may replace only another scene: FileError for a
+    /// file of another kind, a hidden file, and names that Fettle uses itself (`main.lua`,
+    /// `modules.json`, `game.json`, `*.tweaks.json`, names that end in .lua, .so or .sqlite).
     void write_scene(const std::filesystem::path& file, std::string_view text);
 
-    /// While it lives, no other process changes files of this game that way: for those who read a
-    /// file, change it and write it again. Throws FileError when another one keeps its own for more
-    /// than five seconds. Null where nothing is written, or no folder is known.
+    /// While it lives, no other process that uses this lock changes files of this game: for reading
+    /// a file, changing it and writing it again. Throws FileError if another process holds the lock
+    /// for more than five seconds. Null if nothing is written, or no folder is set.
     [[nodiscard]] std::shared_ptr<void> lock();
 
-    /// How the run came upon a file.
+    /// The state in which the run found a file.
     struct Finding {
         std::filesystem::path file;
-        std::optional<std::uint64_t> checksum;  // nothing: there was no file
-        /// It is about to be written. What it holds is lost then.
+        std::optional<std::uint64_t> checksum;  // none: the file did not exist
+        /// True if it is about to be written, which loses its content.
         bool overwritten = false;
-        std::optional<std::string> content{};  // of an overwritten one that was there
+        std::optional<std::string> content{};  // of an overwritten file that existed
     };
-    /// Tells of every file once when it is first looked at, and before it is first written: of
-    /// those so far at once. Only after `take_note`, which comes before anything is read.
+    /// Reports every file once when it is first read or checked, and before it is first written:
+    /// those so far at once. Only after `take_note`, which must be called before anything is read.
     void tell(std::function<void(const Finding&)> listener);
     void take_note() { notes_ = true; }
-    /// Something else of the game reads that file: its module is in there.
+    /// Other code of the game reads that file, e.g. the loader of its module.
     void looks_at(const std::filesystem::path& file);
 
-    /// From now on nothing is written to the disk: it stays here, for whoever reads it.
+    /// From now on nothing is written to the disk: written files stay in memory, and reads find
+    /// them there.
     void stay_in_memory() { in_memory_ = true; }
-    /// What stands for the file on the disk; nothing: none.
+    /// Replaces the content of the file for reads; none: the file does not exist.
     void put(const std::filesystem::path& file, std::optional<std::string> content);
 
   private:
     using Path = std::filesystem::path;
     static Path key(const Path& file);
-    /// Where the file is. Throws FileError outside of the game's folders.
+    /// The real path of the file. Throws FileError outside of the game's folders.
     Path checked(const Path& file, bool to_write) const;
     const std::optional<std::string>* held(const Path& file) const;
     void note(const Path& file, const std::optional<std::string>& content);
@@ -84,13 +85,13 @@ class GameFiles {
     struct Known {
         bool looked_at = false, overwritten = false;
     };
-    Path game_, shared_;  // without links; empty: not told
-    Path named_;          // the game's folder as it was told
+    Path game_, shared_;  // without links; empty: not set
+    Path named_;          // the game's folder as it was passed
     bool notes_ = false;
     bool in_memory_ = false;
-    std::map<Path, std::optional<std::string>> held_;  // stands for what is on the disk
+    std::map<Path, std::optional<std::string>> held_;  // in place of the files on the disk
     std::map<Path, Known> known_;
-    std::vector<Finding> findings_;  // nobody was told of yet
+    std::vector<Finding> findings_;  // not yet reported
     std::function<void(const Finding&)> listener_;
 };
 

@@ -21,41 +21,42 @@ namespace fettle::property {
 class GameSaves {
   public:
     struct Options {
-        /// False, as in a replay: what is saved is kept in memory, and found there by `load`.
+        /// False in a replay: saves are kept in memory, and `load` finds them there.
         bool writes = true;
-        /// Somebody shows the game and gives a picture of it to `finish`, after the next barrier.
-        /// Without, saves have none and are made at the barrier.
+        /// The game is shown, and `finish` gets a picture of it after the next barrier. Otherwise
+        /// saves have no picture and are made at the barrier.
         bool pictures = false;
-        /// Told of a save that could not be written, or a snapshot that this game cannot restore:
-        /// both happen at a barrier, where nobody can catch. Also told, once each, of formulas that
-        /// a file cannot hold, and of what a loaded game could not take as it was.
+        /// Receives the errors of a save that could not be written, or of a snapshot that this game
+        /// cannot restore: both happen at a barrier, where no caller can catch them. Also receives,
+        /// once each, the formulas that a file cannot hold, and what a loaded game could not
+        /// restore.
         std::function<void(const std::string&)> warn{};
     };
     GameSaves(Tree& tree, Saves saves, Options options);
-    /// Writes what waits for a picture.
+    /// Writes the saves that wait for a picture.
     ~GameSaves();
     GameSaves(const GameSaves&) = delete;
     GameSaves& operator=(const GameSaves&) = delete;
 
-    /// At the next barrier. A slot that is saved several times before it is saved once, as the last
-    /// call wants it. What is saved is read back as `load` would before it is written. Throws
-    /// Error(bad_name) for a slot that cannot be, Error(rejected) after `most_requests` calls
-    /// between two barriers.
+    /// Saves at the next barrier. A slot that is saved several times before it is saved once, as in
+    /// the last call. The save is read back as by `load` before it is written. Throws
+    /// Error(bad_name) for a name that no slot can have, Error(rejected) after `most_requests`
+    /// calls between two barriers.
     void save(const std::string& slot);
     static constexpr std::size_t most_requests = 1000;
-    /// Restores at the next barrier what was saved last in that slot: by a `save` that still waits
-    /// for that barrier or for its picture, else what stands in the file, which is read and
-    /// checked at once, as far as it can be before the barrier. Throws as `Saves::load` does, and
-    /// Error(damaged, unknown_name, rejected) for a state that this game cannot restore, as it is
-    /// when it is asked; the game goes on as it was.
+    /// Restores at the next barrier the last save of that slot: from a `save` that still waits for
+    /// that barrier or for its picture, else from the file, which is read at once and checked as
+    /// far as possible before the barrier. Throws as `Saves::load` does, and Error(damaged,
+    /// unknown_name, rejected) for a state that this game, at the time of the call, cannot restore;
+    /// the game then goes on unchanged.
     void load(const std::string& slot);
-    /// Of the file and of a save that still waits. Throws as `Saves::remove` does.
+    /// Removes the file and a save that still waits. Throws as `Saves::remove` does.
     void remove(const std::string& slot);
-    /// As `Saves::list`; a save that this game could not restore has a problem too.
+    /// As `Saves::list`; a save that this game cannot restore has a problem, too.
     std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }
 
-    /// A save waits for a picture.
+    /// True if a save waits for a picture.
     bool waits() const { return !waiting_.empty(); }
     void finish(const Thumbnail& picture);
 
@@ -71,18 +72,19 @@ class GameSaves {
     void warn_once(const std::string& what);
     Tree& tree() const;
 
-    Tree& tree_;  // asked for by `tree`, which sees whether it lives
+    Tree& tree_;  // use `tree`, which checks that it lives
     std::weak_ptr<const Tree*> life_;
     Saves saves_;
     Options options_;
-    std::size_t requests_ = 0;  // since the last barrier that made one come true
-    std::map<std::string, std::size_t> requested_;  // the last one of each slot
+    std::size_t requests_ = 0;                      // since the last barrier that carried out one
+    std::map<std::string, std::size_t> requested_;  // the last request of each slot
     std::map<std::size_t, std::string>
         loaded_;                    // those that are loaded before the next of its slot
     std::vector<Waiting> waiting_;  // for a picture
-    std::map<std::string, std::vector<std::byte>> unwritten_;  // by slot
-    std::set<std::string> told_;                               // of formulas that are not saved
-    /// What was asked for at a barrier may come when this is gone.
+    std::map<std::string, std::vector<std::byte>> unwritten_;  // written to no file yet, by slot
+    std::set<std::string> told_;                               // formulas that are not saved and
+                                                               // were reported
+    /// A request may reach its barrier after this object is destroyed.
     std::shared_ptr<GameSaves*> alive_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Saved games: one file a slot, written whole or not at all, refused with a reason when it is
-// damaged, newer or another game's.
+// Saved games: one file for each slot, written completely or not at all, and refused with a reason
+// if it is damaged, newer or of another game.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,12 +22,12 @@ class FETTLE_STORAGE_PRIVATE Database;
 
 /// A small picture of the game: rows from the top, four bytes a pixel (red, green, blue, opacity).
 struct Thumbnail {
-    std::uint32_t width = 0, height = 0;  // px; 0: there is none
+    std::uint32_t width = 0, height = 0;  // px; 0: no picture
     std::vector<std::uint8_t> pixels{};
     bool empty() const { return width == 0 || height == 0; }
 };
 
-/// The picture at most `widest` px wide, its pixels averaged. Throws Error(out_of_range) unless it
+/// The picture, at most `widest` px wide, its pixels averaged. Throws Error(out_of_range) unless it
 /// has four bytes a pixel.
 Thumbnail scaled_down(const Thumbnail& picture, std::uint32_t widest);
 
@@ -35,10 +35,10 @@ struct SaveInfo {
     std::string slot;
     std::uint64_t step = 0;
     std::int64_t time = 0;  // s since 1970
-    std::string program;    // the Fettle that wrote it
+    std::string program;    // version of Fettle that wrote it
     std::size_t bytes = 0;  // of the file
     bool thumbnail = false;
-    std::string problem;  // why it cannot be loaded; "" when it can
+    std::string problem;  // why it cannot be loaded; "" if it can
 };
 
 struct SavedGame {
@@ -49,17 +49,18 @@ struct SavedGame {
 
 class Saves {
   public:
-    /// `folder` is made by the first save. `game` is what the saves are of: those of another one
-    /// are refused. `program` stands in them.
+    /// The first save creates `folder`. `game`: name of the game; saves of another game are
+    /// refused. `program`: written into the saves.
     Saves(std::filesystem::path folder, std::string game, std::string program);
 
-    /// Throws Error(bad_name) unless it is 1 to 64 letters, digits, spaces, - or _, no space first
-    /// or last.
+    /// Throws Error(bad_name) unless the name is 1 to 64 letters, digits, spaces, - or _, without a
+    /// space at its beginning or end.
     static void check_slot(std::string_view slot);
 
-    /// Read back and compared before it takes the place of an older save of that slot, which stays
-    /// whatever goes wrong. Throws FileError, Error(bad_name), Error(out_of_range) for a step above
-    /// 2⁶³-1 and a picture that has not four bytes a pixel or more than 16 MiB.
+    /// Writes a file, reads it back and compares it before it replaces an older save of that slot,
+    /// which stays in case of any error. Throws FileError, Error(bad_name), Error(out_of_range) for
+    /// a step above 2⁶³-1 and for a picture that does not have four bytes a pixel or has more than
+    /// 16 MiB.
     void save(const std::string& slot, std::uint64_t step, std::span<const std::byte> state,
               const Thumbnail& thumbnail = {}) const;
     /// Throws FileError with the reason why it cannot be used, Error(unknown_name) with the nearest

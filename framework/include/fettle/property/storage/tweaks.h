@@ -1,7 +1,7 @@
 #pragma once
-// Tweaks: what people edit while a game runs. Every one is journaled as it is made and survives the
-// death of the process; it can be kept (written into the scene file it came from), made again in
-// a later run, or dropped. docs/design/storage.md tells how.
+// Tweaks: the edits of people while a game runs. Each is written to the journal when it is made and
+// survives a crash of the process; it can be kept (written into the scene file of its value),
+// applied again in a later run, or dropped. docs/design/storage.md has the details.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,88 +22,90 @@ namespace fettle::property {
 
 class GameFiles;
 
-/// Where files about a game go when they are not the game's own: a folder of the user's for each
-/// game ($XDG_DATA_HOME/fettle/..., else ~/.local/share/fettle/...). It is not created. Empty when
-/// the user has no such place. `game`: a folder, or a .lua file.
+/// Folder for files about a game that are not part of the game: a folder of the user for each game
+/// ($XDG_DATA_HOME/fettle/..., else ~/.local/share/fettle/...). It is not created. Empty if the
+/// user has no such folder. `game`: a folder, or a .lua file.
 std::filesystem::path user_folder(const std::filesystem::path& game);
 
-/// What it is called: its folder, or its file where that is not main.lua.
+/// Title of a game: the name of its folder, or of its file if that is not main.lua.
 std::string game_title(const std::filesystem::path& game);
 
 struct Tweak {
-    std::string path;      // "world.ball.mass"; of an instance that was created, deleted or moved
+    std::string path;      // "world.ball.mass"; or path of an instance that was created, deleted or
+                           // moved
     std::string was, now;  // as printed, with units; "is ..." for a formula
     std::uint64_t step = 0;
     std::int64_t time = 0;   // s since 1970
-    bool value = true;       // of a property; else of an instance
-    bool earlier = false;    // made by an earlier run, and not kept then
+    bool value = true;       // true: of a property; false: of an instance
+    bool earlier = false;    // made and not kept by an earlier run
     bool committed = false;  // in the journal
     bool kept = false;
     std::string kept_in;  // name of the file
 };
 
-/// What came of keeping, making again or dropping.
+/// Result of keeping, applying again or dropping tweaks.
 struct TweakReport {
-    std::size_t count = 0;                // of the tweaks it was done to
+    std::size_t count = 0;                // number of tweaks without a problem
     std::vector<std::string> files{};     // written
-    std::vector<std::string> problems{};  // a line for each tweak it could not be done to
+    std::vector<std::string> problems{};  // one line for each tweak with a problem
 };
 
-/// A tweak of an earlier run, in the words it is known by from one run to the next.
+/// A tweak of an earlier run as words, which identify it in all runs.
 using TweakWords = std::vector<std::string>;
 
 struct TweakOptions {
-    GameFiles* files = nullptr;  // not owned; none: what is on the disk
-    /// In place of a journal, for a run that is made again: what was open when it began. Nothing is
-    /// journaled then.
+    GameFiles* files = nullptr;  // not owned; null: the files on the disk
+    /// In place of a journal, for a replay: the open tweaks at the start of the recorded run.
+    /// Nothing is written to a journal then.
     std::optional<std::vector<TweakWords>> earlier{};
 };
 
 class Tweaks {
   public:
     /// `game`: a folder with main.lua, or a .lua file. The journal is .fettle/NAME.tweaks.sqlite
-    /// beside it, or in `user_folder` where that cannot be written; nothing is created before the
-    /// first tweak. `warn` is told of files that cannot be used; nothing here throws because of
-    /// one.
+    /// beside it, or in `user_folder` if that cannot be written; nothing is created before the
+    /// first tweak. `warn` receives errors of files that cannot be used; no member throws because
+    /// of one.
     Tweaks(Tree& tree, const std::filesystem::path& game,
            std::function<void(const std::string&)> warn, TweakOptions options = {});
-    /// May come after the tree's; what was not journaled by then is lost.
+    /// May be called after the tree's destructor; edits that are not in the journal by then are
+    /// lost.
     ~Tweaks();
     Tweaks(const Tweaks&) = delete;
     Tweaks& operator=(const Tweaks&) = delete;
 
-    /// After each barrier of the tree: commits what was edited since the last one.
+    /// Call after each barrier of the tree: writes the edits since the last one to the journal.
     void barrier();
 
-    /// Of earlier runs first, then in the order they were made.
+    /// Tweaks of earlier runs first, then the others in the order of the edits.
     std::vector<Tweak> list() const;
-    /// How many tweaks of earlier runs are still open.
+    /// Number of open tweaks of earlier runs.
     std::size_t open_earlier() const;
-    /// Those, for a run that is to be made again.
+    /// These tweaks, for a recording.
     std::vector<TweakWords> earlier_in_words() const;
 
-    // `pattern` as for watching; one without stars that names an instance means everything of it.
-    // Throw Error for a text that is no pattern.
+    // `pattern` as for watching; a pattern without stars that names an instance means all tweaks of
+    // it. Throw Error for a text that is no pattern.
 
-    /// Writes them where their values came from: into the scene file, or for what a script made
-    /// into NAME.tweaks.json beside the game.
+    /// Writes tweaks where their values came from: into the scene file, or, for instances made by a
+    /// script, into NAME.tweaks.json beside the game.
     TweakReport keep(std::string_view pattern);
-    /// Makes tweaks of earlier runs again, as edits of whoever writes now.
+    /// Applies tweaks of earlier runs again, as edits of the current writer.
     TweakReport reapply(std::string_view pattern);
-    /// Forgets them; values stay as they are.
+    /// Drops tweaks; values do not change.
     TweakReport drop(std::string_view pattern);
 
-    /// A scene was loaded from that file: `instances` as `load_scene` told them; whether a script,
-    /// and not the file, has given the topmost one its name.
+    /// Call after a scene was loaded from that file: `instances` as from `load_scene`; whether a
+    /// script, and not the file, has named the topmost one.
     void scene_loaded(const std::filesystem::path& file,
                       const std::vector<SceneInstance>& instances, bool named_by_script = false);
-    /// An instance found its place in the tree: what was kept of it, and of what is below it, is
-    /// set.
+    /// An instance got its place in the tree: sets the kept values of it and of the instances below
+    /// it.
     void placed(Handle instance);
-    /// The game is set up: what was kept counts more than what its script has set meanwhile.
+    /// The game is loaded: kept values replace the values that its script has set since.
     void game_loaded();
 
-    /// Of the journal; empty before the first commit.
+    /// Path of the journal; empty before the first commit.
     std::filesystem::path journal() const;
 
     struct FETTLE_STORAGE_PRIVATE State;
