@@ -2,9 +2,9 @@
 
 #include <geometry/vector.h>
 
-// The lowest levels of a tree of boxes, taken together: up to sixteen leaves that are near each
-// other. All pairs of two buckets are tested many at a time, which takes less than to walk the
-// levels below them.
+// A bucket: a subtree of a tree of boxes with up to sixteen leaves that are near each other. All
+// pairs of two buckets are tested many at a time, which is faster than walking the levels below
+// them.
 
 namespace fettle::physics::detail {
 
@@ -23,15 +23,15 @@ struct BoxBucket {
     static constexpr uint32_t capacity = BucketBoxes::capacity;
 
     BucketBoxes now;
-    BucketBoxes before;  ///< of that epoch: as they were when all their pairs were known
+    BucketBoxes before;  ///< of that epoch: the boxes when all their pairs were known
     uint32_t item[capacity];
     uint32_t count = 0;
-    uint32_t moved = 0;  ///< a bit for each box that moved in that epoch
+    uint32_t moved = 0;  ///< one bit for each box that moved in that epoch
     uint32_t epoch = 0;
 };
 
-/// Writes for each of the first boxes of a which of b overlap it, a bit each. Boxes beyond the
-/// count of b are `no_box`.
+/// Writes for each of the first boxes of a which boxes of b overlap it, one bit each. Boxes beyond
+/// the count of b are `no_box`.
 using FindOverlaps = void (*)(const BucketBoxes& a, uint32_t count, const BucketBoxes& b,
                               uint32_t* rows);
 

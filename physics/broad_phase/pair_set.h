@@ -6,8 +6,9 @@
 
 namespace fettle::physics::detail {
 
-/// A set of unordered pairs of shapes, each with the contact made for it: open addressing, linear
-/// probing, deletion by shifting back, so that no tombstones pile up in a world that churns.
+/// A set of unordered pairs of shapes, each with its contact: open addressing, linear probing,
+/// deletion by shifting back, so that no tombstones accumulate in a world with many new and ended
+/// pairs.
 class PairSet {
   public:
     static constexpr uint32_t absent = 0xffffffffu;
@@ -40,7 +41,7 @@ class PairSet {
             if (slots_[hole].is_empty()) return;
             hole = after(hole);
         }
-        // Whoever was pushed past the hole by it moves back.
+        // Entries that were inserted after the hole because it was in use move back.
         for (std::size_t i = after(hole); !slots_[i].is_empty(); i = after(i)) {
             if (distance(home(slots_[i].pair), i) >= distance(hole, i)) {
                 slots_[hole] = slots_[i];
@@ -52,7 +53,8 @@ class PairSet {
     }
 
     std::size_t size() const { return count_; }
-    /// Every contact is below `contacts` and a search ends, whatever the set came from.
+    /// False if the deserialized data are damaged: every contact is below `contacts`, and a search
+    /// ends.
     bool is_walkable(uint32_t contacts) const {
         std::size_t used = 0;
         for (const Slot& slot : slots_) {
@@ -75,17 +77,17 @@ class PairSet {
     struct Slot {
         Pair pair;
         uint32_t contact = 0;
-        bool is_empty() const { return pair.upper == 0; }  // that of a pair is at least 1
+        bool is_empty() const { return pair.upper == 0; }  // `upper` of a pair is at least 1
     };
     static_assert(sizeof(Slot) == 12);
 
     static Pair pair_of(uint32_t a, uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
-    /// The upper half of a hash, as a fraction of the table: any size will do, and a table that
-    /// grows is read and written from front to back.
+    /// The upper half of a hash, as a fraction of the table: any table size works, and a growing
+    /// table is read and written from front to back.
     std::size_t home(Pair pair) const {
         uint64_t key = uint64_t{pair.upper} << 32 | pair.lower;
         key ^= key >> 29;
-        key *= 0x9e3779b97f4a7c15u;  // 2⁶⁴ over the golden ratio
+        key *= 0x9e3779b97f4a7c15u;  // 2⁶⁴ divided by the golden ratio
         key ^= key >> 32;
         key *= 0x9e3779b97f4a7c15u;
         return std::size_t((key >> 32) * slots_.size() >> 32);
@@ -94,7 +96,7 @@ class PairSet {
     std::size_t distance(std::size_t from, std::size_t to) const {
         return to >= from ? to - from : to + slots_.size() - from;
     }
-    /// Two thirds full at the most.
+    /// At most two thirds of the table are in use.
     bool has_room(std::size_t count) const { return count * 3 <= slots_.size() * 2; }
     void place(const Slot& slot) {
         std::size_t i = home(slot.pair);

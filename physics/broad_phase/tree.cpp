@@ -63,7 +63,7 @@ void Tree::rest() {
     ++epoch_;
 }
 
-/// What is above something that moved has moved.
+/// Marks the nodes above a moved leaf as moved.
 void Tree::flag(int32_t index) {
     built_ = std::min(built_, epoch_ - 1);
     for (nodes_[size_t(index)].moved = epoch_, index = nodes_[size_t(index)].parent;
@@ -78,13 +78,14 @@ int32_t Tree::best_sibling(const Box4& box) const {
     const float own = perimeter(box);
     int32_t index = root_;
     float node_area = perimeter(nodes_[size_t(index)].box);
-    float here = perimeter(
-        unite(nodes_[size_t(index)].box, box));  // as sibling of `index`, growth above included
-    float growth = 0.0f;                         // of the ancestors of `index`
+    float here = perimeter(unite(nodes_[size_t(index)].box, box));  // as sibling of `index`, with
+                                                                    // the growth of the ancestors
+    float growth = 0.0f;                                            // of the ancestors of `index`
     float best_cost = here;
     int32_t best = index;
     while (!nodes_[size_t(index)].is_leaf()) {
-        growth += here - growth - node_area;  // `index` itself grows if the leaf goes below it
+        growth += here - growth - node_area;  // `index` itself grows if the leaf is inserted below
+                                              // it
         const int32_t children[2] = {nodes_[size_t(index)].left, nodes_[size_t(index)].right};
         float cost[2], bound[2], area[2];
         for (int k = 0; k < 2; ++k) {
@@ -96,7 +97,7 @@ int32_t Tree::best_sibling(const Box4& box) const {
                 best_cost = cost[k];
                 best = children[k];
             }
-            // No place below this child can cost less than this.
+            // No place below this child costs less than this.
             bound[k] = child.is_leaf() ? cost[k] : own + growth + (united - area[k]);
         }
         int k = bound[1] < bound[0] ? 1 : 0;
@@ -166,8 +167,8 @@ void Tree::refit_upwards(int32_t index) {
     }
 }
 
-/// Exchanges a child with a grandchild on the other side where that shrinks the box between (D.
-/// Kopta et al., "Fast, Effective BVH Updates for Animated Scenes", 2012). The box of `index`
+/// Exchanges a child with a grandchild on the other side if that shrinks the box of the inner node
+/// (D. Kopta et al., "Fast, Effective BVH Updates for Animated Scenes", 2012). The box of `index`
 /// itself does not change.
 void Tree::rotate(int32_t index) {
     const int32_t sides[2] = {nodes_[size_t(index)].left, nodes_[size_t(index)].right};
@@ -179,7 +180,7 @@ void Tree::rotate(int32_t index) {
         const int32_t other = sides[1 - k];
         const Box4& moved = nodes_[size_t(other)].box;
         const float area = perimeter(inner.box);
-        // `other` takes the place of one grandchild and is united with the one that stays.
+        // `other` replaces one grandchild and is united with the remaining one.
         const float gain_left = area - perimeter(unite(moved, nodes_[size_t(inner.right)].box));
         const float gain_right = area - perimeter(unite(moved, nodes_[size_t(inner.left)].box));
         if (gain_left > best_gain) {
@@ -215,7 +216,7 @@ void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& p
     if (!has_pairs(other)) return;
     const size_t begin = parts.size();
     parts.push_back({root_, other.root_});
-    // The oldest first: level by level. What is at the bottom stays, in the place of one opened.
+    // The oldest first: level by level. A pair at the bottom stays, in the place of an opened one.
     size_t next = begin, bottom = begin;
     for (; next < parts.size() && parts.size() - next + bottom - begin < enough; ++next) {
         const NodePair pair = parts[next];
@@ -271,7 +272,7 @@ bool Tree::is_consistent() const {
 bool Tree::is_walkable(uint32_t items) const {
     unsigned char settled = 0;
     std::memcpy(&settled, &settled_, sizeof settled);
-    if (settled > 1) return false;  // no bool, and not to be read as one
+    if (settled > 1) return false;  // not a valid bool
     const auto inside = [this](int32_t node) {
         return node == none || (node >= 0 && size_t(node) < nodes_.size());
     };

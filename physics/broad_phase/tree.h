@@ -12,13 +12,13 @@
 
 namespace fettle::physics::detail {
 
-/// A dynamic tree of boxes. What is new is inserted by the surface-area heuristic. Where few move,
-/// the boxes above them are enlarged; where many do, all of them are fitted anew (`refit`), and
-/// when they have become larger than those of a tree built anew were, it is built anew from the
-/// top. Several threads do either; the tree is the same however many. Pairs are found by one walk
-/// of the tree against itself, below which nothing is visited that did not move and in which up to
-/// sixteen leaves are one bucket; or, of few that moved, by looking around each. Plain indices in
-/// one vector, so that a copy of it is a snapshot that behaves identically.
+/// A dynamic tree of boxes. New boxes are inserted by the surface-area heuristic. If few leaves
+/// move, the boxes above them are enlarged; if many move, all boxes are computed again (`refit`),
+/// and when they have become larger than after the last build, the tree is built again from the
+/// top. Several threads do either; the tree does not depend on their number. Pairs are found by one
+/// walk of the tree against itself, which skips nodes without a moved leaf and takes up to sixteen
+/// leaves as one bucket; or, if few have moved, by a search around each. Plain indices in one
+/// vector, so that a copy of it is a snapshot that behaves identically.
 class Tree {
   public:
     static constexpr int32_t none = -1;
@@ -26,53 +26,54 @@ class Tree {
     /// The leaf's index stays valid until `remove`.
     int32_t insert(const Box4& box, uint32_t item);
     void remove(int32_t leaf);
-    /// Replaces the box of a leaf, which has moved then. The leaf keeps its index.
+    /// Replaces the box of a leaf and marks it as moved. The leaf keeps its index.
     void move(int32_t leaf, const Box4& box) {
         place(leaf, box);
         follow(leaf);
     }
-    /// Half of that: before anything else, call `follow` for the leaf, or `refit`. Several threads
-    /// may place different leaves at once.
+    /// The first half of `move`: before any other call, call `follow` for the leaf, or `refit`.
+    /// Several threads may place different leaves at once.
     void place(int32_t leaf, const Box4& box) {
         nodes_[size_t(leaf)].box = box;
         nodes_[size_t(leaf)].moved = epoch_;
     }
-    /// Whether so many that were placed had better be followed one by one.
+    /// True if it is faster to call `follow` for each of this many placed leaves than to call
+    /// `refit`.
     bool are_few(std::size_t leaves) const {
         return 16 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
     }
-    /// Enlarges what is above a leaf that was placed.
+    /// Enlarges the boxes above a leaf that was placed.
     void follow(int32_t leaf);
-    /// Fits everything to the leaves; builds it anew if that has become worth the while. `before`:
-    /// see `settle`.
+    /// Computes all boxes from the leaves; builds the tree again if that saves time. `before`: see
+    /// `settle`.
     void refit(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
-    /// Counts the leaf as moved where it is, and none of its pairs as known.
+    /// Marks the leaf as moved, and none of its pairs as known.
     void touch(int32_t leaf);
 
-    /// Builds the parts that have moved since they were built anew, if some leaves were inserted or
-    /// removed since it last did. Leaves keep their indices. `before`: of each item, its box when
-    /// `rest` was called, or no box if there was none or it has been touched since.
+    /// If leaves were inserted or removed since the last call, builds the parts again that have
+    /// moved since they were built. Leaves keep their indices. `before`: for each item, its box
+    /// when `rest` was called, or no box if it had none or was touched since.
     void settle(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
 
-    /// A part of a walk: two nodes, or one of a tree against itself.
+    /// A part of a walk: two nodes, or one node against itself.
     struct NodePair {
         int32_t a, b;
     };
-    /// Calls `visit(item, item)` for every two leaves, one of this tree and one of the other, or
-    /// any two if that is this one too, that overlap and of which one has moved. Of those that
-    /// overlapped when nothing had moved it leaves out most.
+    /// Calls `visit(item, item)` for every two overlapping leaves, one of this tree and one of the
+    /// other (which may be this tree), of which one has moved. Skips most of the pairs that
+    /// overlapped at the last `rest`.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
-    /// Appends parts of that walk, about `enough` if there is so much to do, which can be made in
-    /// any order.
+    /// Appends parts of that walk, about `enough` if there is so much work; they can be processed
+    /// in any order.
     void begin_walk(const Tree& other, std::size_t enough, std::vector<NodePair>& parts) const;
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
-    /// Calls `visit(item)` for the other leaves that overlap one that has moved; `before`: its box
-    /// then. Asked for each that has, every pair is found once.
+    /// Calls `visit(item)` for the other leaves that overlap a moved leaf; `before`: its box at the
+    /// last `rest`. Called for each moved leaf, it finds every pair once.
     template <typename Visit>
     void look_around(int32_t leaf, const Box4& before, FindOverlaps overlaps, Visit&& visit) const;
-    /// From here on nothing has moved and all pairs are known.
+    /// From now on no leaf counts as moved, and all pairs are known.
     void rest();
 
     const Box4& box(int32_t node) const { return nodes_[size_t(node)].box; }
@@ -88,14 +89,16 @@ class Tree {
     template <typename Visit>
     void cast(V2 from, V2 to, Visit&& visit) const;
 
-    /// Every parent contains its children, has moved if one of them has, and every link is mutual.
+    /// True if every parent contains its children, has moved if one of them has, and every link is
+    /// mutual.
     bool is_consistent() const;
-    /// Every index is in range and each node is reached once: safe to walk, whatever it came from.
+    /// False if the deserialized data are damaged: every index is in range and each node is reached
+    /// once.
     bool is_walkable(uint32_t items) const;
     bool is_leaf(int32_t node) const {
         return node >= 0 && size_t(node) < nodes_.size() && nodes_[size_t(node)].is_leaf();
     }
-    /// Of a leaf.
+    /// The item of a leaf.
     uint32_t item(int32_t leaf) const { return nodes_[size_t(leaf)].item(); }
 
     /// For saving and restoring.
@@ -103,7 +106,7 @@ class Tree {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
         io(self.breadth_), io(self.settled_), io(self.built_), io(self.worn_);
     }
-    /// What can be made anew.
+    /// Scratch: data that can be built again.
     static void scratch(auto& io, auto& self) {
         io(self.bucket_of_), io(self.buckets_), io(self.spots_);
         io(self.parts_), io(self.inner_), io(self.boughs_), io(self.stems_), io(self.forks_);
@@ -115,39 +118,40 @@ class Tree {
         Box4 box;
         int32_t parent = none;
         int32_t left = none;   // none in a leaf
-        int32_t right = none;  // of a leaf: its item; of a free node: the next one
-        uint32_t moved = 0;    // the epoch in which it, or something below it, moved last
+        int32_t right = none;  // of a leaf: its item; of a free node: the next free node
+        uint32_t moved = 0;    // the last epoch in which it, or a node below it, moved
 
         bool is_leaf() const { return left == none; }
         uint32_t item() const { return uint32_t(right); }
     };
     static_assert(sizeof(Node) == 32);
 
-    /// A subtree that stays as it is while what is above it is built anew: mostly a leaf.
+    /// A subtree that does not change while the nodes above it are built again: in most cases a
+    /// leaf.
     struct Part {
         V2 middle;  // twice the center of its box
         int32_t node;
     };
-    /// What so many parts from `part` on become. It needs one inner node less than it has parts:
-    /// those of the list of inner nodes from `inner` on, itself the first, what is on its left
-    /// before what is on its right. So it is known which nodes are in it before it is built.
+    /// A subtree to be built of the `count` parts from `part` on. It needs one inner node less than
+    /// it has parts: those of the list of inner nodes from `inner` on, itself the first, then those
+    /// of its left side, then those of its right side. So its nodes are known before it is built.
     struct Fork {
         uint32_t part, count, inner;
-        uint32_t left = 0;  // how many go to the left
+        uint32_t left = 0;  // number of parts on the left
     };
-    /// What one thread builds and fits: all that is below a node, or a few.
+    /// The work of one thread in building and fitting: all nodes below a node, or below a few.
     struct Bough {
         Fork fork;
         uint32_t buckets = 0, first_bucket = 0;
         float breadth = 0.0f;
     };
-    /// Where a bucket is.
+    /// Place of a bucket.
     struct Spot {
         int32_t node;
         uint32_t part, count;
     };
 
-    /// What is still to visit. Trees are shallow; one made by hostile coordinates may not be.
+    /// Nodes still to be visited. Trees are shallow; a tree of extreme coordinates may be deep.
     template <typename Entry>
     class Stack {
       public:
@@ -191,13 +195,13 @@ class Tree {
     void fit_node(int32_t index);
     template <typename Push>
     void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
-    /// It may have.
+    /// False if the two trees have no new pairs.
     bool has_pairs(const Tree& other) const {
         if (root_ == none || other.root_ == none) return false;
         const Node &mine = nodes_[size_t(root_)], &theirs = other.nodes_[size_t(other.root_)];
         return (has_moved(mine) || other.has_moved(theirs)) && overlap(mine.box, theirs.box);
     }
-    /// The bucket that a node is, or nothing.
+    /// The bucket of a node, or null.
     const BoxBucket* bucket(int32_t node) const {
         const size_t index = size_t(node);
         if (index >= bucket_of_.size() || bucket_of_[index] < 0) return nullptr;
@@ -207,7 +211,7 @@ class Tree {
     uint32_t moved_in(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.moved : 0;
     }
-    /// As they were when all their pairs were known.
+    /// The boxes when all their pairs were known.
     const BucketBoxes& before(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.before : bucket.now;
     }
@@ -237,20 +241,22 @@ class Tree {
     int32_t free_ = none;
     uint32_t leaves_ = 0;
     uint32_t epoch_ = 1;
-    float breadth_ = 0.0f;  ///< of the buckets when all was built; 0: since then, parts were
-    bool settled_ = true;   ///< nothing was inserted or removed since the last building
-    uint32_t built_ = 0;    ///< the parts that moved in later epochs are due for the next building
-    uint32_t worn_ = 0;     ///< how often the boxes above a leaf were enlarged since they last fit
-    // Dropped when the tree changes by more than boxes: without them, pairs are found one by one.
+    float breadth_ = 0.0f;  ///< sum of the perimeters of the buckets after the last complete build;
+                            ///< 0: parts were built since
+    bool settled_ = true;   ///< no leaf was inserted or removed since the last build
+    uint32_t built_ = 0;    ///< the next build includes the parts that moved in later epochs
+    uint32_t worn_ = 0;     ///< how often the boxes above a leaf were enlarged since the last fit
+    // Dropped if the tree changes in other ways than its boxes: without them, pairs are found one
+    // by one.
     std::vector<int32_t> bucket_of_;  ///< by node; -1: none
     std::vector<BoxBucket> buckets_;
     std::vector<Spot> spots_;
-    // How the tree was built, or what is in it.
+    // Scratch of building, and lists of the nodes.
     std::vector<Part> parts_;
     std::vector<int32_t> inner_;  ///< top down, left before right
     std::vector<Bough> boughs_;
     std::vector<uint32_t> stems_;  ///< places of the inner nodes above the boughs
-    std::vector<Fork> forks_;      ///< while they are divided
+    std::vector<Fork> forks_;      ///< used while they are divided
 };
 
 template <typename Visit>
@@ -270,7 +276,7 @@ void Tree::query(const Box4& box, Visit&& visit) const {
     }
 }
 
-/// Visits the new pairs of two buckets, or of one with itself.
+/// Visits the new pairs of two buckets, or of one bucket with itself.
 template <typename Visit>
 void Tree::pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,
                             FindOverlaps overlaps, Visit&& visit) const {
@@ -290,7 +296,7 @@ void Tree::pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBuck
     }
 }
 
-/// Pushes the pairs below a pair that is no two leaves and no two buckets.
+/// Pushes the pairs below a pair that is neither two leaves nor two buckets.
 template <typename Push>
 void Tree::open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const {
     const auto [a, b] = pair;

@@ -2,31 +2,30 @@
 
 #include <algorithm>
 
-// Building a tree from the top and fitting its boxes to the leaves. Both are shared out by boughs.
-// Which nodes a bough consists of follows from where the parts above it were divided, and what is
-// summed up is summed bough after bough: the tree is the same whoever built it.
+// Building a tree from the top and computing its boxes from the leaves. Threads share out both by
+// boughs. The nodes of a bough follow from the division of the parts above it, and sums are added
+// bough after bough: the tree does not depend on the number of threads.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Leaves of a bough: enough that to share it out is worth the while, few enough that there are
-/// some for everybody.
+/// Leaves of a bough: enough work to share out, and enough boughs for all threads.
 constexpr uint32_t least_bough = 128, most_boughs = 64;
 
 uint32_t greatest_bough(std::size_t parts) {
     return std::max(least_bough, uint32_t(parts / most_boughs));
 }
 
-/// So much broader than when they were built, buckets meet so many others that building them anew
-/// costs less.
+/// When the perimeters of the buckets have grown by this factor since they were built, they overlap
+/// so many others that building them again costs less.
 constexpr float greatest_wear = 1.1f;
 
 }  // namespace
 
-/// Where to know from what buckets had in them when nothing had moved.
+/// The boxes in buckets at the last `rest`.
 struct Tree::Before {
     std::span<const Box4> boxes;    ///< of each item
-    bool still_in_buckets = false;  ///< they have the same leaves as then
+    bool still_in_buckets = false;  ///< the buckets have the same leaves as then
 };
 
 void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
@@ -52,7 +51,9 @@ void Tree::settle(ThreadPool* threads, std::span<const Box4> before) {
     settled_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
-    if (4 * worn_ > leaves_) built_ = 0;  // all of it, so that all leaves are in buckets again
+    if (4 * worn_ > leaves_)
+        built_ = 0;  // build all parts, so that all leaves are in buckets
+                     // again
     take_apart();
     const float breadth = build(threads, before);
     breadth_ = is_listed() ? breadth : 0.0f;
@@ -67,11 +68,11 @@ void Tree::forget_build() {
     boughs_.clear();
 }
 
-// --- What there is
+// --- The parts
 
-/// Lists the parts that did not move, leaves at the least, and the nodes above them, which will be
-/// used again. Top down and left before right, as they will be handed out: what is near in the tree
-/// is near in memory.
+/// Lists the parts that did not move, at least leaves, and the nodes above them, which are used
+/// again. Top down and left before right, the order in which they are used: neighbors in the tree
+/// are neighbors in memory.
 void Tree::take_apart() {
     parts_.clear();
     inner_.clear();
@@ -90,7 +91,7 @@ void Tree::take_apart() {
     }
 }
 
-/// Lists all of the tree as if it had been built like that.
+/// Lists the whole tree as after a build.
 void Tree::list() {
     parts_.clear();
     inner_.clear();
@@ -109,7 +110,7 @@ void Tree::list() {
         open.push(node.right);
         open.push(node.left);
     }
-    // Backwards, for what is below comes behind: first what is on the left, then what on the right.
+    // Backwards, since children come after their parent: first the left side, then the right.
     count.resize(inner_.size());
     for (size_t i = inner_.size(); i-- > 0;) {
         const Node& node = nodes_[size_t(inner_[i])];
@@ -146,7 +147,7 @@ void Tree::list_boughs(std::span<const uint32_t> first_part, std::span<const uin
 
 // --- Building
 
-/// Of the parts. Returns how broad the buckets are.
+/// Builds the tree of the parts. Returns the sum of the perimeters of the buckets.
 float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     bucket_of_.assign(nodes_.size(), -1);
     spots_.resize(parts_.size() / 2 + 1);
@@ -164,7 +165,7 @@ float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     return fit(threads, {before});
 }
 
-/// Divides the parts until they make boughs. A level at a time: what is on it is shared out.
+/// Divides the parts into boughs, one level at a time: threads share out a level.
 void Tree::divide(ThreadPool* threads) {
     const uint32_t greatest = greatest_bough(parts_.size());
     boughs_.clear();
@@ -192,7 +193,7 @@ void Tree::divide(ThreadPool* threads) {
               [](const Bough& a, const Bough& b) { return a.fork.inner < b.fork.inner; });
 }
 
-/// Divides its parts in two and links its node to what each will be.
+/// Divides its parts in two and links its node to the two sides.
 void Tree::split_fork(Fork& fork) {
     Part* begin = parts_.data() + fork.part;
     fork.left = uint32_t(split(begin, begin + fork.count) - begin);
@@ -221,14 +222,14 @@ void Tree::build_below(Fork fork, Bough& bough, bool in_bucket) {
                 in_bucket);
 }
 
-/// No bucket has less than two leaves: there is room for those of each bough at half the place of
-/// its leaves.
+/// A bucket has at least two leaves: the buckets of each bough begin at half the place of its
+/// leaves.
 void Tree::add_spot(const Fork& fork, Bough& bough) {
     spots_[bough.fork.part / 2 + bough.buckets++] = {inner_[fork.inner], fork.part, fork.count};
 }
 
-/// In the middle of the longer side. Where nearly all are on one side of that, in halves by number,
-/// so that no coordinates make the tree deep.
+/// Splits in the middle of the longer side. If nearly all parts are on one side of it, splits into
+/// halves by number, so that no coordinates make the tree deep.
 Tree::Part* Tree::split(Part* begin, Part* end) {
     if (end - begin == 2) return begin + 1;
     V2 low = begin->middle, high = begin->middle;
@@ -251,10 +252,10 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
     return middle;
 }
 
-// --- Fitting
+// --- Computing boxes
 
-/// Fits all that is listed, and fills the buckets. Returns how broad those are: the sum of their
-/// perimeters.
+/// Computes all listed boxes, and fills the buckets. Returns the sum of the perimeters of the
+/// buckets.
 float Tree::fit(ThreadPool* threads, const Before& before) {
     share_out(threads, uint32_t(boughs_.size()),
               [&](uint32_t i) { boughs_[i].breadth = fit_bough(boughs_[i], before); });
@@ -278,7 +279,7 @@ float Tree::fit_bough(const Bough& bough, const Before& before) {
     return breadth;
 }
 
-/// What is below fits already.
+/// The boxes below are computed already.
 void Tree::fit_node(int32_t index) {
     Node& node = nodes_[size_t(index)];
     const Node &left = nodes_[size_t(node.left)], &right = nodes_[size_t(node.right)];
@@ -307,7 +308,7 @@ void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before
     }
 }
 
-/// So far nothing in it has moved.
+/// So far no box in it has moved.
 void Tree::begin_epoch(BoxBucket& bucket) const {
     if (bucket.epoch == epoch_) return;
     bucket.before = bucket.now;

@@ -151,7 +151,7 @@ void check(const ShapeDef& def) {
 
 namespace {
 
-/// A shape remembers the number of its vertices in 24 bits.
+/// A shape stores the number of its vertices in 24 bits.
 void check_count(const char* what, size_t count) {
     constexpr size_t most = 1u << 20;
     if (count > most)

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-// Checks of arguments. Each returns its argument or throws std::invalid_argument with
-// the name of the value, what it was and what was expected. `what` reads like "linear_damping".
+// Checks of arguments. Each returns its argument or throws std::invalid_argument with the name of
+// the value, the value and what was expected. `what` is a name such as "linear_damping".
 
 namespace fettle::physics::detail {
 
@@ -24,7 +24,7 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
-/// Of any length above 0.
+/// A direction of any length above 0.
 const Vec2& check_direction(const char* what, const Vec2& value);
 [[noreturn]] void refuse_negative(const char* what, float value);
 /// Finite and >= 0.
@@ -47,7 +47,7 @@ int check_count(const char* what, int value, int low, int high);
 /// 4, 8 or 16.
 int check_simd_width(const char* what, int value);
 [[noreturn]] void refuse_enumerator(const char* what, int value, int last);
-/// Enumerations count from 0 to `last`; a number cast to one may be anything.
+/// Enumerations count from 0 to `last`; a cast number may be out of range.
 template <class Enum>
 Enum check_enumerator(const char* what, Enum value, Enum last) {
     if (value < Enum{} || value > last) [[unlikely]]
@@ -55,7 +55,8 @@ Enum check_enumerator(const char* what, Enum value, Enum last) {
     return value;
 }
 const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
-const Vec2& check_point(const char* what, const Vec2& value);        ///< of a body: within ±1e6
+const Vec2& check_point(const char* what, const Vec2& value);        ///< a point of a body: within
+                                                                     ///< ±1e6
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
 const Aabb& check_box(const char* what, const Aabb& value);
@@ -64,10 +65,10 @@ void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
 void check(const FieldDef& def);
-/// Of a concave polygon.
+/// The outline of a concave polygon.
 void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);
-void check(const Geometry& geometry);  ///< polygons: also that there is a hull
+void check(const Geometry& geometry);  ///< polygons: also that they have a hull
 
 [[noreturn]] void wrong_type(const char* property, ShapeType type);
 

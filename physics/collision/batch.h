@@ -6,8 +6,8 @@
 
 namespace fettle::physics::detail {
 
-/// Where the vertices of all shapes are, rotated: see VertexPool. A triangle has its first vertex
-/// and edge again as fourth, and an edge offset that no other shape is ever outside of.
+/// The rotated vertices of all shapes: see VertexPool. A triangle repeats its first vertex and edge
+/// as fourth, with an edge offset that keeps every other shape inside.
 struct ConvexArrays {
     const V2* vertices;
     const V2* normals;
@@ -20,7 +20,7 @@ struct alignas(64) CollisionBatch {
     uint32_t begin_a[size], begin_b[size];  ///< in the arrays
     int32_t count_a[size], count_b[size];   ///< vertices: 3 or 4
     float radius_a[size], radius_b[size];
-    float offset_x[size], offset_y[size];  ///< origin of b less that of a, m
+    float offset_x[size], offset_y[size];  ///< origin of b minus that of a, m
     float margin[size];                    ///< m
     Manifold* manifolds[size];
     int count = 0;  ///< pairs; all arrays have valid entries for all sixteen

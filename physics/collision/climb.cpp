@@ -3,7 +3,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Whether u comes before v, counted counter-clockwise from `base`.
+/// True if u comes before v, counted counter-clockwise from `base`.
 bool turned_less(V2 base, V2 u, V2 v) {
     const auto half = [base](V2 w) {
         const float k = cross(base, w);

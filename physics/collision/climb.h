@@ -2,24 +2,26 @@
 
 #include <collision/manifold.h>
 
-// What is extreme of a convex polygon, without looking at all of it: its normals are in order.
+// Searches for extreme points and edges of a convex polygon that do not examine all of it: its
+// normals are in order.
 
 namespace fettle::physics::detail {
 
-/// Polygons of more vertices are searched; of these or fewer all are looked at.
+/// In polygons with at most this many vertices all are examined; larger ones are searched.
 inline constexpr int most_small_vertices = 8;
 
 /// The vertex that is farthest along a direction, by bisection.
 int farthest_vertex(const Convex& polygon, V2 direction);
 
-/// An edge, and how far outside of it something is, m.
+/// An edge, and the distance of a point or shape outside of it, m.
 struct EdgeGap {
     int edge = 0;
     float separation = -1e30f;
 };
 
-/// The greatest value round a cycle in which there is one way up from where one starts: strides
-/// that double while it rises, then bisection of the last. What is not `within` is not looked for.
+/// Finds the greatest value around a cycle that has only one rising direction from the start:
+/// strides that double while the value rises, then bisection of the last one. Ignores values that
+/// are not `within`.
 template <class Value, class Within>
 EdgeGap climb(int count, int start, Value&& value, Within&& within) {
     const auto at = [count](int i) { return ((i % count) + count) % count; };
@@ -39,7 +41,7 @@ EdgeGap climb(int count, int start, Value&& value, Within&& within) {
         here = then;
         stride *= 2;
     }
-    // The summit is between low and one stride beyond high.
+    // The maximum is between low and one stride after high.
     int a = low, b = high + way * stride;
     while ((b - a) * way > 2) {
         const int middle = a + (b - a) / 2;
@@ -56,7 +58,7 @@ EdgeGap climb(int count, int start, Value&& value, Within&& within) {
     }
 }
 
-/// A convex polygon whose vertices are at hand, as `deepest_edge` asks for it.
+/// A convex polygon with its vertices in memory, for `deepest_edge`.
 class Facets {
   public:
     explicit Facets(const Convex& form) : form_(form) {}
@@ -72,12 +74,12 @@ class Facets {
     const Convex& form_;
 };
 
-/// The edge of a polygon that something is farthest outside of: `nearest` tells the coordinate of
-/// its nearest point along a unit vector, `inside` is a point of it. All edges of few are looked
-/// at, many are climbed. The separation from something apart rises from the edge that faces any
-/// point of it to the greatest, which is within a quarter of a turn: up to there the vertices that
-/// are farthest along the normals are on the near side of the nearest point. Behind there may be
-/// another summit, that of the far side.
+/// The edge of a polygon with the greatest separation from another shape: `nearest` returns the
+/// coordinate of the shape's nearest point along a unit vector, `inside` is a point of the shape.
+/// In small polygons all edges are examined, large ones are climbed. The separation rises from the
+/// edge that faces any point of the shape to the greatest one, which is within a quarter of a turn:
+/// up to there the vertices that are farthest along the normals are on the near side of the nearest
+/// point. Beyond it there may be another maximum, that of the far side.
 template <class Polygon, class Nearest>
 EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
     const auto separation = [&](int i) { return nearest(polygon.normal(i)) - polygon.offset(i); };
@@ -94,7 +96,8 @@ EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
     return best;
 }
 
-/// Of the two edges at the vertex that is deepest along a normal, the one that faces it more.
+/// Of the two edges at the vertex that is deepest along a normal, the one that is more opposed to
+/// it.
 int incident_edge_of(const auto& polygon, V2 normal) {
     const int vertex = polygon.farthest(-normal), before = polygon.previous(vertex);
     return dot(polygon.normal(before), normal) < dot(polygon.normal(vertex), normal) ? before

@@ -2,7 +2,7 @@
 
 #include <collision/manifold.h>
 
-// Two edges that face each other: what the narrow phases of all polygons have in common.
+// Two edges that face each other: common part of the narrow phases of all polygons.
 
 namespace fettle::physics::detail {
 
@@ -42,7 +42,7 @@ inline bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
     return (s == 0.0f || s == 1.0f) && (t == 0.0f || t == 1.0f);
 }
 
-/// The incident edge of `other` before the reference edge. Everything is in the frame of
+/// The incident edge of `other` in front of the reference edge. All data are in the frame of
 /// `reference`; `to_other` is the origin of `other` in it.
 class FacingEdges {
   public:
@@ -65,24 +65,24 @@ class FacingEdges {
         x2_ = dot(tangent, w2_);
     }
 
-    /// End against end, over so little that things would be kicked by it.
+    /// End against end, with so little overlap that shapes would be kicked.
     bool are_a_seam() const {
         const float facing = min(high_, x2_) - max(low_, x1_);
         const bool inside = (x1_ >= low_ && x2_ <= high_) || (low_ >= x1_ && high_ <= x2_);
         return !inside && facing < min(seam, 0.1f * min(high_ - low_, x2_ - x1_)) &&
                reference_.radius + other_.radius == 0.0f;
     }
-    /// No part of either faces the other.
+    /// True if no part of one edge faces the other.
     bool are_beside() const { return x2_ < low_ || x1_ > high_; }
 
-    /// The ends of the incident edge, cut off where the reference edge ends. `flipped`: the
-    /// reference belongs to shape b of the manifold, which `offset` leads to from a.
+    /// The ends of the incident edge, clipped at the ends of the reference edge. `flipped`: the
+    /// reference belongs to shape b of the manifold; `offset` leads from a to b.
     void clip(bool flipped, float margin, V2 offset, Manifold& m) const {
         const float run = x2_ - x1_;
         const V2 along = w2_ - w1_;
         V2 c1 = w1_, c2 = w2_;
         if (x2_ < low_) {
-            c1 = w2_;  // beside each other: the nearer end is all there is
+            c1 = w2_;  // the edges do not face each other: only the nearer end remains
         } else if (x1_ > high_) {
             c2 = w1_;
         } else {

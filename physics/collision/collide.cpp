@@ -4,9 +4,9 @@
 
 // Separating axes and clipping. For two convex polygons the axis of least overlap is the normal of
 // one of their edges (D. Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013;
-// in the plane there are no cross products of edges). The edge it belongs to is the reference; the
+// in the plane there are no cross products of edges). The edge of that normal is the reference; the
 // most anti-parallel edge of the other polygon is clipped against its ends. Pairs of vertex and
-// edge give the points their identity from step to step.
+// edge identify the points from step to step.
 
 namespace fettle::physics::detail {
 namespace {
@@ -16,7 +16,8 @@ struct Axis {
     float separation = -1e30f;  // of the cores, without radii
 };
 
-/// The edge of `a` that `b` is farthest outside of. `offset` is the origin of b relative to a's.
+/// The edge of `a` with the greatest separation from `b`. `offset` is the origin of b relative to
+/// a's.
 Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
     Axis best;
     for (int i = 0; i < a.count; ++i) {
@@ -45,7 +46,7 @@ void single_point(V2 p, V2 q, V2 fallback, const Convex& a, const Convex& b, V2 
     m.corner = distance;
 }
 
-/// Circle (one vertex) against anything.
+/// Circle (one vertex) against any shape.
 void collide_circle(const Convex& a, const Convex& circle, V2 offset, float margin, Manifold& m) {
     const V2 c = circle.vertices[0] + offset;
     if (a.count == 1) {
@@ -63,7 +64,7 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
     const V2 v1 = a.vertices[best.edge], v2 = a.vertices[next];
     const V2 along = v2 - v1;
     const float t1 = dot(c - v1, along), t2 = dot(v2 - c, along);
-    // A segment has no inside: beside its ends the end itself is nearest even at no distance.
+    // A segment has no inside: beyond its ends, the end itself is nearest even at distance 0.
     const bool outside = best.separation > 1e-7f || a.count == 2;
     if (outside && t1 < 0.0f) {
         single_point(v1, c, n, a, circle, offset, margin, feature_of(best.edge, 255), m);
@@ -111,8 +112,8 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
     const int incident = incident_edge(other, reference.normals[edge]);
 
     if ((flipped ? on_b.separation : on_a.separation) > face_preference) {
-        // The cores are apart: where two vertices are nearest, no edge normal is the direction
-        // between the shapes.
+        // The cores are apart: where two vertices are nearest, the direction between the shapes is
+        // no edge normal.
         const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
         const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
         float s, t;
@@ -124,11 +125,11 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
             const V2 p = reference.vertices[r], q = other.vertices[o] + to_other;
             const V2 n = reference.normals[edge];
             const V2 along = {-n.y, n.x};
-            // Facing edges whose ends are level are a face contact, not a vertex one.
+            // Facing edges with level ends are a face contact, not a vertex contact.
             const V2 d = q - p;
             if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
-                // Bare corners of something thick may yet pass each other. (Cards do lean on each
-                // other corner to corner.)
+                // Corners of thick shapes without rounding may still pass each other. (Cards do
+                // lean on each other corner to corner.)
                 const float thin = 20.0f * seam;
                 const V2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
                 const V2 other_edge = other.vertices[incident2] - other.vertices[incident];
@@ -138,7 +139,7 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
                 if (!flipped) {
                     single_point(p, q, n, a, b, offset, margin, feature_of(r, o), m);
                 } else {
-                    // In the frame of b: carried over to a's.
+                    // In the frame of b: converted to the frame of a.
                     single_point(q + offset, p + offset, -n, a, b, offset, margin, feature_of(o, r),
                                  m);
                 }
@@ -179,7 +180,7 @@ void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, fl
     const int second =
         dot(normal, b.vertices[before]) < dot(normal, b.vertices[after]) ? before : after;
     add(second);
-    // Always in the order of the vertices, so that the solver does not see them change places.
+    // Always in the order of the vertices, so that the solver does not get them in changing order.
     if (m.count == 2 && m.points[1].feature < m.points[0].feature)
         std::swap(m.points[0], m.points[1]);
 }

@@ -44,11 +44,11 @@ AreaMoments moments_of(const Ellipse& ellipse) {
 
 namespace {
 
-/// Of the ellipse (x/a)² + (y/b)² = 1 with a ≥ b, for a point of the first quadrant. With the
-/// parameter t of the line p = q + t·∇/2 the foot point q is (a²x/(t + a²), b²y/(t + b²)); t is the
-/// greatest root of (ax/(t + a²))² + (by/(t + b²))² = 1 (D. Eberly, "Distance from a Point to an
-/// Ellipse", section 2.9). That function falls and is convex beyond -b², so that Newton's method
-/// from the left ascends to the root and cannot miss it.
+/// Foot point on the ellipse (x/a)² + (y/b)² = 1 with a ≥ b, for a point of the first quadrant.
+/// With the parameter t of the line p = q + t·∇/2 the foot point q is (a²x/(t + a²), b²y/(t + b²));
+/// t is the greatest root of (ax/(t + a²))² + (by/(t + b²))² = 1 (D. Eberly, "Distance from a Point
+/// to an Ellipse", section 2.9). That function falls and is convex beyond -b², so that Newton's
+/// method from the left always ascends to the root.
 struct Foot {
     double x, y;
 };
@@ -103,7 +103,7 @@ EllipseGap gap_at_vertex(const EllipseForm& ellipse, V2 vertex, int index) {
     return {rim.normal, rim.point, vertex, rim.distance, -1, index};
 }
 
-/// Whether the edges before and after a vertex have the direction between their normals.
+/// True if the direction is between the normals of the edges before and after a vertex.
 bool in_cone(V2 before, V2 direction, V2 after) {
     return cross(before, direction) >= -1e-6f && cross(direction, after) >= -1e-6f;
 }
@@ -116,7 +116,7 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offse
     const auto [edge, best] = deepest_edge(Facets(other), center,
                                            [&](V2 n) { return dot(n, center) - ellipse.reach(n); });
     // The separation along a direction is greatest at this normal or in the cone of one of its two
-    // vertices: that of the end which the deepest point of the ellipse is beyond.
+    // vertices: the vertex of that end beyond which the deepest point of the ellipse is.
     const int next = edge + 1 < other.count ? edge + 1 : 0;
     const V2 n = other.normals[edge];
     const V2 v1 = other.vertices[edge] + offset, v2 = other.vertices[next] + offset;

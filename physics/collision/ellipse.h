@@ -5,11 +5,11 @@
 #include <geometry/mass.h>
 #include <geometry/vertex_pool.h>
 
-// Ellipses, exactly: no polygon stands for them anywhere.
+// Ellipses, computed exactly: no polygon replaces them.
 
 namespace fettle::physics::detail {
 
-/// An ellipse where it is, relative to the center of mass of its body.
+/// An ellipse at its pose, relative to the center of mass of its body.
 struct EllipseForm {
     V2 center;
     V2 axis;  ///< unit vector along the first radius
@@ -17,11 +17,11 @@ struct EllipseForm {
 
     /// The farthest point along a direction.
     V2 support(V2 direction) const;
-    /// How far the ellipse reaches from its center along a unit vector.
+    /// Distance of the farthest point from the center along a unit vector.
     float reach(V2 direction) const;
 };
 
-// In the pool an ellipse has two places: the center with the axis for a normal; the two radii.
+// In the pool an ellipse takes two places: the center, with the axis as its normal; the two radii.
 void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool);
 inline EllipseForm ellipse_of(const Convex& form) {
     return {form.vertices[0], form.normals[0], form.vertices[1].x, form.vertices[1].y};
@@ -38,15 +38,16 @@ struct RimPoint {
 };
 RimPoint nearest_on_rim(const EllipseForm& ellipse, V2 p);
 
-/// Between an ellipse and something else, along the line where they are nearest or overlap least.
+/// Gap between an ellipse and another shape, along the line where they are nearest or overlap
+/// least.
 struct EllipseGap {
     V2 normal;  ///< from the ellipse to the other
     V2 on_ellipse, on_other;
-    float separation = 0.0f;  ///< of the cores: the radius of the other is left aside
-    int edge = -1;            ///< of the other, where the normal is that of an edge
-    int vertex = -1;          ///< of the other, where it is not
+    float separation = 0.0f;  ///< of the cores: without the radius of the other shape
+    int edge = -1;            ///< of the other shape, if the normal is that of an edge
+    int vertex = -1;          ///< of the other shape, if it is not
 };
-/// `offset` is the origin of the other minus that of the ellipse; everything is told in the frame
+/// `offset` is the origin of the other shape minus that of the ellipse; the result is in the frame
 /// of the ellipse.
 EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offset);
 EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 offset);

@@ -6,7 +6,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A convex polygon or circle in world axes, whether its vertices are rotated or not.
+/// A convex polygon or circle in world axes; its vertices may be rotated or not.
 class TurnedFacets {
   public:
     explicit TurnedFacets(const Solid& solid)
@@ -22,7 +22,7 @@ class TurnedFacets {
     int farthest(V2 direction) const { return farthest_vertex(form_, unrotate(q_, direction)); }
     V2 middle() const { return 0.5f * (vertex(0) + vertex(form_.count / 2)); }
 
-    /// One edge of it, as a segment.
+    /// One edge of the polygon, as a segment.
     struct Excerpt {
         V2 vertices[2], normals[2];
         float offsets[2];
@@ -96,7 +96,7 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
         const V2 q = facing.vertices[t == 0.0f ? 0 : 1] + to_other;
         const float distance = length(q - p);
         if (std::fabs(cross(edge.normals[0], q - p)) > 1e-3f * distance) {
-            // Bare corners of something thick may yet pass each other.
+            // Corners of thick shapes without rounding may still pass each other.
             constexpr float thin = 20.0f * seam;
             const float shorter = min(length_squared(edge.vertices[1] - edge.vertices[0]),
                                       length_squared(facing.vertices[1] - facing.vertices[0]));
@@ -109,8 +109,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
             return;
         }
     }
-    // Which end of the edges it is stands for a point from step to step: the edges themselves are
-    // others as soon as it rolls.
+    // The end of the edges identifies a point from step to step: the edges themselves change as
+    // soon as the polygon rolls.
     const FacingEdges edges(edge.form, 0, facing.form, 0, to_other);
     if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }

@@ -6,23 +6,23 @@
 #include <vector>
 
 // Convex polygons of more than eight vertices. They are not rotated with their body in every step:
-// directions are turned into their frame instead, and what is farthest along one is found by
-// bisection, since the normals of a convex polygon are in order. The edge of the greatest
-// separation is climbed to in strides. So a contact costs a time that grows with the logarithm of
-// the number of vertices, and so does a step.
+// directions are rotated into their frame instead, and bisection finds the farthest vertex along
+// one, since the normals of a convex polygon are in order. The edge of the greatest separation is
+// found in strides. So the time for a contact, and for a step, grows with the logarithm of the
+// number of vertices.
 
 namespace fettle::physics::detail {
 
-/// Contact points of two convex shapes of which one at least is large; as `collide`.
+/// Contact points of two convex shapes of which at least one is large; as `collide`.
 void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& manifold);
 void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
                               Manifold& manifold);
 
-/// As for plain convex shapes; one at least is large, the other that or plain.
+/// As for plain convex shapes; at least one is large, the other is large or plain.
 Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset);
 
-/// A large polygon with its vertices rotated, for who needs all of them. Any other kind stays as it
-/// is.
+/// A large polygon with its vertices rotated, for code that reads all of them. Shapes of other
+/// kinds are not changed.
 class PlainCopy {
   public:
     explicit PlainCopy(const Solid& from);

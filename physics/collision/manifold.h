@@ -6,16 +6,17 @@
 
 namespace fettle::physics::detail {
 
-/// Below this a gap counts as none (m): decides between faces that are equally deep, so that
-/// contacts do not flip.
+/// Separations that differ by less than this count as equal (m): the choice between faces that are
+/// equally deep is stable, so that contacts do not flip.
 inline constexpr float face_preference = 0.0005f;
 
-/// Two edges that overlap by less than this (m) and a tenth of either, end against end, do not stop
-/// each other: what slides over a floor of tiles would be kicked by the side of every next one.
+/// Two edges that overlap end against end by less than this (m) and less than a tenth of either do
+/// not stop each other: otherwise a shape that slides over a floor of tiles would be kicked by the
+/// side of every tile.
 inline constexpr float seam = 0.005f;
 
-/// A convex shape where it is: vertices, edge normals and n·v of each edge, already rotated but
-/// relative to the center of mass of its body. Rotations are shared by all contacts of the shape
+/// A convex shape at its pose: vertices, edge normals and n·v of each edge, already rotated but
+/// relative to the center of mass of its body. All contacts of the shape use the same rotated data,
 /// and no precision is lost far from the origin. One vertex is a circle, two are a segment (its two
 /// sides are its two edges).
 struct Convex {
@@ -38,7 +39,7 @@ struct ManifoldPoint {
 struct Manifold {
     V2 normal;  ///< from a to b
     int count = 0;
-    float corner = 0.0f;  ///< distance of the cores where they meet round a corner, m; else 0
+    float corner = 0.0f;  ///< distance of the cores at a corner contact, m; else 0
     ManifoldPoint points[2];
 };
 
@@ -50,8 +51,8 @@ static_assert(sizeof(ManifoldPoint) == 32 && sizeof(Manifold) == 80);
 /// minus that of a. Sets normal, count, anchors, separations and features; leaves impulses zero.
 void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& manifold);
 
-/// The half-plane of points p with normal·p <= depth, p relative to `offset` from the center of
-/// mass of b: a is solid there. The normal points out of it.
+/// Contact with the half-plane of points p with normal·p <= depth, p relative to `offset` from the
+/// center of mass of b: a is solid there. The normal points out of it.
 void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
                         Manifold& manifold);
 

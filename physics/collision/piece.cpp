@@ -6,11 +6,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Corners that turn by less are flat, and directions this near are one (rad).
+/// Corners with a smaller angle are flat, and directions that differ by less are equal (rad).
 constexpr float flat = 1e-3f;
 
-/// Where the least overlap is through an edge that is inside, by so much less than any other (m),
-/// the shape is in front of another piece.
+/// If the overlap through an inner edge is less than through any other edge by this (m), the shape
+/// is in front of another piece.
 constexpr float beyond = 0.01f;
 
 float sign_of(V2 v) {
@@ -22,7 +22,7 @@ float sign_of(V2 v) {
 Piece::Verdict Piece::judge(int vertex, V2 direction) const {
     const V2 d = unrotate(rotation_, direction);
     const V2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
-    // A free end of a chain pushes all round, but not backwards.
+    // A free end of a chain pushes in all directions but backwards.
     if (sign_of(before) == 0.0f || sign_of(after) == 0.0f) {
         const V2 front = sign_of(before) == 0.0f ? after : before;
         return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
@@ -52,7 +52,7 @@ int Piece::edge_at(int vertex, V2 direction) const {
 
 namespace {
 
-/// The best of the edges that may push, and how far apart the ones inside hold the two.
+/// The best of the edges that may push, and the separation along the inner edges.
 struct Axes {
     EdgeGap outer = {-1};
     float inner = -1e30f;
@@ -100,8 +100,8 @@ void one_point(V2 on_a, V2 normal, float gap, float radius_b, V2 offset, float m
     m.count = 1;
 }
 
-/// Faces reach this far beyond their ends (m): two that are as good as one leave no gap between
-/// them, whatever is rounded.
+/// Faces extend beyond their ends by this (m): two nearly equal faces leave no gap between them in
+/// spite of rounding.
 float overhang(float height, V2 where) {
     return 2.0f * flat * std::fabs(height) + 1e-6f * (std::fabs(where.x) + std::fabs(where.y));
 }
@@ -111,7 +111,8 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
                     Manifold& m) {
     const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
-    // Outside of an inner edge, or nearer to it than to any other: another piece is met first.
+    // Outside of an inner edge, or nearer to it than to any other: the shape meets another piece
+    // first.
     const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
                         axes.inner > axes.outer.separation + beyond;
     const int edge = axes.outer.edge;
@@ -126,7 +127,8 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
         one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
         return;
     }
-    // Beside it: the nearest vertex, if the outline's corner is there and this piece tells of it.
+    // Beyond the ends: the nearest vertex, if it is a corner of the outline and belongs to this
+    // piece.
     int vertex = 0;
     float least = 1e30f;
     for (int i = 0; i < a.form.count; ++i) {
@@ -201,7 +203,7 @@ class PolygonOnPiece {
     }
 
   private:
-    /// More of it before the plane of a one-sided segment than behind.
+    /// True if most of it is in front of the plane of a one-sided segment.
     bool in_front(const Piece& piece, const Convex& other, V2 to_other) const {
         if (!piece.one_sided()) return true;
         const V2 n = piece.form.normals[0];
@@ -210,7 +212,7 @@ class PolygonOnPiece {
         return counted + dot(n, to_other) >= piece.form.offsets[0];
     }
 
-    /// Along the normal of an edge of the piece.
+    /// Pushes along the normal of an edge of the piece.
     void push_with_a(int edge, float separation) {
         const V2 n = a_.form.normals[edge];
         if (piece_b_ != nullptr) {
@@ -227,7 +229,7 @@ class PolygonOnPiece {
         clip_pieces(a_.form, edge, b_, incident, offset_, false);
     }
 
-    /// Along the normal of an edge of the other shape: a corner of the outline is pushed.
+    /// Pushes along the normal of an edge of the other shape: a corner of the outline is pushed.
     void push_with_b(EdgeGap axis) {
         const V2 outwards = -b_.normals[axis.edge];
         const int vertex = support(a_.form, outwards);
@@ -249,13 +251,13 @@ class PolygonOnPiece {
         clip_pieces(b_, axis.edge, a_.form, edge, -offset_, true);
     }
 
-    /// Whether a direction is as good as that of an edge of the outline beside the vertex.
+    /// True if a direction is nearly that of an edge of the outline at the vertex.
     static bool is_face(const Piece& piece, int vertex, V2 direction) {
         const int edge = piece.edge_at(vertex, direction);
         return edge >= 0 && dot(piece.form.normals[edge], direction) > 1.0f - 1e-5f;
     }
 
-    /// True when two corners are nearest to each other; the point is told if it is to be.
+    /// True if two corners are nearest to each other; adds the point if this piece reports it.
     bool corner_to_corner(const Convex& reference, int edge, const Convex& other, int incident,
                           V2 to_other, bool flipped) {
         const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
@@ -281,7 +283,7 @@ class PolygonOnPiece {
         return true;
     }
 
-    /// As for plain polygons, but what is beside the edge is left to the next piece.
+    /// As for plain polygons, but points beyond the edge belong to the next piece.
     void clip_pieces(const Convex& reference, int edge, const Convex& other, int incident,
                      V2 to_other, bool flipped) {
         const FacingEdges edges(reference, edge, other, incident, to_other);

@@ -3,11 +3,11 @@
 #include <collision/solid.h>
 
 // Pieces: the segments of a chain, the convex parts of a concave polygon. The whole outline is
-// solid; a piece alone has edges that are not part of it (the diagonals of a cut, the back of a
-// segment) and ends where the outline goes on. What touches it must not notice: directions in which
-// a piece pushes are those of its part of the outline. Each vertex knows the normals of the
-// outline's edges before and after it; between the two lies the cone of directions in which the
-// outline's own corner pushes.
+// solid; a single piece has edges that are not part of the outline (the diagonals of a cut, the
+// back of a segment) and ends at which the outline goes on. This must have no effect on other
+// shapes: a piece pushes only in directions of its part of the outline. Each vertex has the normals
+// of the outline's edges before and after it; between the two is the cone of directions in which
+// the outline's own corner pushes.
 
 namespace fettle::physics::detail {
 
@@ -24,7 +24,7 @@ class Piece {
     const Convex& form;
 
     bool one_sided() const { return form.count == 2; }
-    /// An edge that is not on the outline.
+    /// True for an edge that is not on the outline.
     bool is_inner(int edge) const {
         if (one_sided()) return edge == 1;
         const V2 after = limits_[2 * edge + 1], own = normals_[edge];
@@ -32,16 +32,17 @@ class Piece {
     }
 
     enum class Verdict {
-        pushes,  ///< its corner, and its to tell
-        leaves,  ///< to another piece
+        pushes,  ///< the corner is on the outline, and this piece reports it
+        leaves,  ///< another piece reports it
         flat     ///< no corner that sticks out: the edge beside it pushes
     };
-    /// Of a push along `direction` (unit, outwards) at a vertex.
+    /// Decides on a push along `direction` (unit, outwards) at a vertex.
     Verdict judge(int vertex, V2 direction) const;
-    /// The edge of the outline at a vertex whose normal is nearest to `direction`; -1 when neither
-    /// is on the outline.
+    /// The edge of the outline at a vertex with the normal nearest to `direction`; -1 if neither
+    /// edge is on the outline.
     int edge_at(int vertex, V2 direction) const;
-    /// Outside of the plane of a one-sided segment, give or take `depth`, or not one-sided at all.
+    /// True if the point is in front of the plane of a one-sided segment, within `depth`, or if the
+    /// piece is not one-sided.
     bool faces(V2 point, float depth = 0.0f) const {
         return !one_sided() || dot(form.normals[0], point) >= form.offsets[0] - depth;
     }
@@ -53,7 +54,8 @@ class Piece {
 };
 
 /// Contact points of a piece and another shape, as `collide`: the normal points from the piece.
-/// `held`: it was in contact before, so that it did not come from behind, however deep it is.
+/// `held`: the shapes were in contact before, so that the other shape did not come from behind, at
+/// any depth.
 void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
                    Manifold& manifold);
 

@@ -6,31 +6,34 @@
 
 namespace fettle::physics::detail {
 
-/// How the vertices of a shape are meant. What is no plain convex form goes through
-/// `collide_unusual`, so that the common pairs ask one question.
+/// The kind of a shape's form. Forms that are not plain convex are collided by `collide_unusual`,
+/// so that the common pairs need one test.
 enum class FormKind : uint8_t {
     convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
     border,   ///< a half-plane of the border
-    ellipse,  ///< its center; collision/ellipse.h tells where its axes are
+    ellipse,  ///< its center; collision/ellipse.h says where its axes are
     large,    ///< a convex polygon of many vertices, see collision/large_polygon.h
     piece,    ///< a convex part of a longer outline, see collision/piece.h
-    outline   ///< of many pieces, each a shape of its own: nothing collides with it itself
+    outline   ///< of many pieces, which are shapes of their own: the outline itself does not
+              ///< collide
 };
 
-/// A shape of any kind but the border, where it is.
+/// A shape of any kind but the border, at its pose.
 struct Solid {
     Convex form;
     FormKind kind = FormKind::convex;
-    Rotation rotation = {};       ///< of a large polygon, whose vertices are not; of a piece
+    Rotation rotation = {};       ///< of a large polygon, whose vertices are not rotated; of a
+                                  ///< piece
     const V2* limits = nullptr;   ///< of a piece
-    const V2* normals = nullptr;  ///< of a piece: of its edges, body coordinates
+    const V2* normals = nullptr;  ///< of a piece: normals of its edges, body coordinates
 };
 
-/// The points of two shapes that are nearest to each other, from the center of mass of a.
+/// The nearest points of two shapes, relative to the center of mass of a.
 struct Nearest {
-    float distance = 0.0f;  ///< 0 where they overlap: then the points are the same, inside both
+    float distance = 0.0f;  ///< 0 when they overlap: then both points are the same point inside
+                            ///< both shapes
     V2 on_a, on_b;
-    V2 normal;  ///< from a to b; of no length where they overlap
+    V2 normal;  ///< from a to b; zero when they overlap
 };
 
 }  // namespace fettle::physics::detail

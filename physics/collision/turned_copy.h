@@ -7,7 +7,7 @@
 
 namespace fettle::physics::detail {
 
-/// A copy of a shape that can be turned about the center of mass of its body.
+/// A copy of a shape that can be rotated about the center of mass of its body.
 class TurnedCopy {
   public:
     explicit TurnedCopy(const Solid& from) : from_(from), turned_(from) {
@@ -25,17 +25,17 @@ class TurnedCopy {
     TurnedCopy(const TurnedCopy&) = delete;
     TurnedCopy& operator=(const TurnedCopy&) = delete;
 
-    /// What it is when the original is turned by this. Lasts until it is turned otherwise.
+    /// The shape after a rotation of the original. Valid until the next call.
     const Solid& by(Rotation q) {
         const V2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
         turned_.rotation = {x.x, x.y};
         if (from_.kind == FormKind::large) return turned_;
         for (int i = 0; i < from_.form.count; ++i) {
             vertices_[i] = rotate(q, from_.form.vertices[i]);
-            // A disc, which has no edges, may come without.
+            // A disc, which has no edges, may have no normals.
             if (from_.form.normals != nullptr) normals_[i] = rotate(q, from_.form.normals[i]);
         }
-        // Behind its center an ellipse has its radii, which do not turn.
+        // After its center an ellipse has its radii, which are not rotated.
         if (from_.kind == FormKind::ellipse) vertices_[1] = from_.form.vertices[1];
         return turned_;
     }

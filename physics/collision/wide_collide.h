@@ -25,7 +25,7 @@ WidePolygon load_polygon(const ConvexArrays& from, const uint32_t* begin) {
     return p;
 }
 
-/// The edge that the other shape is farthest outside of.
+/// The edge with the greatest separation from the other shape.
 struct WideEdge {
     Wide separation = splat(-1e30f);
     Wide nx = {}, ny = {}, plane = {};
@@ -60,7 +60,8 @@ inline WideEdge deepest_edge(const WidePolygon& a, const WidePolygon& b, Wide x,
     return best;
 }
 
-/// The edge of `other` whose normal is most opposed to the reference's: its ends and their numbers.
+/// The edge of `other` whose normal is most opposed to that of the reference: its ends and their
+/// numbers.
 struct WideIncident {
     Wide x1, y1, x2, y2;  ///< the second vertex, then the first: against the reference edge
     WideInt index;
@@ -86,7 +87,7 @@ inline WideIncident incident_edge(const WideEdge& reference, const WidePolygon& 
     return best;
 }
 
-/// Where the nearest points of two edges are an end of each and not level.
+/// Lanes in which the nearest points of two edges are ends of both and not level.
 inline WideInt meet_at_corners(const WideEdge& r, const WideIncident& i) {
     const Wide zero = {}, one = splat(1.0f);
     const Wide d1x = r.x2 - r.x1, d1y = r.y2 - r.y1;
@@ -119,7 +120,7 @@ inline WideInt next_of(WideInt index, WideInt count) {
     return index + 1 == count ? WideInt{} : index + 1;
 }
 
-/// The old points go on with their impulses where they are the same vertices.
+/// The old points: if the vertices are the same, their impulses are kept.
 struct OldPoints {
     Columns4 point[2];
     WideInt count;
@@ -134,7 +135,7 @@ struct OldPoints {
     }
 };
 
-/// `lane`: where to write. `count` is that of points to keep.
+/// `lane`: place to write to. `count`: number of points to keep.
 template <typename At>
 void write_manifolds(At&& manifold, Wide nx, Wide ny, const WideCandidate (&c)[2], WideInt flipped,
                      Wide offset_x, Wide offset_y) {
@@ -149,7 +150,7 @@ void write_manifolds(At&& manifold, Wide nx, Wide ny, const WideCandidate (&c)[2
     const WideInt count = (c[0].valid & 1) + (c[1].valid & 1);
     scatter4({nx, ny, as_float(count), Wide{}}, part(0));
     for (int k = 0; k < 2; ++k) {
-        // If only the second counts, it is the first.
+        // If only the second point remains, it becomes the first.
         const WideInt other = k == 0 ? ~c[0].valid : WideInt{} - 1;
         const Wide x = other ? c[1].x : c[0].x, y = other ? c[1].y : c[0].y;
         const WideInt feature = other ? c[1].feature : c[0].feature;
@@ -163,8 +164,8 @@ void write_manifolds(At&& manifold, Wide nx, Wide ny, const WideCandidate (&c)[2
     }
 }
 
-/// Lanes from `at` on. Returns those that `collide` has to do, a bit each: their manifolds are as
-/// they were.
+/// Collides the lanes from `at` on. Returns those that `collide` must do, one bit each: their
+/// manifolds are unchanged.
 uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, int at) {
     const WidePolygon a = load_polygon(arrays, batch.begin_a + at);
     const WidePolygon b = load_polygon(arrays, batch.begin_b + at);

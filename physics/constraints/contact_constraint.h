@@ -4,12 +4,12 @@
 
 #include <cstdint>
 
-// What the solver iterates over: contiguous, gathered from the records before the sub-steps and
-// stored back after them.
+// Data of the solver: contiguous, gathered from the records before the sub-steps and stored back
+// after them.
 
 namespace fettle::physics::detail {
 
-/// The greatest impulse that a contact keeps from step to step, N s.
+/// The greatest impulse of a contact that is kept from step to step, N s.
 inline constexpr float greatest_impulse = 1e30f;
 
 /// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
@@ -29,30 +29,31 @@ struct ContactConstraint {
     V2 normal;
     float friction;
     uint32_t contact;       ///< record to store into
-    uint32_t extra;         ///< index + 1 of what only special contacts need; 0: none
+    uint32_t extra;         ///< index + 1 of the data that only special contacts have; 0: none
     uint16_t count;         ///< points
     bool anisotropic;       ///< a body is locked along one axis: solved one at a time
-    uint16_t fixed;         ///< 1: one side does not move: stiffer
+    uint16_t fixed;         ///< 1: one side does not move, so that the contact is stiffer
     float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
                             ///< point 1
     float coupling_tangent;
     Softness soft;
-    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: none along a locked axis
+    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
     ConstraintPoint points[2];
 };
 
-/// What a contact round a corner needs. To first order the gap is s₀ + u_n. A shape that passes the
-/// corner along the tangent has a larger gap in truth: the cores have the distance
-/// √((d + u_n)² + u_t²). Without this correction, a circle that rolls over flush tiles is kicked by
-/// the corner of the next tile before it gets there.
+/// Data of a contact at a corner. To first order the gap is s₀ + u_n. The actual gap of a shape
+/// that passes the corner along the tangent is larger: the cores have the distance √((d + u_n)² +
+/// u_t²). Without this correction, a circle that rolls over flush tiles is kicked by the corner of
+/// the next tile before it reaches it.
 struct Corner {
-    float distance = 0.0f;                 ///< d of the cores when the step began, m; 0: no corner
+    float distance = 0.0f;                 ///< d of the cores at the start of the step, m; 0: no
+                                           ///< corner
     float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
 };
 
-/// What the path round a corner adds to the gap along the normal: now, or after the time `ahead`
-/// (s). `along_normal`: how far the cores came apart by then, m. `motion` has the velocities va, wa
-/// of a and vb, wb of b.
+/// What the path around a corner adds to the gap along the normal: now, or after the time `ahead`
+/// (s). `along_normal`: by how much the cores have separated by then, m. `motion` has the
+/// velocities va, wa of a and vb, wb of b.
 float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
                  const auto& motion, float along_normal, float ahead) {
     const V2 t = right_perp(n);
@@ -70,15 +71,15 @@ struct ContactExtra {
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
     float restitution = 0.0f;
     float rolling_resistance =
-        0.0f;  ///< m: times the normal impulse is the greatest angular impulse
+        0.0f;  ///< m: this times the normal impulse is the greatest angular impulse
     float rolling_mass = 0.0f;
     float rolling_impulse = 0.0f;
     float surface_speed = 0.0f;
     float approach[2] = {};  ///< relative normal velocity before the step
-    float greatest[2] = {};  ///< normal impulse of any sub-step
+    float greatest[2] = {};  ///< greatest normal impulse of the sub-steps
     float total[2] = {};     ///< sum of normal impulses over the sub-steps
 
-    /// What events and restitution need to know about the impulses of a sub-step.
+    /// Records the impulses of a sub-step for events and restitution.
     void record(const ContactConstraint& c) {
         for (int k = 0; k < c.count; ++k) {
             greatest[k] = max(greatest[k], c.points[k].normal_impulse);

@@ -4,26 +4,27 @@
 
 #include <cstdint>
 
-// What all joints share while they are solved. A joint has rows: directions in which it holds, or
-// pushes with what a spring or a motor has. Each sub-step solves them once with the bias that
-// corrects positions and, after the bodies have moved, once without it (`relax`): what the
-// correction did to the velocities does not stay in them. Levers turn with the bodies, so that both
-// passes see the joint where it is. Then the soft correction of the first pass supplies just the
-// impulse that bends a straight path to a circle, and pendulums keep their energy.
+// Data of all types of joints while they are solved. A joint has rows: directions in which it
+// holds, or in which a spring or a motor pushes. Each sub-step solves them once with the bias that
+// corrects positions and, after the bodies have moved, once without it (`relax`): the velocities of
+// the correction do not remain. Levers rotate with the bodies, so that both passes use the current
+// levers. Then the soft correction of the first pass gives exactly the impulse that bends a
+// straight path to a circle, and pendulums keep their energy.
 
 namespace fettle::physics::detail {
 
-/// What holds for all joints during a step.
+/// Data for all joints during a step.
 struct JointStep {
     float h = 0.0f;  ///< sub-step, s
     float inverse_h = 0.0f;
-    float impulse_ratio = 1.0f;  ///< to the last sub-step: scales the impulses for warm starting
+    float impulse_ratio = 1.0f;  ///< ratio to the last sub-step: scales the impulses for warm
+                                 ///< starting
     int sweeps = 1;              ///< over all joints in each pass
-    Softness rigid;              ///< of what is meant to be rigid
+    Softness rigid;              ///< softness of rigid rows
 };
 
 /// A rotation by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t = tan(θ/2) ≈
-/// θ/2·(1+θ²/12): exact to θ⁵/240 for what turns in a step, and a rotation for any angle.
+/// θ/2·(1+θ²/12): exact to θ⁵/240 for the rotation within a step, and a rotation for any angle.
 inline V2 turned(V2 v, float angle) {
     const float t = 0.5f * angle * (1.0f + angle * angle * (1.0f / 12.0f));
     const float scale = 1.0f / (1.0f + t * t);
@@ -35,14 +36,14 @@ inline V2 scaled(V2 by, V2 v) {
     return {by.x * v.x, by.y * v.y};
 }
 
-/// The two bodies of a joint and where it holds them.
+/// The two bodies of a joint and its anchors.
 struct JointEnds {
     uint32_t a = 0, b = 0;    ///< solver bodies
-    V2 start_a, start_b;      ///< from the centers of mass to the anchors when the step began
-    V2 lever_a, lever_b;      ///< the same now
-    V2 apart;                 ///< center of mass of b minus that of a when the step began
-    float angle = 0.0f;       ///< of b relative to a when the step began
-    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: none along a locked axis
+    V2 start_a, start_b;      ///< from the centers of mass to the anchors at the start of the step
+    V2 lever_a, lever_b;      ///< current vectors from the centers of mass to the anchors
+    V2 apart;                 ///< center of mass of b minus that of a at the start of the step
+    float angle = 0.0f;       ///< of b relative to a at the start of the step
+    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);
@@ -55,7 +56,7 @@ struct JointEnds {
     float angle_now(const SolverBody& body_a, const SolverBody& body_b) const {
         return angle + (body_b.turn - body_a.turn);
     }
-    /// Velocity of anchor b against anchor a.
+    /// Velocity of anchor b relative to anchor a.
     V2 velocity(const SolverBody& body_a, const SolverBody& body_b) const {
         return (body_b.velocity + cross(body_b.angular_velocity, lever_b)) -
                (body_a.velocity + cross(body_a.angular_velocity, lever_a));
@@ -73,8 +74,8 @@ struct JointEnds {
     }
 };
 
-/// What some joints need besides when the step begins: how body a is turned, where both centers of
-/// mass are.
+/// Additional data for some joints at the start of the step: rotation of body a, and both centers
+/// of mass.
 struct JointFrame {
     Rotation a;
     V2 center_a, center_b;

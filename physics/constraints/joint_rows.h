@@ -2,15 +2,15 @@
 
 #include <constraints/joint_ends.h>
 
-// The rows that joints consist of: each returns the impulse to be added, and adds it to the total.
+// The rows of joints: each function returns the impulse to apply, and adds it to the total.
 
 namespace fettle::physics::detail {
 
-/// A spring in the form that a row needs: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The
-/// force is -k·C - d·v with the position before the sub-step and the velocity after it: this
-/// neither gains nor loses energy while h·ω is small, so a spring swings with the frequency and the
-/// damping it was told. Above that (h·ω > ½) the stiffness is taken from the position after the
-/// sub-step more and more, which damps, and is stable for any stiffness.
+/// A spring in the form of a row: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The force is
+/// -k·C - d·v with the position before the sub-step and the velocity after it: this neither gains
+/// nor loses energy while h·ω is small, so a spring swings with the frequency and the damping of
+/// its settings. Above that (h·ω > ½) the stiffness uses the position after the sub-step more and
+/// more, which damps, and is stable for any stiffness.
 struct Spring {
     float push = 0.0f;
     float mass_scale = 0.0f;
@@ -42,8 +42,8 @@ float push_rigid(float& impulse, float mass, float velocity, float error, const 
     return change;
 }
 
-/// A row that only pushes one way: it keeps `room` from becoming negative.
-/// `velocity` is that of the room. Returns the change of `impulse`.
+/// A row that pushes in one direction only: it keeps `room` from becoming negative. `velocity` is
+/// that of the room. Returns the change of `impulse`.
 template <bool biased>
 float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step) {
     float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;

@@ -5,7 +5,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A face is a circle this large, m.
+/// A face counts as a circle with this radius, m.
 constexpr float face_bend = 1e6f;
 
 float inverse_along(const ContactConstraint& c, V2 d) {
@@ -45,7 +45,7 @@ RollingContact::RollingContact(const ContactConstraint& start, float bend_a, flo
     const double half = 0.5 * double(start_.separation);
     second_a_ = double(bend_a) + half - reach_a;
     second_b_ = double(bend_b) + half - reach_b;
-    // Deep inside each other surfaces have no contact that rolls.
+    // Surfaces with a deep overlap have no rolling contact.
     const double sum = double(start_.separation) + double(bend_a) + double(bend_b);
     const double least = 0.1 * (double(bend_a) + double(bend_b));
     sum_ = sum > least ? sum : (least > 0.0 ? least : 1e-6);
@@ -75,7 +75,7 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
     p.tangent_mass = inverse_or_zero(inverse_along(c, tangent) +
                                      a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
                                      b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
-    // The passes add what the bodies moved to first order.
+    // The passes add the motion of the bodies to first order.
     p.separation =
         float(gap) - dot(c.normal, shift) - p.normal_lever_b * b.turn + p.normal_lever_a * a.turn;
 }

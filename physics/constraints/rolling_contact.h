@@ -5,8 +5,8 @@
 
 namespace fettle::physics::detail {
 
-/// Radius of curvature (m) of the surface of a shape where its outward normal is `normal`: that of
-/// the ellipse there, of the circle or the rounding of a corner, next to infinite for a face.
+/// Radius of curvature (m) of the surface of a shape where its outward normal is `normal`: of the
+/// ellipse there, of the circle or the rounding of a corner, nearly infinite for a face.
 float bend_of(const Solid& shape, V2 normal);
 
 /// How a contact of curved surfaces changes while the bodies turn, to second order. Direction,
@@ -32,7 +32,8 @@ class RollingContact {
     RollingContact() = default;
     RollingContact(const ContactConstraint& start, float bend_a, float bend_b);
 
-    /// Writes direction, levers, masses and gap into the constraint, for where the bodies are now.
+    /// Writes direction, levers, masses and gap into the constraint, for the current poses of the
+    /// bodies.
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     bool acts() const { return sum_ > 0.0; }
 

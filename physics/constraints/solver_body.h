@@ -8,33 +8,34 @@
 
 namespace fettle::physics::detail {
 
-/// The part of a body that constraints read and write, 32 bytes. Index 0 is the body that does not
-/// move: every fixed or sleeping body is solved as this one.
+/// The part of a body that constraints read and write, 32 bytes. Index 0 is the fixed body: it
+/// stands for every fixed or sleeping body.
 struct alignas(32) SolverBody {
     V2 velocity;
     float angular_velocity = 0.0f;
     float inverse_mass = 0.0f;
-    V2 shift;           ///< of the center of mass since the step began, m
-    float turn = 0.0f;  ///< since the step began, rad
+    V2 shift;           ///< of the center of mass since the start of the step, m
+    float turn = 0.0f;  ///< since the start of the step, rad
     float inverse_inertia = 0.0f;
 };
 static_assert(sizeof(SolverBody) == 32);
 
-/// What gravity, forces and damping do to a body in one sub-step: v ← (v + change) · keep.
+/// The effect of gravity, forces and damping on a body in one sub-step: v ← (v + change) · keep.
 struct alignas(16) SolverForce {
     V2 change;
     float turn_change = 0.0f;
-    float no_change = 0.0f;  ///< of the inverse mass, which shares a vector with the velocities
+    float no_change = 0.0f;  ///< change of the inverse mass, which is in one vector with the
+                             ///< velocities
     V2 keep = {1.0f, 1.0f};
     float turn_keep = 1.0f;
     float keep_all = 1.0f;
-    /// Velocity before the contacts' warm start, of which joints are a part.
+    /// Velocity before the warm start of contacts, after that of joints.
     V2 before;
     float turn_before = 0.0f;
     float unused = 0.0f;
 };
 
-/// Zero for the inverse mass of what nothing moves.
+/// 0 for the inverse mass of a body that nothing moves.
 inline float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }

@@ -2,23 +2,24 @@
 
 #include <constraints/contact_constraint.h>
 
-// How stiff contacts are: the stiffer, the more they carry.
+// Stiffness of contacts: it grows with their load.
 //
-// One stiffness does not do. With 45 Hz at four sub-steps of 1/240 s a house of cards stands, but a
-// load of 300 : 1 sinks in by 6 % and twenty boxes that are not quite above each other buckle; with
-// 60 Hz these stand, and the impulses of the cards, which carry next to nothing and touch in many
-// places, never come to rest. What a contact carried in the last step tells the two apart.
+// A single stiffness is not enough. With 45 Hz at four sub-steps of 1/240 s a house of cards
+// stands, but a load of 300 : 1 sinks in by 6 % and twenty boxes that are not exactly above each
+// other buckle; with 60 Hz these stand, and the impulses of the cards, which bear almost no load
+// and touch in many places, never come to rest. The load of a contact in the last step
+// distinguishes the two.
 
 namespace fettle::physics::detail {
 
 class ContactStiffness {
   public:
     /// `hertz` is that of a loaded contact, at most a quarter of the sub-step rate: from a third of
-    /// it on heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
+    /// it on, heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
     ContactStiffness(float hertz, float damping_ratio, float h, float weight) {
         const float most = min(hertz, 0.25f / h);
         for (int fixed = 0; fixed < 2; ++fixed) {
-            // What touches something fixed is not pushed from behind, and can be twice as stiff.
+            // A contact with a fixed body is not pushed from behind, and can be twice as stiff.
             const float times = fixed == 1 ? 2.0f : 1.0f;
             idle_[fixed] = make_softness(times * idle_share * most, damping_ratio, h);
             loaded_[fixed] = make_softness(times * most, damping_ratio, h);
@@ -42,14 +43,14 @@ class ContactStiffness {
 
   private:
     static constexpr float idle_share = 0.75f;
-    /// Loads in weights of the lighter body, between which stiffness grows.
+    /// Loads between which stiffness grows, in weights of the lighter body.
     static constexpr float least_load = 6.0f, greatest_load = 20.0f;
 
   public:
     static constexpr float least_share = least_load / (greatest_load - least_load);
 
   private:
-    Softness idle_[2], loaded_[2];  ///< between two that move; with one fixed side
+    Softness idle_[2], loaded_[2];  ///< of two moving bodies; of a moving and a fixed one
     float share_ = 0.0f;
 };
 

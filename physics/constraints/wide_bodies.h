@@ -7,7 +7,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// The solver bodies of all lanes, one component a vector.
+/// The solver bodies of all lanes, one vector for each component.
 struct Bodies {
     Wide vx, vy, w, mass, dx, dy, turn, inertia;
 };
@@ -19,8 +19,8 @@ inline Bodies gather(const SolverBody* bodies, const uint32_t* index) {
     return {v.a, v.b, v.c, v.d, d.a, d.b, d.c, d.d};
 }
 
-/// Writes the velocities back: the first half of each body, with the inverse mass as it was. What
-/// no impulse moves may be in several lanes, and other threads may read it: it is left alone.
+/// Writes the velocities back: the first half of each body, with its inverse mass unchanged. A body
+/// that no impulse moves may be in several lanes, and other threads may read it: it is not written.
 inline void scatter(SolverBody* bodies, const uint32_t* index, const Bodies& b) {
     if (const uint32_t still = bits((b.mass == Wide{}) & (b.inertia == Wide{})); still != 0) {
         SolverBody spare;

@@ -9,8 +9,8 @@
 #include <vector>
 
 // Contacts in groups of sixteen of one color: no two contacts of a color share a body that moves,
-// so the lanes are independent. Structure of arrays; lanes left over have body 0 on both sides and
-// no mass.
+// so the lanes are independent. Structure of arrays; unused lanes have body 0 on both sides and no
+// mass.
 
 namespace fettle::physics::detail {
 
@@ -33,21 +33,21 @@ struct alignas(64) WideContact {
     WidePoint points[2];
 };
 
-/// Where the contacts of a group come from and go back to.
+/// The manifolds of a group, for reading and writing back.
 struct ContactLanes {
     Manifold* manifolds[lanes];
-    Manifold spare;             ///< of lanes left over
-    uint32_t touching = 0;      ///< before the step, a bit for each lane
+    Manifold spare;             ///< of unused lanes
+    uint32_t touching = 0;      ///< before the step, one bit for each lane
     uint32_t tells_always = 0;  ///< contacts that are reported in every step
-    // Of the step that was solved, a bit for each lane: an impulse flows, or the shapes are near
-    // each other; the same within twice that distance.
+    // After the step, one bit for each lane: there is an impulse, or the shapes are near each
+    // other; `within_twice`: the same within twice that distance.
     uint32_t near = 0, within_twice = 0;
 };
 
-/// The result of a group, a bit for each lane.
+/// The result of a group, one bit for each lane.
 struct GroupNews {
     uint16_t told = 0;     ///< a touch begins or ends, or the contact is reported in every step
-    uint16_t touches = 0;  ///< now
+    uint16_t touches = 0;  ///< touching now
 };
 
 /// Memory in which a block of contacts is solved. A thread uses it for one block after the other,
@@ -55,9 +55,9 @@ struct GroupNews {
 struct WideBlock {
     std::vector<WideContact> contacts;
     std::vector<ContactLanes> lanes;
-    std::size_t first = 0;  ///< number of the group that `contacts` begins with, among all blocks
+    std::size_t first = 0;  ///< number of the first group in `contacts`, among all blocks
 
-    /// Makes room for groups `begin` to `end`; they still hold what an earlier block left.
+    /// Makes room for groups `begin` to `end`; they still have the data of an earlier block.
     void make_groups(std::size_t begin, std::size_t end) {
         first = begin;
         if (contacts.size() < end - begin) contacts.resize(end - begin), lanes.resize(end - begin);

@@ -89,7 +89,7 @@ inline void for_each_group(const WideStep& step, Solve&& solve) {
     for (std::size_t i = 0; i < step.count; ++i) {
         WideContact& c = step.contacts[i];
         for (int at = 0; at < lanes; at += width) {
-            if (c.a[at] == c.b[at]) break;  // lanes are filled in order: no more here
+            if (c.a[at] == c.b[at]) break;  // lanes are filled in order: the rest is unused
             Bodies a = gather(step.bodies, c.a + at), b = gather(step.bodies, c.b + at);
             solve(c, at, a, b);
             scatter(step.bodies, c.a + at, a);

@@ -1,5 +1,6 @@
-// Between manifolds and wide contacts, for the instruction set of the file that includes this: see
-// simd/vector.h. `prepare_constraint` does the same for one contact, operation by operation.
+// Conversion between manifolds and wide contacts, for the instruction set of the file that includes
+// this: see simd/vector.h. `prepare_constraint` does the same for one contact, operation by
+// operation.
 #pragma once
 
 #include <constraints/wide_bodies.h>
@@ -12,7 +13,7 @@ inline Wide inverse_or_zero(Wide k) {
     return k > Wide{} ? splat(1.0f) / k : Wide{};
 }
 
-/// What a row along (x, y) needs of a body: lever arm, and that times the inverse inertia.
+/// Data of a row along (x, y) for one body: lever arm, and lever arm times the inverse inertia.
 struct WideLever {
     Wide arm, turn;
 };
@@ -107,7 +108,7 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     for (size_t i = 0; i < from.size(); ++i) {
         for (int at = 0; at < lanes; at += width) {
             if (to[i].a[at] == to[i].b[at]) {
-                // No more in this group; the passes stop here too.
+                // No more points in this group; the passes stop here, too.
                 break;
             }
             prepare_lanes(step, from[i].manifolds + at, to[i], at);
@@ -115,14 +116,14 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     }
 }
 
-/// As `bounded` of one number: what a step leaves is finite, whatever was in it, and can be saved.
+/// As `bounded` of one number: the results of a step are always finite, and can be saved.
 inline Wide bounded(Wide v, float limit) {
     const Wide below = v > splat(limit) ? splat(limit) : v;
     const Wide within = below < splat(-limit) ? splat(-limit) : below;
     return within == within ? within : Wide{};
 }
 
-/// Impulses go back; notes which contacts push or are near.
+/// Stores impulses; notes which contacts push or are near.
 void store_contacts(const WideContact* from, std::span<ContactLanes> to, float near) {
     for (size_t i = 0; i < to.size(); ++i) {
         ContactLanes& group = to[i];

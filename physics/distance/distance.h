@@ -17,12 +17,12 @@ inline float squared_distance_to_edge(V2 a, V2 b, V2 p) {
     return length_squared(p - (a + t * d));
 }
 
-/// 0 where they overlap.
+/// 0 when they overlap.
 float distance(const Convex& a, const Convex& b, V2 offset);
 float distance(const Solid& a, const Solid& b, V2 offset);
 
-/// A moving shape: where its center of mass starts, how far it goes and turns. `end` is the shape
-/// as it is rotated at the end of the motion.
+/// A moving shape: start of its center of mass, translation and rotation. `end` is the shape with
+/// its rotation at the end of the motion.
 struct Sweep {
     Solid end;
     V2 start;
@@ -32,7 +32,7 @@ struct Sweep {
 };
 
 /// The fraction of the motion, 0 … 1, up to which the shape keeps at least `gap` from `obstacle`
-/// (center of mass at `center`), by conservative advancement. 1 if it never gets that near; 0 if it
+/// (center of mass at `center`), by conservative advancement. 1 if it never comes so near; 0 if it
 /// starts nearer.
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap);
 
@@ -41,7 +41,8 @@ float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float
 float signed_distance(const Convex& shape, V2 p);
 float signed_distance(const Solid& shape, V2 p);
 
-/// How far a shape reaches along a unit vector from the center of mass of its body.
+/// Distance of the farthest point of a shape along a unit vector from the center of mass of its
+/// body.
 float reach(const Solid& shape, V2 direction);
 
 struct Probe {
@@ -49,9 +50,10 @@ struct Probe {
     V2 normal;
 };
 
-/// Where the segment from `p` along `d` enters the shape. A start inside is a miss.
+/// The point where the segment from `p` along `d` enters the shape. A start inside is a miss.
 Probe cast_segment(const Convex& shape, V2 p, V2 d);
-/// A piece is entered through its part of the outline only, a segment of a chain from its front.
+/// A piece is entered only through its part of the outline, a segment of a chain only from its
+/// front.
 Probe cast_segment(const Solid& shape, V2 p, V2 d);
 
 /// A part of a shape: its area (m²) and its centroid, from the center of mass of the body.

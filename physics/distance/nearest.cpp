@@ -8,7 +8,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Crossing segments have no vertex in the other; they meet where both are.
+/// Crossing segments have no vertex inside the other; they meet at the crossing.
 bool segments_cross(const Convex& a, const Convex& b, V2 offset, V2& at) {
     if (a.count != 2 || b.count != 2) return false;
     const V2 p = a.vertices[0], d = a.vertices[1] - p;
@@ -88,7 +88,7 @@ Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
         return found;
     }
     if (b.kind == FormKind::large) {
-        // Where the vertices of the polygon are: in its frame.
+        // In the frame of the polygon, where its vertices are.
         const Rotation q = b.rotation;
         TurnedCopy turned(a);
         Nearest found = nearest_points(turned.by({q.c, -q.s}), {b.form}, unrotate(q, offset));

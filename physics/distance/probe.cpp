@@ -10,8 +10,8 @@ float distance_to_edge(V2 a, V2 b, V2 p) {
     return std::sqrt(squared_distance_to_edge(a, b, p));
 }
 
-/// Whether a point of the line of an edge is on the edge. By as much as the point was rounded it
-/// may be beside it: what goes through a corner must not slip between two edges.
+/// True if a point on the line of an edge is on the edge, within the rounding error: a ray through
+/// a corner must not pass between two edges.
 bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
     const V2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
     const float size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(d.x) + std::fabs(d.y) +
@@ -24,7 +24,7 @@ bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
 void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
     if (!(radius > 0.0f)) return;
     // |p + t·d - c|² = r². Measured from the point of the line nearest to the center: no
-    // cancellation from afar.
+    // cancellation at large distances.
     const float l = length(d);
     if (!(l > 0.0f)) return;
     const V2 u = (1.0f / l) * d;
@@ -63,8 +63,8 @@ float signed_distance(const Convex& shape, V2 p) {
 
 namespace {
 
-/// Of many vertices. Seen along the ray, the near side of the outline runs from the leftmost vertex
-/// to the rightmost; the edge that the line meets is found by bisection.
+/// Ray through a polygon with many vertices. Seen along the ray, the near side of the outline runs
+/// from the leftmost vertex to the rightmost; bisection finds the edge that the line meets.
 Probe cast_large(const Convex& shape, V2 p, V2 d) {
     const V2 left = {-d.y, d.x};
     const float line = dot(left, p);

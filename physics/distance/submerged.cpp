@@ -30,7 +30,7 @@ struct Place {
     double x = 0.0, w = 0.0;
 };
 
-/// The part of a straight piece of the boundary that is below.
+/// The part of a straight section of the boundary that is below.
 Integrals of_segment(Place p, Place q) {
     if (p.w >= 0.0 && q.w >= 0.0) return {};
     if (p.w > 0.0 || q.w > 0.0) {
@@ -59,7 +59,7 @@ Integrals on_circle(Place c, double r, double angle) {
 
 Integrals of_arc(Place center, double r, double from, double sweep) {
     constexpr double turn = 6.283185307179586;
-    const double high = -center.w / r;  // below where sin θ is less
+    const double high = -center.w / r;  // the arc is below where sin θ is less
     Integrals sum;
     const auto add = [&](double a, double b) {
         if (b <= a) return;
@@ -98,7 +98,7 @@ AreaPart part_below(const Convex& shape, V2 normal, double depth) {
         if (!(r > 0.0)) continue;
         const double from = angle_of(double(dot(normal, n)), double(dot(along, n)));
         double sweep = angle_of(double(cross(n, m)), double(dot(n, m)));
-        if (sweep < -1e-3) sweep += turn;  // half a turn may come out negative
+        if (sweep < -1e-3) sweep += turn;  // half a turn may be negative after rounding
         sum.add(of_arc(place(shape.vertices[next]), r, from, std::max(sweep, 0.0)));
     }
     if (!(sum.area > 1e-12)) return {};

@@ -20,7 +20,7 @@ float vertices_to_edges(const Convex& points, const Convex& shape, V2 to_shape) 
     return least;
 }
 
-/// Whether no edge normal of `a` separates b from it.
+/// True if no edge normal of `a` separates b from it.
 bool no_axis_between(const Convex& a, const Convex& b, V2 offset) {
     for (int i = 0; i < a.count && a.count > 1; ++i) {
         float nearest = 1e30f;
@@ -34,7 +34,7 @@ bool no_axis_between(const Convex& a, const Convex& b, V2 offset) {
 }  // namespace
 
 float distance(const Convex& a, const Convex& b, V2 offset) {
-    // Fast bodies are few: every vertex against every edge is short, exact, and has no cases.
+    // There are few fast bodies: a loop over every vertex and every edge is short and exact.
     const bool solid = a.count > 2 || b.count > 2;
     if (solid && no_axis_between(a, b, offset) && no_axis_between(b, a, -offset)) return 0.0f;
     const float squared = min(vertices_to_edges(a, b, offset), vertices_to_edges(b, a, -offset));
@@ -52,7 +52,8 @@ float distance(const Solid& a, const Solid& b, V2 offset) {
 
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
     // B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
-    // point of the shape is faster than this, so it cannot arrive before the distance is used up.
+    // point of the shape is faster than this, so it cannot arrive before it has moved by the
+    // distance.
     const float speed = length(sweep.shift) + std::fabs(sweep.turn) * sweep.extent;
     if (!(speed > 0.0f)) return 1.0f;
     TurnedCopy copy(sweep.end);

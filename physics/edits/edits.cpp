@@ -18,13 +18,13 @@ float bounded_inverse(double value) {
     return float(1.0 / std::max(value, least_mass));
 }
 
-/// What fits into the box. Sides and rounding are set one after the other, in any order: what is
-/// too much for now is kept and limited here rather than refused.
+/// The rounding that fits into the box. Sides and rounding are set one after the other, in any
+/// order: a rounding that is too large is kept and limited here, not refused.
 float fitting_rounding(const Box& box) {
     return min(box.rounding, 0.5f * min(box.width, box.height));
 }
 
-/// Corners of a box without its rounding; the core never vanishes, so that it stays a polygon.
+/// Corners of a box without its rounding; the core always has an area, so that it stays a polygon.
 void box_corners(const Box& box, V2* out) {
     const float least = min(box.width, box.height) * 1e-3f;
     const float rounding = fitting_rounding(box);
@@ -35,8 +35,8 @@ void box_corners(const Box& box, V2* out) {
     for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
 }
 
-/// The ends of a segment are set one after the other too: while they are the same point, it is as
-/// short as one can be.
+/// The ends of a segment are set one after the other, too: while they are the same point, it has
+/// the shortest possible length.
 V2 kept_apart(V2 to, V2 from) {
     const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
     return length(to - from) >= least ? to : from + V2{least, 0.0f};
@@ -127,7 +127,7 @@ void set_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shap
     record.tree = tree;
 }
 
-/// Fixed, kinematic or dynamic as the step sees it. A change also changes the tree of its shapes,
+/// Sets the mobility: fixed, kinematic or dynamic. A change also changes the tree of its shapes,
 /// and which shapes they collide with.
 void update_mobility(const Editing& e, uint32_t body) {
     BodyRecord& record = e.objects.bodies[body];
@@ -174,11 +174,11 @@ void refresh_placement(const Editing& e, uint32_t body) {
 }  // namespace
 
 void refresh(const Editing& e) {
-    // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first,
-    // bodies while there are.
+    // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first, then
+    // bodies until none is left.
     for (size_t i = 0; i < e.active.edited_shapes.size(); ++i) {
         const uint32_t shape = e.active.edited_shapes[i];
-        if (!e.objects.shapes[shape].listed) continue;  // destroyed meanwhile
+        if (!e.objects.shapes[shape].listed) continue;  // destroyed since
         e.objects.shapes[shape].listed = false;
         refresh_shape(e, shape);
     }
@@ -234,7 +234,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             normalized(right_perp(local[(i + 1) % form.count] - local[i]));
     }
     objects.pool.vertices[form.begin] = {infinity,
-                                         infinity};  // a large polygon is to be centered anew
+                                         infinity};  // a large polygon must be centered again
     record.set_moments(record.type == ShapeType::ellipse
                            ? moments_of(record.figure.as<Ellipse>())
                            : moments_of({local, form.count}, form.radius));
@@ -254,7 +254,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
 
     double mass = 0.0, first_x = 0.0, first_y = 0.0;
     for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
-        if (objects.shapes[s].owner != none) continue;  // its owner knows better
+        if (objects.shapes[s].owner != none) continue;  // parts are handled with their owner
         const ShapeRecord& shape = objects.shapes[s];
         const double part = double(shape.area) * double(shape.surface.density);
         mass += part;
@@ -310,7 +310,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     record.thickness = thickness == infinity ? 0.0f : thickness;
     record.local_center = {float(cx), float(cy)};
     record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
-    // The body goes on as it moved: only the point whose velocity is kept is another one.
+    // The motion of the body does not change: only the point of the velocity is another one.
     const V2 drift = cross(state.angular_velocity, record.center - old_center);
     e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
     mark_placement(objects, e.active, body);

@@ -5,13 +5,13 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Edits of a world. Data that follow from others are computed late: an edit marks what it leaves
-// out of date and lists it; it is computed when it is read or before the next step, once however
-// many edits there were.
+// Edits of a world. Derived data are computed late: an edit marks the data that it leaves out of
+// date and lists them; they are computed when they are read or before the next step, once for any
+// number of edits.
 
 namespace fettle::physics::detail {
 
-/// What an edit may change.
+/// Data that an edit may change.
 struct Editing {
     ObjectState& objects;
     Columns& columns;
@@ -23,12 +23,13 @@ struct Editing {
     Generations& generations;
 };
 
-// edits.cpp: marks, and computing what is marked
+// edits.cpp: marking, and computing marked data
 
 void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape);
 void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body);
 void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body);
-/// An edit moved the shape or changed with what it collides: all its pairs are searched again.
+/// An edit moved the shape or changed which shapes it collides with: all its pairs are searched
+/// again.
 void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
 
 void refresh(const Editing& editing);
@@ -46,7 +47,7 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
     if (activity.objects.bodies[body].mobility != Mobility::dynamic) wake_touching(activity, body);
 }
 
-// slots.cpp: objects are made and destroyed
+// slots.cpp: creating and destroying objects
 
 /// Body 0 is the world's own: it carries the four half-planes of the bounds in shapes 0 to 3.
 void make_border(const Editing& editing);
@@ -56,10 +57,10 @@ void destroy_body(const Editing& editing, uint32_t body);
 uint32_t create_shape(const Editing& editing, const ShapeDef& def, const Geometry& geometry);
 uint32_t new_shape(const Editing& editing);
 void destroy_shape(const Editing& editing, uint32_t shape);
-/// Gives a shape a geometry of any type; `hull` is that of a polygon's vertices.
+/// Gives a shape a geometry of any type; `hull`: the hull of a polygon's vertices.
 void set_form(const Editing& editing, uint32_t shape, const Geometry& geometry,
               const std::vector<Vec2>& hull);
-/// Makes room for so many vertices in the pool. If the place changes, the old vertices are lost.
+/// Makes room for this many vertices in the pool. If the place changes, the old vertices are lost.
 void reserve_vertices(ObjectState& objects, uint32_t shape, uint32_t count);
 void attach_shape(const Editing& editing, uint32_t shape, uint32_t body);
 void detach_shape(const Editing& editing, uint32_t shape);
@@ -67,11 +68,11 @@ void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t s
 
 // parts.cpp: outlines of many pieces
 
-/// Copies the points; the parts are made when they are needed.
+/// Copies the points; the parts are created when they are needed.
 void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
                    std::span<const Vec2> points);
 void rebuild_parts(const Editing& editing, uint32_t shape);
-/// Destroys the parts behind `last`; none: all.
+/// Destroys the parts after `last`; none: all.
 void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
 /// Copies the surface of an outline to its parts.
 void share_surface(ObjectState& objects, uint32_t shape);
@@ -84,7 +85,7 @@ void set_joint_body(const Editing& editing, uint32_t joint, uint32_t side, uint3
 void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
 void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
 void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);
-/// Breaks the joints that bore more than they can, as the mean over a step: impulses times `rate`.
+/// Breaks the joints with too much load, as the mean over a step: impulses times `rate`.
 void break_joints(const Editing& editing, const JointScratch& scratch, float rate);
 
 }  // namespace fettle::physics::detail

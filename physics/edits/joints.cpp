@@ -41,7 +41,7 @@ void refilter_joint(const Editing& e, uint32_t joint) {
     }
 }
 
-/// After an edit that may change what the joint does.
+/// Call after an edit that may change what the joint does.
 void update_joint(const Editing& e, uint32_t joint) {
     wake_joint(e.activity, joint);
     list_joint(e.objects, e.active, joint);
