@@ -82,7 +82,7 @@ void Plugin::State::step_once() {
 }
 
 void Plugin::State::close_native() {
-    // It is closed whatever it does: nobody is left who could do without it.
+    // It is closed in any case: nothing handles its errors any more.
     try {
         if (open.native.close != nullptr) open.native.close(open.native.context);
     } catch (...) {

@@ -29,7 +29,7 @@ struct Saved {
     std::vector<std::pair<const Property*, Value>> values;
 };
 
-/// Without telling anybody: to everyone but the module nothing has changed.
+/// Writes without reports: only the module has changed.
 void write_back(const Property& property, property::Row row, const Value& value) {
     const property::Binding& binding = property.binding;
     binding.set(binding.context, row, value);
@@ -148,7 +148,7 @@ class Reload {
         ++report_.instances;
     }
 
-    /// Some values may be refused until others are there: whoever is gets a second chance.
+    /// Some values may be refused until others are set: refused ones are tried a second time.
     void give_back() {
         for (const bool last : {false, true})
             for (Saved& saved : saved_)

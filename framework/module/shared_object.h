@@ -8,8 +8,8 @@
 namespace fettle::module {
 
 /// A copy of a file beside it, under a name that was never used, so that the file may be replaced
-/// meanwhile and taken in again. Whoever tries a module in a copy of the process makes it before:
-/// it goes with this, whatever happens there.
+/// and loaded again. To test a module in a copy of the process, make this before: its destructor
+/// removes the file in any case.
 class ModuleCopy {
   public:
     /// Throws LoadError unless `file` can be a shared object for this machine.
@@ -26,7 +26,7 @@ class ModuleCopy {
   private:
     bool copy_into(const std::filesystem::path& folder);
     std::filesystem::path file_, copy_;
-    int lock_ = -1;  // held while it lives: a copy that nobody holds was left by a killed process
+    int lock_ = -1;  // held while it lives: a copy without a lock was left by a killed process
 };
 
 class SharedObject {

@@ -38,7 +38,7 @@ constexpr std::string_view to_its_end = "=\n";
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);  // a crash is told of in words
-    // Whoever has asked to hear of crashes asked for those of the program, not of its copy.
+    // Handlers of crashes are for the program, not for its copy.
     for (const int number :
          {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGINT, SIGTERM, SIGHUP, SIGALRM})
         signal(number, SIG_DFL);

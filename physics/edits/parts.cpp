@@ -39,8 +39,8 @@ std::vector<V2> distinct(std::span<const V2> points, bool closed) {
     return kept;
 }
 
-/// Solid on its left: each segment is a piece that runs against the chain, with its outward normal
-/// first.
+/// Solid on its left: each segment is a piece in the direction opposite to the chain, with its
+/// outward normal first.
 Parts chain_parts(std::span<const V2> points, bool closed) {
     const std::vector<V2> p = distinct(points, closed);
     const size_t n = p.size();
@@ -80,7 +80,7 @@ std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std
 /// Colliding with a part takes time for each of its vertices; the tree finds the parts.
 constexpr size_t most_vertices = 16;
 
-/// Places 0 … count of a convex piece in parts of few, halved until they are.
+/// Places 0 … count of a convex piece, halved until each part has few vertices.
 std::vector<std::vector<uint32_t>> in_parts(size_t count) {
     std::vector<std::vector<uint32_t>> parts(1);
     for (uint32_t i = 0; i < count; ++i) parts[0].push_back(i);
@@ -186,7 +186,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
         part = objects.shapes[part].next_part;
     }
     drop_parts(e, shape, last);
-    // The moments of the whole outline are exact, however it was cut.
+    // The moments of the whole outline are exact, for any division into parts.
     ShapeRecord& record = objects.shapes[shape];
     if (chain) {
         record.set_moments(

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-// Objects are made and destroyed in slots. An object keeps its slot until it is destroyed; its
-// generation is one that no other object of this world ever had.
+// Objects are created and destroyed in slots. An object keeps its slot until it is destroyed; no
+// other object of this world ever has its generation.
 
 namespace fettle::physics::detail {
 namespace {
@@ -113,7 +113,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
         state.velocity = def.velocity;
         state.angular_velocity = def.angular_velocity;
         if (!def.awake && e.settings.sleeping) {
-            // No sleep event for what was never awake: straight into an island of its own.
+            // No sleep event for a body that was never awake: it gets an island of its own at once.
             const uint32_t only[1] = {slot};
             remove_awake(e.objects, e.active, slot);
             put_to_sleep(e.activity, only);
@@ -273,7 +273,7 @@ void detach_shape(const Editing& e, uint32_t shape) {
         shape, [&](uint32_t solid) { place_shape(e.objects, e.broad_phase.boxes, solid, {}); });
 }
 
-/// It has no contacts any more.
+/// The shape has no contacts any more.
 void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
     remove_proxy(objects, broad_phase, shape);
     ShapeRecord& record = objects.shapes[shape];

@@ -57,13 +57,13 @@ class Cutter {
     bool reflex(const Indices& q, size_t i) const {
         return turn(before(q, i), q[i], after(q, i)) < -tolerance_;
     }
-    /// Whether vertex k sees into the direction of `target` between its two edges.
+    /// True if `target` is seen from vertex k between its two edges.
     bool opens_to(const Indices& q, size_t k, uint32_t target) const {
         const double left = turn(before(q, k), q[k], target),
                      right = turn(q[k], after(q, k), target);
         return reflex(q, k) ? !(left <= 0.0 && right <= 0.0) : left > 0.0 && right > 0.0;
     }
-    /// Whether a cut from k to `target` leaves no reflex angle at k.
+    /// True if a cut from k to `target` leaves no reflex angle at k.
     bool mends(const Indices& q, size_t k, uint32_t target) const {
         return turn(before(q, k), q[k], target) >= -tolerance_ &&
                turn(target, q[k], after(q, k)) >= -tolerance_;

@@ -12,8 +12,8 @@ namespace fettle::physics::detail {
 /// m², positive for counter-clockwise outlines.
 double signed_area(std::span<const V2> outline);
 
-/// Why these points are no simple polygon: which edges cross or touch, and where; nothing when they
-/// are one. Vertices are numbered from 1, edges by the vertices they join.
+/// The reason why these points are no simple polygon: which edges cross or touch, and where; none
+/// if they are one. Vertices are numbered from 1, edges by the vertices they join.
 std::optional<std::string> outline_problem(std::span<const V2> outline);
 
 /// A simple counter-clockwise polygon cut into few convex ones along diagonals: the vertices of

@@ -17,7 +17,7 @@ void make_room(std::vector<T>& list, std::size_t more = 1) {
     list.reserve(std::max(needed, list.capacity() + list.capacity() / 5 + 8));
 }
 
-/// The same for lists that grow together.
+/// As `make_room`, for lists that grow together.
 template <class... T>
 void make_room_in_each(std::vector<T>&... lists) {
     (make_room(lists), ...);

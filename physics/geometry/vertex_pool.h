@@ -44,15 +44,15 @@ struct VertexPool {
         if (capacity > 0) free_[size_t(std::countr_zero(capacity))].push_back(begin);
     }
 
-    /// For who computes with four vertices at a time: the first again, and an edge that nothing is
-    /// ever outside of.
+    /// For code that computes with four vertices at a time: repeats the first vertex, with an edge
+    /// offset that keeps every shape inside.
     void pad_triangle(uint32_t begin) {
         vertices[begin + 3] = vertices[begin];
         directions[begin + 3] = directions[begin];
         offsets[begin + 3] = 1e30f;
     }
 
-    /// All of a size, and what is free is there, whatever the pool came from.
+    /// False if the deserialized data are damaged: the free blocks of each size are in the pool.
     bool is_walkable() const {
         const size_t size = local.size();
         for (const size_t other :

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-// Queries with shapes and distances. The shape that asks may be of any world, or of no body: then
-// its coordinates are those of the world it asks.
+// Queries with shapes and distances. The query shape may be of any world, or detached: then its
+// coordinates are those of the queried world.
 
 namespace fettle::physics {
 
@@ -23,7 +23,7 @@ struct Placed {
     Box4 box;
 };
 
-/// Itself, or its parts.
+/// The shape itself, or its parts.
 std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     data.read_all();
     if (data.forms[shape].kind == FormKind::border)
@@ -37,7 +37,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     return all;
 }
 
-/// Each part of the shape that asks may meet the same shape.
+/// Several parts of the query shape may meet the same shape.
 void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }
@@ -190,7 +190,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     const V2 p = to_v2(point);
     const PointForm asks;
     std::optional<PointHit> best;
-    // In growing boxes, until none outside of the box can be nearer.
+    // Searches growing boxes, until no shape outside of the box can be nearer.
     const float farthest = min(reach, 4.0f * greatest_coordinate);
     for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
         auto visit = [&](uint32_t shape) {

@@ -107,7 +107,7 @@ float limit_motion(const FinishInput& in, const FastBody& fast) {
     return limit;
 }
 
-/// Puts it back to where it arrived.
+/// Puts the body back to the pose at which it arrived.
 void stop_body(const FinishInput& in, const FastBody& fast, FinishedPiece& piece) {
     const float limit = limit_motion(in, fast);
     if (limit >= 1.0f) return;

@@ -9,7 +9,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// What fields do to one body.
+/// Effect of the fields on one body.
 struct Push {
     V2 force;
     float torque = 0.0f;
@@ -82,7 +82,8 @@ class FieldOnBody {
     }
 
     void operator()(const AttractorField& attractor) {
-        // Where the body is in the middle of the step: a leapfrog, which keeps orbits closed.
+        // The position of the body in the middle of the step: a leapfrog, which keeps orbits
+        // closed.
         const V2 d = to_v2(attractor.center) - (body_.center + (0.5f * dt_) * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);

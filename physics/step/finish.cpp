@@ -28,7 +28,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     record.center = {bounded(record.center.x, greatest_coordinate),
                      bounded(record.center.y, greatest_coordinate)};
     if (turn != 0.0f) {
-        // The part of the turn that the angle is too coarse to hold is kept for the next step.
+        // The part of the rotation that the angle cannot represent is kept for the next step.
         const float sum = turn + record.angle_rest;
         const float angle = bounded(state.angle + sum, greatest_coordinate);
         record.angle_rest = sum - (angle - state.angle);

@@ -27,7 +27,7 @@ struct FinishInput {
     ThreadPool* threads;
 };
 
-/// Returns how many bodies rested long enough to sleep.
+/// Returns the number of bodies that have rested long enough to sleep.
 uint32_t finish_bodies(const FinishInput& input, float dt);
 
 // Parts of it.
@@ -36,8 +36,9 @@ uint32_t finish_bodies(const FinishInput& input, float dt);
 void stop_fast_bodies(const FinishInput& input);
 /// Places the shapes of a body, and gives new fat boxes to those that left theirs.
 void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, FinishedPiece& piece);
-/// A body that moved far for its thickness. Only fixed shapes stop most bodies, so any thread may
-/// compute where. A body waits if it may hit a bullet or if the filter of the user is asked.
+/// Processes a body that moved far compared with its thickness. Only fixed shapes stop most bodies,
+/// so any thread may compute where. A body waits if it may hit a bullet or if the user's filter
+/// must be called.
 void stop_or_list(const FinishInput& input, const FastBody& fast, FinishedPiece& piece);
 
 }  // namespace fettle::physics::detail

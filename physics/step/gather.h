@@ -9,14 +9,14 @@
 
 namespace fettle::physics::detail {
 
-/// Writes the awake bodies into the arrays of the solver, with what gravity and their forces do to
-/// them in a sub-step of length `h`, and finds the hubs among them.
+/// Writes the awake bodies into the arrays of the solver, with the effect of gravity and forces in
+/// a sub-step of length `h`, and finds the hubs among them.
 void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLists& active,
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads);
 
-// Fields of force: once a step they add to what the sub-steps do to the awake bodies. A resistance
-// never takes more velocity in a step than there is: that keeps dense air stable.
+// Fields of force: once a step they add to the forces of the sub-steps on the awake bodies. A
+// resistance never takes more velocity in a step than there is: that keeps dense air stable.
 
 /// Adds to the forces of a sub-step of length `h` of a step of `dt`. `boxes`: of the shapes, by
 /// slot.

@@ -16,8 +16,8 @@ Rotation rotation(const BodyState& state) {
     return {state.cosine, state.sine};
 }
 
-/// Puts a body elsewhere: who rested on it falls, what is derived from the pose is out of date,
-/// nothing is drawn between.
+/// Puts a body at another pose: bodies that rested on it wake, derived data are out of date, and
+/// nothing is drawn in between.
 void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
     wake_for_edit(data.activity(), body);
     wake_touching(data.activity(), body);
@@ -36,7 +36,7 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
     mark_placement(data, data, body);
 }
 
-/// An impulse at the center of mass and an angular one. What does not move is not kicked.
+/// An impulse at the center of mass and an angular impulse. No effect on a body that does not move.
 void kick(const BodyRecord& record, BodyState& state, V2 impulse, float angular_impulse) {
     if (record.mobility != Mobility::dynamic) return;
     const V2 velocity = to_v2(state.velocity) + record.inverse_mass * impulse;
@@ -131,7 +131,7 @@ void Body::set_pose(const Pose& pose) {
 
 namespace {
 
-/// Whether the body may have a velocity; then it is awake.
+/// True if the body may have a velocity; then it is awake.
 bool moves_after_edit(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return false;
@@ -163,11 +163,11 @@ void Body::set_force(const Vec2& force) {
 
 namespace {
 
-/// However many are added up, N, N m.
+/// Limit of the sum of forces, N, and torques, N m.
 constexpr float greatest_force = std::numeric_limits<float>::max();
 
-/// For the next step. Wakes the body; a force that cannot move it would only wait for the day when
-/// it can.
+/// A force for the next step. Wakes the body; a force that cannot move it is dropped, so that it
+/// does not act later.
 void push(WorldData& data, uint32_t body, V2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;

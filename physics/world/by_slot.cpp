@@ -1,4 +1,5 @@
-// For hosts that keep slots: what they read and write most, without looking whether the body lives.
+// For hosts that keep slots: the values that they read and write most, without a check that the
+// body lives.
 
 #include <fettle/physics/world.h>
 #include <world/world_data.h>
@@ -16,8 +17,8 @@ Vec2 World::velocity(uint32_t index) const {
 
 namespace {
 
-/// Whether the body moves by itself; then it is awake afterwards, and what touches it too where
-/// that matters.
+/// Returns whether the body moves by itself; it is awake afterwards, with the bodies that touch it
+/// if necessary.
 bool stir(WorldData& data, uint32_t index) {
     data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;

@@ -28,7 +28,7 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
 
 // The first line of every method of `Body` that needs a live one: `data`, and its records.
 #define FETTLE_LIVE_BODY                                          \
-    WorldData& data = detail::live(link_, id_, "body");                           \
+    WorldData& data = detail::live(link_, id_, "body");           \
     [[maybe_unused]] BodyRecord& record = data.bodies[id_.index]; \
     [[maybe_unused]] BodyState& state = data.states[id_.index];
 // The same for one that edits it.
@@ -36,13 +36,13 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
     FETTLE_LIVE_BODY     \
     may_edit_body(data, id_, __func__);
 
-// A property that is read and no more than that.
+// A read-only property.
 #define FETTLE_BODY_READ(Value, name, value) \
     Value Body::name() const {               \
         FETTLE_LIVE_BODY                     \
         return value;                        \
     }
-// One that follows from the shapes and may be out of date.
+// A property that follows from the shapes and may be out of date.
 #define FETTLE_BODY_DERIVED(Value, name, value) \
     Value Body::name() const {                  \
         FETTLE_LIVE_BODY                        \
@@ -60,7 +60,7 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
 
 // The first line of every method of `Shape` that needs a live one: `data`, and its records.
 #define FETTLE_LIVE_SHAPE                                          \
-    WorldData& data = detail::live(link_, id_, "shape");                    \
+    WorldData& data = detail::live(link_, id_, "shape");           \
     [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
     [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
 // The same for one that edits it.
@@ -68,7 +68,7 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
     FETTLE_LIVE_SHAPE     \
     data.self.may_edit("Shape", __func__);
 
-// A property that is read and no more than that.
+// A read-only property.
 #define FETTLE_SHAPE_READ(Value, name, value) \
     Value Shape::name() const {               \
         FETTLE_LIVE_SHAPE                     \

@@ -4,7 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-// What all shapes have: owner, surface, filter, what is derived. Geometry is in shape_geometry.cpp.
+// What all shapes have in common: owner, surface, filter, derived data. Geometry is in
+// shape_geometry.cpp.
 
 namespace fettle::physics {
 
@@ -34,8 +35,8 @@ void surface_changed(WorldData& data, uint32_t shape) {
     wake_for_edit(data.activity(), data.forms[shape].body);
 }
 
-/// A filter of the user may read the world: nothing may be out of date when it is called. The
-/// refresh callback may throw, so it comes before the edit.
+/// A user's filter may read the world: no data may be out of date when it is called. The refresh
+/// callback may throw, so it comes before the edit.
 template <class T>
 void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) {
     if (data.self.filter) data.read_all();

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-// What a shape looks like: each type has properties of its own.
+// The geometry of a shape: each type has properties of its own.
 
 namespace fettle::physics {
 
@@ -11,7 +11,8 @@ using namespace detail;
 
 namespace {
 
-/// After any change of geometry: wakes whom it concerns, marks what is derived from it.
+/// Call after any change of geometry: wakes the affected bodies and marks derived data as out of
+/// date.
 void geometry_changed(WorldData& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     if (body != none) {
@@ -44,7 +45,7 @@ T measure(const ShapeRecord& record, const char* name, T Kind::*member, Others..
         wrong_type(name, record.type);
 }
 
-/// The figure is written only if it is sound afterwards.
+/// The figure is written only if it is valid afterwards.
 template <class Kind, class T, class... Others>
 void set_measure(WorldData& data, uint32_t shape, const char* name,
                  const std::type_identity_t<T>& value, T Kind::*member, Others... others) {

@@ -13,7 +13,7 @@
 
 namespace fettle::physics::detail {
 
-/// A world: its state, the scratch of its step, and what it has besides. Member functions are
+/// A world: its state, the scratch data of its step, and its other data. Member functions are
 /// grouped by the file that defines them.
 struct WorldData : WorldState, StepScratch {
     int most_lanes = lanes;  ///< tests compare instruction sets

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-// Functions of the user run in the middle of the library's own: what they may not do is refused
-// here, and what they do nevertheless (throw, destroy the world) leaves a whole world.
+// User functions run in the middle of library functions: forbidden calls are refused here, and if a
+// user function throws or destroys the world, the world's data stay valid.
 
 namespace fettle::physics::detail {
 

@@ -11,7 +11,7 @@
 
 namespace fettle::physics::detail {
 
-// How messages call the functions of the user.
+// Names of the user functions in messages.
 inline constexpr const char in_filter[] = "the filter (World::set_filter)";
 inline constexpr const char in_mixing[] = "the mixing callback (World::set_mixing)";
 inline constexpr const char in_before_solve[] =
@@ -21,14 +21,15 @@ inline constexpr const char in_refresh[] = "the refresh callback (World::on_refr
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
-/// What a world is besides its state: its identity, the functions of its user, its owner, its
-/// threads, and its lock. Copying or restoring a state does not change it.
+/// Data of a world that are not its state: its identity, user functions, owner, threads, and lock.
+/// Copying or restoring a state does not change them.
 struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state that is in no world
     PairFilter filter;
     ContactCallback mix, before_solve;
     RefreshCallback refresh;
-    const Owner* owner = nullptr;  ///< only it may make and destroy objects; null: everybody may
+    const Owner* owner = nullptr;  ///< only it may create and destroy objects; null: every caller
+                                   ///< may
     std::unique_ptr<ThreadPool> pool;
 
     WorldSelf();
@@ -40,9 +41,9 @@ struct WorldSelf {
 
     /// While functions of the user may be called, nothing is edited.
     bool locked() const { return work_.load(std::memory_order_relaxed) != 0; }
-    /// In the middle of a step or an edit, the state is nothing to be copied either.
+    /// In the middle of a step or an edit, the state must not be copied either.
     bool in_the_middle() const { return work_.load(std::memory_order_relaxed) >= middle; }
-    /// The World was destroyed by a function that it was calling.
+    /// True if a function that the World was calling destroyed it.
     bool orphaned() const { return orphan_ != nullptr; }
 
     /// Throws Locked if nothing may be edited: `of` and `function` are what was called.
@@ -50,7 +51,7 @@ struct WorldSelf {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
     }
-    /// The same for what makes or ends objects, or ties them otherwise.
+    /// As `may_edit`, for creating or destroying objects, or attaching them.
     void may_populate(const char* of, const char* function) const {
         may_edit(of, function);
         if (owner != nullptr && !owner->acts()) [[unlikely]]
@@ -76,8 +77,7 @@ struct WorldSelf {
         leave_to(outer);
         return answered && !orphaned();
     }
-    /// The World is being destroyed by a function that it is calling: the data live on until that
-    /// call is over.
+    /// A function that the World is calling destroys it: the data live until that call is over.
     void keep(std::unique_ptr<WorldData> data);
     [[noreturn]] void throw_orphaned() const;
 
@@ -103,8 +103,8 @@ struct WorldSelf {
     const char* destroyed_inside_ = nullptr;
 };
 
-/// While it lives, functions of the user may be called: the world cannot be edited, and its data
-/// live on when one of those functions destroys it.
+/// While it lives, user functions may be called: the world cannot be edited, and its data live on
+/// if one of those functions destroys it.
 class WorldLock {
   public:
     enum class During { query, change };

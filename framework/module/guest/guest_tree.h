@@ -66,7 +66,7 @@ struct Tree::State {
     fettle_status answer(Body&& body) noexcept;
     /// The class of that name, made with its bases if it is the program's; null when there is none.
     const Class* known(const char* name);
-    /// The program counts who listens; the module's own events are told before it may ask.
+    /// The program counts handlers; the module's own events are reported before it may ask.
     void follow_listeners();
 };
 

@@ -159,7 +159,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
         // It rose out of a coroutine, where it was described already.
         error = std::move(*machine.errors.thread_error);
         machine.errors.thread_error.reset();
-        // A timer's coroutine was started by nobody in a script.
+        // No script started the coroutine of a timer.
         if (const std::string outside = traceback_of(L, level); !outside.empty())
             error.traceback += "  (coroutine started from)\n" + outside;
         return error;

@@ -1,5 +1,6 @@
 #pragma once
-// What went wrong, described where it went wrong: message, place, traceback, local variables.
+// Descriptions of errors at the point where they are raised: message, place, traceback, local
+// variables.
 
 #include <optional>
 #include <string>

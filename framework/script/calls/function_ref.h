@@ -18,7 +18,7 @@ class FunctionRef {
     ~FunctionRef();
     FunctionRef(const FunctionRef&) = delete;
     void push(lua_State* L) const;
-    /// Bytes that it alone keeps, about: `held_memory`, if anybody has asked; else 0.
+    /// Bytes that only this function keeps, estimated: `held_memory`, if it was computed; else 0.
     std::size_t holds() const { return holds_; }
     void set_holds(std::size_t bytes) { holds_ = bytes; }
 

@@ -39,7 +39,7 @@ class Measure {
     }
 
   private:
-    /// A weak set, so that it keeps nobody; the globals are in it from the beginning.
+    /// A weak set, so that it keeps nothing alive; it contains the globals from the beginning.
     void make_set() {
         push_weak_table(L_, "k");
         for (const int known : {machine_.globals.table, machine_.globals.loaded}) {
@@ -102,7 +102,7 @@ class Measure {
 
 std::size_t held_memory(lua_State* L, Machine& machine, int index) {
     const int function = lua_absindex(L, index);
-    // Whoever holds a byte makes Lua wait with its collection: the garbage beside it counts too.
+    // Kept memory delays Lua's next collection: the garbage of that time counts, too.
     return Measure(L, machine).of(function) * (collector_pause / 100);
 }
 

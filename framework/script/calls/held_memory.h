@@ -1,5 +1,5 @@
 #pragma once
-// How much memory a function keeps: for those who keep functions of the past and have a limit.
+// Memory that a function keeps: for lists of old functions with a limit.
 
 #include <cstddef>
 

@@ -47,8 +47,8 @@ std::string Context::text(Machine& machine) const {
 
 namespace {
 
-/// Tells the tree who writes while the host has called into Lua; the place is found only when it is
-/// asked for.
+/// Sets the writer of the tree while the host has called into Lua; the place is found only when it
+/// is needed.
 class ScriptCause {
   public:
     explicit ScriptCause(Machine& machine)

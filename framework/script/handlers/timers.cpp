@@ -30,7 +30,7 @@ constexpr std::int64_t weight_of_timer = 300;  // bytes, about
 void Timers::note(Change change) {
     if (!noting_ || changes_.all) return;
     changes_.list.push_back(std::move(change));
-    // Nobody has asked for long, or the whole is shorter than what happened to it.
+    // The changes were not taken for long, or the whole queue is shorter than its changes.
     if (changes_.list.size() > 64 + 2 * queue_.size()) {
         changes_.all = true;
         changes_.list.clear();
@@ -90,7 +90,7 @@ void Timers::clear() {
 bool Timers::run() {
     bool ok = true;
     const double end = now;
-    // What is added meanwhile and due at once waits for the next step, or it could go on forever.
+    // A new timer that is due at once waits for the next step; otherwise the loop might never end.
     const std::uint64_t newest = next_id_;
     for (auto entry = queue_.begin();
          entry != queue_.end() && entry->first.first <= end + tolerance;) {

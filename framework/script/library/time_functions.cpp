@@ -22,10 +22,10 @@ using property::Snapshot;
 
 namespace {
 
-// A snapshot holds a whole game; what a script forgets to let go of must not fill the memory.
+// A snapshot holds a whole game; snapshots that a script does not release must not fill the memory.
 constexpr std::size_t most_snapshots = 64;
 
-// Each costs as much as some steps: a barrier comes back from any number that a game may mean.
+// Each costs as much as some steps: the limit keeps the barrier short.
 constexpr std::size_t most_travels = 100;
 
 /// At the next barrier, one after the other.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds tick{100};
 
-// Ignored by whoever does not ask for it, and used by hardly anybody.
+// Ignored by default, and rarely used by programs.
 constexpr int signal_number = SIGURG;
 
 // The machine that is in a call on this thread, for the handler of the signal.
@@ -45,7 +45,8 @@ struct Watchdog::Thread {
         runner.join();
     }
 
-    // Time that this thread did not see (the computer slept, somebody debugs) does not count.
+    // Time in which this thread did not run (the computer slept, a debugger stopped it) does not
+    // count.
     void run() {
         std::uint64_t seen = 0;
         double lasted = 0;
@@ -147,7 +148,7 @@ void Watchdog::ask(lua_State* L) {
         const auto go_on = go_on_;  // it may put another in its place
         goes_on = go_on(L, lasted);
     }
-    // Without a runtime nobody is left who could end it.
+    // After the runtime was destroyed, the call could no longer be ended.
     if (goes_on && machine_.life.orphan == nullptr) return;
     char text[80];
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",

@@ -1,11 +1,10 @@
 #pragma once
-// A call into the game's scripts that does not come back: a loop without end in a callback, a
-// handler, main.lua. A hook that counts instructions would make everything 2.4 times slower, so
-// none is set while all is well. A thread looks ten times a second whether the host is still in the
-// call it was in; when that has lasted too long it sends the host's thread a signal, whose handler
-// sets the hook, and the next instruction of Lua asks what is to become of the call. A signal,
-// because only on its own thread can a state of Lua be touched while it runs. The thread starts
-// with the first call.
+// Stops a call into the game's scripts that does not return: an endless loop in a callback, a
+// handler, main.lua. A hook that counts instructions would make all scripts 2.4 times slower, so
+// none is set in normal operation. A thread checks ten times a second whether the host is still in
+// the same call; if that takes too long, it sends the host's thread a signal, whose handler sets
+// the hook, and the next instruction of Lua asks whether the call may go on. A signal, because a
+// running state of Lua can be used only on its own thread. The thread starts with the first call.
 
 #include <pthread.h>
 #include <atomic>
@@ -24,7 +23,7 @@ class Watchdog {
     ~Watchdog();
     Watchdog(const Watchdog&) = delete;
 
-    /// Whether the call that has lasted so long may go on; it stands where the thread is now.
+    /// Decides whether a long call may go on; the thread is in that call.
     using Question = std::function<bool(lua_State*, double seconds)>;
     /// As `Runtime::limit_calls`.
     void limit(double seconds, Question go_on);

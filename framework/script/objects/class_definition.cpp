@@ -195,7 +195,8 @@ int class_function(lua_State* L) {
     if (!base->creatable())
         throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name() +
                                                   "; " + why_not_creatable(machine.tree, *base));
-    // What comes of it can be called, and says what is missing to whoever takes it for the class.
+    // The result can be called, and its error tells a caller that uses it as the class what is
+    // missing.
     lua_newuserdatauv(L, 0, 0);
     lua_newtable(L);
     lua_pushvalue(L, 1);

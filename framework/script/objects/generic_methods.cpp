@@ -226,7 +226,8 @@ void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
     }
 }
 
-// References inside what is copied lead to the copies; those to nobody any more to nobody.
+// References inside the copied instances lead to the copies; references to deleted instances become
+// nil.
 Value redirected(const property::Tree& tree, const Value& value, const Copies& copies) {
     if (value.is(Type::reference)) {
         if (!tree.alive(value.reference())) return Handle{};

@@ -1,6 +1,6 @@
 #pragma once
-// Notes for those who come from other engines: what is no error, since a script may add properties
-// and functions as it likes, but has no effect and was surely meant to have one. Each is told once.
+// Notes for users of other engines: code that is no error, since a script may add any properties
+// and functions, but has no effect and was surely meant to have one. Each note is given once.
 
 #include <set>
 #include <string>

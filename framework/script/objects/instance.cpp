@@ -83,8 +83,8 @@ const Dispatch& look_up(lua_State* L, Machine& machine, const InstanceBox& self)
     return learn(L, machine, *self.members, key, view_at(L, 2));
 }
 
-/// The property declared under the name at 2, for the short way; nullptr where there is none, where
-/// nobody has asked for it yet, and while a console command's reads and writes are noted.
+/// The property declared under the name at 2, for the short way; nullptr if there is none, if the
+/// name was not looked up yet, and while a console command's reads and writes are recorded.
 const Property* known_property(lua_State* L, const InstanceBox& self) {
     if (self.members->recording.active) return nullptr;
     const Dispatch* found = self.members->find(lua_topointer(L, 2));

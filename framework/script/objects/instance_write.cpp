@@ -60,7 +60,7 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     replace(machine, child, orphan);
 }
 
-/// A child takes the place of a property that somebody added.
+/// A child replaces an ad-hoc property.
 void write_over(Machine& machine, Handle instance, const Property& property, Handle orphan) {
     const std::string name = property.name;
     const property::Formula* const formula = machine.tree.formula(instance, property);

@@ -1,5 +1,5 @@
-// What of the scripts' classes belongs to a snapshot: who is stepped and in which order, and who is
-// not ready yet.
+// The part of the scripts' classes in a snapshot: the order in which instances are stepped, and the
+// instances that are not ready yet.
 
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -46,7 +46,7 @@ void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
     for (const Handle instance : adopted) {
         if (!known_.insert(bits_of(instance)).second) continue;
         members_.push_back(instance);
-        // Whoever hangs somewhere by now was told so then.
+        // An instance that has a place by now was told then that it is ready.
         if (machine_.tree.alive(instance) &&
             !machine_.tree.is_below(instance, machine_.tree.root()))
             waiting_.push_back({instance, true});

@@ -197,7 +197,7 @@ void ScriptClasses::adopt(Handle instance, bool announce) {
     members_.push_back(instance);
     waiting_.push_back({instance, announce});
     if (noting_) adopted_.push_back(instance);
-    if (adopted_.size() > 65536) adopted_.clear();  // nobody takes them any more
+    if (adopted_.size() > 65536) adopted_.clear();  // nothing takes them any more
 }
 
 namespace {

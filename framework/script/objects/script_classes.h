@@ -57,7 +57,8 @@ class ScriptClasses {
     bool step(double dt);
     /// Calls `draw(pen)` of everything placed; the pen is a reference in the registry.
     bool draw(int pen);
-    // Snapshots: who is stepped and in which order, and who is not ready yet.
+    // Snapshots: the order in which instances are stepped, and the instances that are not ready
+    // yet.
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
     /// Members since the last call, in order; the first call begins it.
@@ -96,11 +97,11 @@ class ScriptClasses {
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // deleted ones are looked for then
     bool calling_ = false;                     // `members_` is being walked
-    std::vector<property::Handle> adopted_;    // for `take_adopted`, while anybody takes them
+    std::vector<property::Handle> adopted_;    // for `take_adopted`, while it is used
     bool noting_ = false;
     struct Waiting {
         property::Handle instance;
-        bool announce;  // nobody else emits its `ready`
+        bool announce;  // no other code emits its `ready`
     };
     std::pair<std::uint64_t, std::size_t> looked_at_;  // structure of the tree, size of the next
     std::vector<Waiting> waiting_;                     // made, and not told yet that they are ready

@@ -9,8 +9,8 @@
 
 namespace fettle::script {
 
-/// Names that a property, or a key of a keyboard, may have that somebody calls `name`; the
-/// likeliest first. A part behind a blank tells how it is written: "position = vec(x, y)".
+/// Names of properties, or of keys of a keyboard, that the user may mean by `name`; the likeliest
+/// first. A part after a blank says how to write it: "position = vec(x, y)".
 std::vector<std::string_view> property_synonyms(std::string_view name);
 /// Callbacks and events that a function called `name` may be meant for.
 std::vector<std::string_view> callback_synonyms(std::string_view name);

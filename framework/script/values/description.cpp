@@ -35,7 +35,7 @@ std::vector<std::string> names_in(lua_State* L, int table) {
     return names;
 }
 
-// Vectors and colors can be changed in place: whoever reads one gets one of their own.
+// Vectors and colors can be changed in place: each read gets a copy.
 void copy_of_value(lua_State* L) {
     if (const auto* vec = vec_at(L, -1)) {
         push_vec(L, {vec->x, vec->y});

@@ -1,6 +1,6 @@
 #pragma once
-// Descriptions: records and lists that scripts can read and nobody can change. What a class has is
-// told in them, so a script that walks them learns what is true and cannot make it untrue.
+// Descriptions: read-only records and lists for scripts. They contain the properties, methods and
+// events of classes, and no script can change them.
 
 #include <string>
 #include <vector>

@@ -42,7 +42,7 @@ class DispatchTable {
     const property::Class& of;
     const Recording& recording;
 
-    /// nullptr when nobody has looked for the name yet.
+    /// nullptr if the name was not looked up yet.
     const Dispatch* find(const void* key) const {
         const Dispatch& found = entries_[place_of(key)];
         return found.key != nullptr && found.key == key ? &found : nullptr;

@@ -21,7 +21,7 @@ struct Recording {
         std::string note;       // instead of values: "new Body", "deleted"
     };
     bool active = false;  // what happens is noted, so all goes the long way
-    property::Writer writer = property::Writer::script;  // who writes when a script runs
+    property::Writer writer = property::Writer::script;  // the writer while a script runs
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // property read last, for its unit
     std::vector<std::string> lines;                 // printed

@@ -88,7 +88,8 @@ void push_instance(lua_State* L, Handle handle) {
         return;
     }
     lua_pop(L, 1);
-    // A handle whose instance is gone already still gets a proxy: using it says who deleted it.
+    // A handle of a deleted instance still gets a proxy: using it reports what deleted the
+    // instance.
     const Class& of =
         machine.tree.alive(handle) ? machine.tree.class_of(handle) : machine.tree.object_class();
     auto* box = new_box<InstanceBox>(L, sizeof(InstanceBox), machine.boxes.instance);

@@ -85,9 +85,9 @@ struct ClassBox {
     const property::Class* of;
 };
 
-/// The class of a living instance may be another than when its proxy was made: its slot may be
-/// somebody else's in a saved game, and of an instance that was dead then nothing was known.
-/// Whether it was.
+/// Updates the class of a living instance, which may differ from that of its proxy: in a saved game
+/// another instance may use its slot, and the class of a deleted instance was not known. Returns
+/// whether it differed.
 bool refresh_class(Machine& machine, const InstanceBox& box);
 /// Of all there are, after a restore. Throws nothing.
 void refresh_classes(Machine& machine);

@@ -191,7 +191,7 @@ int vec_newindex(lua_State* L) {
 
 int vec_make(lua_State* L) {
     if (lua_gettop(L) == 1 && vec_at(L, 1)) {
-        push_vec(L, check_vec(L, 1, "vec"));  // a copy that belongs to nobody
+        push_vec(L, check_vec(L, 1, "vec"));  // a copy without an origin
         return 1;
     }
     if (lua_gettop(L) == 0) {
