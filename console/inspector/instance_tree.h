@@ -1,7 +1,7 @@
 #pragma once
-// The instances as rows of an outline: which are unfolded, which match a search. A list of handles
-// is all that is kept; names and values are read for the rows in sight by whoever draws them, so
-// that 100 000 instances cost no more than a screenful.
+// The instances as rows of an outline: the unfolded ones, and those that match a search. Only a
+// list of handles is kept; the drawing code reads names and values of the visible rows, so that 100
+// 000 instances cost no more than a screenful.
 
 #include <cstdint>
 #include <string>

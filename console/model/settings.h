@@ -22,7 +22,7 @@ class Settings {
     void set(std::string_view name, const property::Value& value);
 
   private:
-    /// The instance; made again when somebody deleted it.
+    /// The instance; created again after it was deleted.
     property::Handle instance();
 
     property::Tree& tree_;

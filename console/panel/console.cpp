@@ -66,7 +66,7 @@ void Console::State::open(bool opened) {
     follow_settings();
 }
 
-/// `console.open` and `console.pauses` may be set by anyone at any time.
+/// Any code may set `console.open` and `console.pauses` at any time.
 void Console::State::follow_settings() {
     bool opened = is_open();
     if (opened && !was_open && !greeted) {

@@ -1,5 +1,5 @@
 #pragma once
-// Who was told that a key or button went down is told that it went up, whoever has the focus by
+// The receiver of the press of a key or button also gets its release, whatever has the focus by
 // then: a game does not run on because the console opened over a held arrow key.
 
 #include <set>
@@ -16,7 +16,7 @@ class HeldKeys {
     }
     bool held_by_game(const std::string& name) const { return game_.contains(name); }
     bool held_by_console(const std::string& name) const { return console_.contains(name); }
-    /// Who must hear of the release.
+    /// The receiver of the release.
     Owner release(const std::string& name) {
         if (game_.erase(name) > 0) return Owner::game;
         if (console_.erase(name) > 0) return Owner::console;

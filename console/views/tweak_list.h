@@ -19,7 +19,7 @@ class TweakList {
   public:
     explicit TweakList(property::Tweaks* tweaks) : tweaks_(tweaks) {}
 
-    /// Performs a command, as if somebody had typed it.
+    /// Performs a command as if it had been typed.
     std::function<script::Evaluation(std::string_view command)> evaluate;
 
     /// Told what came of a button, a line each.

@@ -37,8 +37,8 @@ class Outgoing {
     std::vector<std::vector<fettle_value>> arrays_;  // what an inner one holds stays where it is
 };
 
-/// What came. Throws Error(wrong_type) for a type nobody knows, a text or list that has a length
-/// and no memory, and lists that are in lists more than 64 deep, which one that holds itself is.
+/// Converts a received value. Throws Error(wrong_type) for an unknown type, a text or list that has
+/// a length and no memory, and lists nested more than 64 deep, such as a list that contains itself.
 property::Value received(const fettle_value& value);
 std::vector<property::Value> received(const fettle_value* values, std::size_t count);
 /// `fields` must outlive the result.

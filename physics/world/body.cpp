@@ -166,8 +166,8 @@ namespace {
 /// Limit of the sum of forces, N, and torques, N m.
 constexpr float greatest_force = std::numeric_limits<float>::max();
 
-/// A force for the next step. Wakes the body; a force that cannot move it is dropped, so that it
-/// does not act later.
+/// A force for the next step. Wakes the body. A force on a body that it cannot move is dropped:
+/// otherwise it would act as soon as the body can move.
 void push(WorldData& data, uint32_t body, V2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;

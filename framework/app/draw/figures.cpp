@@ -143,7 +143,7 @@ void Canvas::point(const Vec2& position, Color color, float size) {
 
 // --- Outlines ------------------------------------------------------------------------------------
 
-/// Where figures are looked at: some way round the screen, so that nobody sees where they are cut.
+/// The visible area for figures: larger than the screen, so that the cuts are out of sight.
 Sight Canvas::sight(const Paint& paint) const {
     const double margin = 16 + 2 * std::clamp(static_cast<double>(paint.border_width), 0.0, 1e4);
     return {Vec2::Constant(-margin),
@@ -215,7 +215,7 @@ void Canvas::draw_outline(const Paint& paint) {
             ring(-0.5f, clear(border));
             ring(within(0.5f), border);
         }
-        // Nobody sees how crisp the border of a figure of ten pixels is; thousands of them count.
+        // A crisp border of a figure of ten pixels is not visible; thousands of figures cost time.
         if (width > 1 && limit > 5) ring(within(width - 0.5f), border);
         ring(within(width + 0.5f), fill.a > 0 ? fill : clear(border));
     }

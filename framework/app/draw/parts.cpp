@@ -30,7 +30,7 @@ void Canvas::join() {
 
 void Canvas::settle() {
     if (joined_.size() == 0) return;
-    constexpr float too_small = 12;  // px: nobody sees seams in it
+    constexpr float too_small = 12;  // px: seams in it are not visible
     if (joined_.size() > 1 && joined_.extent() > too_small && joined_.find_seams())
         draw_joined(Rim::inside(joined_paint_));
     else

@@ -196,7 +196,7 @@ void Input::point(const InputEvent& event, bool tell) {
 }
 
 void Input::set_switch(Handle instance, std::string_view name, bool down) {
-    // Keys that nobody has a name for are no input.
+    // Keys without a name are no input.
     if (const property::Property* found = state_->tree.find(instance, name);
         found != nullptr && found->type == property::Type::boolean)
         state_->tree.set(instance, *found, down);

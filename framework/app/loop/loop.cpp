@@ -69,7 +69,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     services_.clock.go_to = [this](std::int64_t step) {
-        timeline_.require(step);  // whoever asks can catch; what is kept may be less at the barrier
+        timeline_.require(step);  // the caller can catch this; fewer steps may be kept at the
+                                  // barrier
         tree_.at_barrier([this, step] { timeline_.go_near(step); });
     };
 }

@@ -87,7 +87,7 @@ inline bool load(sf::Font& font, const std::string& file) {
     return font.openFromFile(file);
 }
 
-/// An event as the rest of the program knows it; false for kinds that nobody needs.
+/// Converts an event for the rest of the program; false for kinds that are not used.
 inline bool convert(const sf::Event& event, InputEvent& out) {
     out = {};
     const auto place = [&](sf::Vector2i at) {
@@ -227,7 +227,7 @@ inline bool load(sf::Font& font, const std::string& file) {
     return font.loadFromFile(file);
 }
 
-/// An event as the rest of the program knows it; false for kinds that nobody needs.
+/// Converts an event for the rest of the program; false for kinds that are not used.
 inline bool convert(const sf::Event& event, InputEvent& out) {
     out = {};
     const auto place = [&](auto x, auto y) {

@@ -31,7 +31,7 @@ double now() {
 
 }  // namespace
 
-/// Snapshots that somebody else restores: time has jumped.
+/// Notices snapshots that other code restores: time has jumped.
 class Timeline::Jumps : public property::Observer {
   public:
     explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {
@@ -244,8 +244,8 @@ bool Timeline::keyframe_is_due() const {
            logged_since_ > std::max(room_ / 8, last.payload->plain_size());
 }
 
-// A snapshot was restored by somebody else. What comes next starts from there; what was before the
-// step it was taken at may still be gone back to.
+// Other code has restored a snapshot. The next steps start from there; steps before the step of the
+// snapshot can still be restored.
 void Timeline::note_jump() {
     if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
     const std::int64_t step = clock_.step;

@@ -58,7 +58,7 @@ Pixels pixels_of(const sf::Texture& texture) {
     return pixels;
 }
 
-/// Of a picture: nobody else to share it with.
+/// The clipboard of a picture in memory, not shared with other programs.
 class OwnClipboard : public Clipboard {
   public:
     std::string read() override { return text_; }

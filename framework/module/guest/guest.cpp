@@ -28,7 +28,7 @@ fettle_status attach(void* context) {
     return guest.tree.state().answer([&] { guest.module->attach(guest.tree); });
 }
 
-/// What goes wrong where nobody is told a status is printed.
+/// Prints an error where no status can be returned.
 template <class Body>
 void told(Guest& guest, Body&& body) {
     const fettle_host* host = guest.tree.state().host;

@@ -1,5 +1,5 @@
 #pragma once
-// What the console needs of whoever understands its commands.
+// Interface between the console and the interpreter of its commands.
 
 #include <cstddef>
 #include <functional>

@@ -10,6 +10,6 @@
 #else
 #define FETTLE_SCRIPT_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_SCRIPT_END _Pragma("GCC visibility pop")
-// Structures that are only named between them, and known to nobody else.
+// For structures that are only declared in public headers and defined inside the library.
 #define FETTLE_SCRIPT_PRIVATE __attribute__((visibility("hidden")))
 #endif
