@@ -37,6 +37,28 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     return all;
 }
 
+/// While one world is refreshed, a callback of the user must neither edit nor destroy the other
+/// one.
+template <class Read>
+auto while_other_stays(const WorldData& read, const WorldData& other, Read read_it) {
+    std::optional<WorldLock> lock;
+    if (&read != &other) lock.emplace(other.self, WorldLock::During::query, in_refresh);
+    auto result = read_it();
+    if (lock) lock->finish();
+    return result;
+}
+
+/// The parts of the query shape, when the queried world is up to date, too.
+std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t shape) {
+    std::vector<Placed> probes =
+        while_other_stays(from, queried, [&] { return placed(from, shape); });
+    while_other_stays(queried, from, [&] {
+        queried.read_all();
+        return true;
+    });
+    return probes;
+}
+
 /// Several parts of the query shape may meet the same shape.
 void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
@@ -85,8 +107,12 @@ bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shap
 Separation distance(const Shape& a, const Shape& b) {
     Separation nearest;
     nearest.distance = infinity;
-    for (const Placed& pa : placed(a.live(), a.index())) {
-        for (const Placed& pb : placed(b.live(), b.index())) {
+    WorldData &of_a = a.live(), &of_b = b.live();
+    const uint32_t shape_a = a.index(), shape_b = b.index();
+    const auto parts_a = while_other_stays(of_a, of_b, [&] { return placed(of_a, shape_a); });
+    const auto parts_b = while_other_stays(of_b, of_a, [&] { return placed(of_b, shape_b); });
+    for (const Placed& pa : parts_a) {
+        for (const Placed& pb : parts_b) {
             const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
             if (found.distance >= nearest.distance) continue;
             nearest = {found.distance, to_vec2(pa.center + found.on_a),
@@ -97,11 +123,10 @@ Separation distance(const Shape& a, const Shape& b) {
 }
 
 std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& filter) const {
-    const std::vector<Placed> probes = placed(shape.live(), shape.index());
     WorldData& data = *data_;
-    const WorldData& from = shape.live();
+    WorldData& from = shape.live();
+    const std::vector<Placed> probes = probes_for(data, from, shape.index());
     const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    data.read_all();
     Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
     std::vector<Shape> found;
     for (const Placed& probe : probes) {
@@ -129,11 +154,10 @@ std::vector<Shape> World::query_overlap(const Geometry& geometry, const Pose& po
 std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
                                         const QueryFilter& filter) const {
     check_coordinates("motion", motion);
-    const std::vector<Placed> probes = placed(shape.live(), shape.index());
     WorldData& data = *data_;
-    const WorldData& from = shape.live();
+    WorldData& from = shape.live();
+    const std::vector<Placed> probes = probes_for(data, from, shape.index());
     const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    data.read_all();
     Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
     const V2 d = to_v2(motion);
     std::optional<RayHit> first;

@@ -46,8 +46,9 @@ void detail::check(const FieldDef& def) {
 Field World::create_field(const FieldDef& def) {
     WorldData& data = populate(__func__);
     check(def);
+    const FieldDef own = def;  // that of another field moves with the list of fields
     const uint32_t slot = data.field_slots.take(data.fields);
-    data.fields[slot] = {def, data.self.link->generations.take(), none};
+    data.fields[slot] = {own, data.self.link->generations.take(), none};
     detail::wake_all(data.activity());
     return {this, {slot, data.fields[slot].generation}};
 }

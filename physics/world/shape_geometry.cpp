@@ -171,7 +171,9 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     return status;
 }
 
-void Shape::set_vertices(std::span<const Vec2> points) {
+void Shape::set_vertices(std::span<const Vec2> given) {
+    // They may lie in the memory of the world, which is written below.
+    const std::vector<Vec2> points(given.begin(), given.end());
     FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::concave || record.type == ShapeType::chain) {
         if (record.type == ShapeType::concave)

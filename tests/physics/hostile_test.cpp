@@ -338,4 +338,48 @@ TEST_CASE("a joint whose impulses overflow has finite forces and works again") {
     }
 }
 
+TEST_CASE("what is written may be a part of what is there") {
+    World world;
+    Body body = world.create_body();
+    Shape chain = body.add(Chain{{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}, {-1, 2}}});
+    chain.set_vertices(chain.vertices().subspan(1));
+    REQUIRE(chain.vertices().size() == 5);
+    CHECK(chain.vertices().front() == Vec2(4, 0));
+    chain.set_vertices(chain.vertices().subspan(1));
+    CHECK(chain.vertices().front() == Vec2(4, 4));
+    Shape other = body.add(Chain{{{9, 9}, {8, 8}, {7, 9}}});
+    other.set_vertices(chain.vertices());
+    CHECK(other.vertices().front() == Vec2(4, 4));
+    Field field = world.create_field({.force = AttractorField{{1, 2}, 3, 2, 0.5f}});
+    for (int i = 0; i < 20; ++i) field = world.create_field(field.definition());
+    CHECK(std::get<AttractorField>(field.definition().force).center == Vec2(1, 2));
+}
+
+TEST_CASE("a world that a refresh callback of another one destroys in a query is told") {
+    for (const bool queried : {true, false})
+        for (int which = 0; which < 3; ++which) {
+            auto first = std::make_unique<World>(), second = std::make_unique<World>();
+            Shape circle = first->create_body().add(Circle{});
+            Shape box = second->create_body().add(Box{});
+            first->step(1 / 60.0f);
+            second->step(1 / 60.0f);
+            circle.set_radius(2);
+            box.set_width(3);
+            (queried ? second : first)->on_refresh([&](const Refresh&) {
+                (queried ? first : second).reset();
+            });
+            World* const asked = first.get();
+            const auto query = [&] {
+                if (which == 0)
+                    (void)asked->query_overlap(box);
+                else if (which == 1)
+                    (void)asked->cast_shape(box, Vec2(1, 0));
+                else
+                    (void)distance(circle, box);
+            };
+            INFO(queried << which);
+            CHECK_THROWS_AS(query(), Locked);
+        }
+}
+
 }  // namespace hostile_test

@@ -244,4 +244,30 @@ TEST_CASE("an edit that has changed nothing yet does not stand in the way of und
     tree.end_edit();
 }
 
+TEST_CASE("a handle of generation 0 is nobody's, whatever its index") {
+    Tree tree;
+    const Class& of = tree.object_class();
+    const Handle a = tree.create(of, tree.root(), "a");
+    for (const std::uint32_t index : {a.index, a.index + 1, 999'999'999U}) {
+        const Handle made = tree.create(of, Handle{index, 0}, "x");
+        CHECK_FALSE(tree.parent(made));
+        CHECK(tree.path(made) == "(detached x)");
+        tree.move(a, Handle{index, 0});
+        CHECK_FALSE(tree.parent(a));
+    }
+}
+
+TEST_CASE("no barrier starts while a snapshot is restored") {
+    Tree tree;
+    const Snapshot before = tree.snapshot();
+    const Handle late = tree.create(tree.object_class(), tree.root(), "late");
+    tree.set_or_add(late, "v", 1);
+    tree.watch(late, [](const Change&) {});
+    tree.barrier();
+    CHECK_THROWS_WITH(tree.restore(before, [&] { tree.barrier(); }),
+                      Catch::Matchers::Contains("no barrier can start while a snapshot"));
+    CHECK_FALSE(tree.alive(late));
+    tree.barrier();
+}
+
 }  // namespace host_errors_test

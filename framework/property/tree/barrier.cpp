@@ -142,6 +142,9 @@ void Tree::barrier(bool between_steps) {
     State& s = *state_;
     if (s.changes.queue.delivering)
         throw Error(ErrorKind::bad_structure, "a handler cannot start a barrier: it runs in one");
+    if (s.underway.restoring)
+        throw Error(ErrorKind::bad_structure,
+                    "no barrier can start while a snapshot is restored: wait until that has ended");
     const Use use(s.lifetime);
     s.require_changeable("start a barrier");
     std::exception_ptr first_error;

@@ -149,6 +149,7 @@ Handle Tree::root() const {
 }
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
+    if (!parent) parent = {};  // whatever its index says
     State& s = *state_;
     s.require_changeable("create an instance");
     s.instances.require_own(instance_class);

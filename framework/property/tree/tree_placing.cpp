@@ -82,6 +82,7 @@ void Tree::replace(Handle old, Handle by) {
 }
 
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
+    if (!new_parent) new_parent = {};  // whatever its index says
     State& s = *state_;
     const Node& node = s.instances.require(instance);
     s.require_changeable("move an instance");
