@@ -270,4 +270,26 @@ TEST_CASE("no barrier starts while a snapshot is restored") {
     tree.barrier();
 }
 
+TEST_CASE("watchers of what is made and deleted within a restore end with it") {
+    Tree tree;
+    const Snapshot before = tree.snapshot();
+    int told = 0;
+    tree.restore(before, [&] {
+        std::vector<Handle> made;
+        for (int i = 0; i < 100; ++i)
+            made.push_back(tree.create(tree.object_class(), tree.root(), ""));
+        for (const Handle each : made) tree.watch(each, [&](const Change&) { ++told; });
+        for (const Handle each : made) tree.destroy(each);
+    });
+    tree.restore(before);  // has fewer slots
+    tree.barrier();
+    std::vector<Handle> others;  // in the same slots
+    for (int i = 0; i < 100; ++i)
+        others.push_back(tree.create(tree.object_class(), tree.root(), ""));
+    tree.barrier();
+    for (const Handle each : others) tree.rename(each, "other_" + std::to_string(each.index));
+    tree.barrier();
+    CHECK(told == 0);
+}
+
 }  // namespace host_errors_test

@@ -134,8 +134,13 @@ void Changes::forget_fresh() {
 }
 
 void Changes::queue_farewell(Existence gone, bool only_own) {
-    if (replaying) return;
     const Handle handle = gone.instance;
+    if (replaying) {
+        // Watchers of an instance that was made in the same restore end with it, untold; those of
+        // the others are told when the restore is over.
+        if (only_own) watchers.retire(handle.index, {});
+        return;
+    }
     const std::string path = gone.path;
     const Cause cause = gone.cause;
     std::vector<WatcherId> keep;

@@ -94,7 +94,10 @@ void Transition::end_instances() {
 
 void Transition::watch_again() {
     for (const std::uint32_t index : changes_.watchers.watched_slots())
-        nodes_[index].watched = true;
+        if (index < nodes_.end() && nodes_[index].alive())
+            nodes_[index].watched = true;
+        else
+            changes_.watchers.retire(index, {});
     changes_.shadows.clear();
     if (changes_.watchers.any_broad()) {
         for (std::uint32_t i = 1; i < nodes_.end(); ++i)
