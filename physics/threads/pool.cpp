@@ -35,17 +35,17 @@ void pause() {
 // A turn or a share in one word: 24 bits for the round, 20 bits for the first remaining block, 20
 // for the end.
 constexpr int count_bits = 20;
-constexpr uint64_t field = (uint64_t{1} << count_bits) - 1;
+constexpr uint64_t count_mask = (uint64_t{1} << count_bits) - 1;
 constexpr uint64_t one_first = uint64_t{1} << count_bits;
 
 constexpr uint64_t round_of(uint64_t word) {
     return word >> (2 * count_bits);
 }
 constexpr uint64_t first_of(uint64_t word) {
-    return word >> count_bits & field;
+    return word >> count_bits & count_mask;
 }
 constexpr uint64_t end_of(uint64_t word) {
-    return word & field;
+    return word & count_mask;
 }
 constexpr uint64_t word_of(uint64_t round, uint64_t first, uint64_t end) {
     return round << (2 * count_bits) | first << count_bits | end;
