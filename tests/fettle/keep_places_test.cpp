@@ -70,6 +70,43 @@ TEST_CASE("a kept deletion does not delete what gets the name") {
     CHECK(run(game, {}, "print(world.l, world:has(\"ball\"))").out == "world.l\tfalse\n");
 }
 
+TEST_CASE("names may be anything: none means something to keeping") {
+    const auto kept = [](const std::string& script, const std::vector<std::string>& edits,
+                         const std::string& look) {
+        const Game game(script);
+        const Outcome first = run(game, edits);
+        INFO(first.out << first.err);
+        return next(game, look);
+    };
+    // In the place of what has moved away, below something with a peculiar name.
+    for (const char* const name : {"my_new_ball", "_new_", "_deleted_3", "_in_between_1",
+                                   "\\\\000x", "a.b", "[1]", "[\\\"\\\"]"}) {
+        const std::string n = name;
+        INFO(n);
+        const std::string l = "local l = world.l local n = \"" + n + "\" ";
+        CHECK(kept("",
+                   {"2:" + l + "l.a.name = n", "3:" + l + "l[n].angle = 1 l.a = Body {mass = 3}",
+                    "4:" + l + "l.j.body_b = l.a", "5:keep(\"**\")"},
+                   l + "print(l[n].angle, l.a.mass, l.j.body_a == l[n], l.j.body_b == l.a)") ==
+              "1.0\t3.0\ttrue\ttrue\n");
+        CHECK(kept("world[\"" + n + "\"] = Object {} world[\"" + n + "\"].b = Body {}",
+                   {"2:" + l + "local top = world[n] top.b.mass = 5 top.c = Body {mass = 7}",
+                    "3:keep(\"**\")"},
+                   l + "print(world[n].b.mass, world[n].c.mass)") == "5.0\t7.0\n");
+        CHECK(kept("world[\"" + n + "\"] = Body {} world.j = WeldJoint {}",
+                   {"2:" + l + "world.j.body_a = world[n]", "3:" + l + "world.l.j.body_a = nil",
+                    "4:keep(\"**\")"},
+                   l + "print(world.j.body_a == world[n], world.l.j.body_a)") == "true\tnil\n");
+    }
+    // Two that change places while others have the names that could be used in between.
+    CHECK(kept("",
+               {"2:world.l._in_between_1 = Body {}", "3:keep(\"**\")",
+                "4:world.l.a.name = \"x\" world.l.c.name = \"a\" world.l.x.name = \"c\"",
+                "5:keep(\"**\")"},
+               "print(world.l.j.body_a, world.l.j.body_b, world.l:has(\"_in_between_1\"))") ==
+          "world.l.c\tworld.l.a\ttrue\n");
+}
+
 TEST_CASE("a scene that is loaded by an edit is kept as a copy, with what was made in it") {
     const Game game;
     run(game, {"1:world.k = scene.load(\"l.json\")", "2:world.k.a.c = Circle {}",

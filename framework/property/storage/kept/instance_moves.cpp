@@ -1,6 +1,5 @@
 #include <kept/instance_moves.h>
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -11,7 +10,9 @@ namespace fettle::property {
 
 namespace {
 
-constexpr std::string_view new_mark = "_new_";
+// A zero byte that a name begins with, as it is written in paths.
+constexpr std::string_view mark_in_paths = R"(["\000)";
+constexpr std::string_view mark_in_json = R"([\"\\000)";
 
 struct Replaced {
     std::string beginning, rest;
@@ -43,19 +44,29 @@ std::string InstanceMoves::home(const std::string& now) const {
         if (end < home.size() && home[end] != '.' && home[end] != '[') continue;
         if (!nows_.contains(home.substr(0, end))) continue;
         const auto [parent, name] = split_path(home.substr(0, end));
-        return path_below(parent, std::string(new_mark) + name) + home.substr(end);
+        return path_below(parent, impossible_name(name)) + home.substr(end);
     }
     return home;
 }
 
 bool is_marked(const std::string& home) {
-    return home.find(new_mark) != std::string::npos;
+    return home.find(mark_in_paths) != std::string::npos;
 }
 
-std::string without_marks(std::string home) {
-    for (std::size_t at; (at = home.find(new_mark)) != std::string::npos;)
-        home.erase(at, new_mark.size());
-    return home;
+bool may_hold_marks(std::string_view json) {
+    return json.find(mark_in_json) != std::string_view::npos;
+}
+
+std::string without_marks(const std::string& home) {
+    if (!is_marked(home)) return home;
+    const bool from_top = is_from_top(home);
+    std::string path = from_top ? "" : "game";
+    for (const Segment& segment : parse_path(from_top ? "game" + home : home)) {
+        const auto& marked = std::get<std::string>(segment.key);
+        const std::string name = is_impossible(marked) ? marked.substr(1) : marked;
+        path = from_top ? path + path_suffix(name) : path_below(path, name);
+    }
+    return path;
 }
 
 std::string InstanceMoves::now(const std::string& home) const {
@@ -72,13 +83,6 @@ std::string InstanceMoves::moved_out_of(const std::string& home) const {
     for (const auto& [from, to] : nows_)
         if (from != home && is_at_or_below(from, home)) return to;
     return {};
-}
-
-std::vector<MoveStep> parents_first(std::vector<MoveStep> moves) {
-    std::sort(moves.begin(), moves.end(), [](const MoveStep& a, const MoveStep& b) {
-        return a.from < b.from;  // the path of a parent is the beginning of the child's
-    });
-    return moves;
 }
 
 InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
@@ -113,7 +117,7 @@ void put_in_order(std::vector<MoveStep> moves, std::vector<MoveStep>& ordered) {
             }
         if (blocked.size() == moves.size()) {
             MoveStep& first = blocked.front();
-            const std::string name = "_in_between_" + std::to_string(++in_between);
+            const std::string name = impossible_name(std::to_string(++in_between));
             ordered.push_back(
                 {first.which, first.from, path_below(split_path(first.from).first, name)});
             taken.erase(first.from);

@@ -1,11 +1,12 @@
 #pragma once
 // Instances that have other names or parents now than the game's files and scripts give them. The
 // path that those give is the *home path* of an instance. Something new may have the path of what
-// has moved away, which is at home there; the home path of the new one is marked:
-// `world._new_ball`.
+// has moved away, which is at home there; the name in the home path of the new one is marked, as no
+// name of an instance can be.
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -35,7 +36,9 @@ class InstanceMoves {
 
 /// Whether the path is the marked one of something new, or of something below that.
 bool is_marked(const std::string& home);
-std::string without_marks(std::string home);
+std::string without_marks(const std::string& home);
+/// Whether a text in JSON may hold a marked path.
+bool may_hold_marks(std::string_view json);
 
 /// One move among several: of the instance number `which`.
 struct MoveStep {
@@ -47,7 +50,6 @@ struct MoveStep {
 /// onto the path of another one that has still to move. Where instances change places, one of them
 /// gets a free path in between. `from` of each is its path before all of them.
 std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves);
-std::vector<MoveStep> parents_first(std::vector<MoveStep> moves);
 /// Where everything is when all of them are made. `to` of each is its path before the others.
 InstanceMoves whole_moves(const std::vector<MoveStep>& moves);
 

@@ -29,6 +29,18 @@ std::string path_below(const std::string& parent, const std::string& name) {
     return suffix.starts_with('.') ? suffix.substr(1) : "game" + suffix;
 }
 
+std::string impossible_name(std::string_view name) {
+    return '\0' + std::string(name);
+}
+
+bool is_impossible(std::string_view name) {
+    return name.starts_with('\0');
+}
+
+bool is_from_top(std::string_view path) {
+    return path.starts_with('.') || path.starts_with('[');
+}
+
 Handle instance_at(const Tree& tree, const std::string& path) {
     const Place place = resolve(tree, path);
     if (place.property != nullptr)

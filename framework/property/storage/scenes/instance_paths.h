@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -20,6 +21,13 @@ std::string joined_path(const std::vector<Segment>& segments, std::size_t count)
 std::pair<std::string, std::string> split_path(const std::string& path);
 /// The other way round.
 std::string path_below(const std::string& parent, const std::string& name);
+/// A name that no instance can have, since names hold no zero byte: it stands for one in paths that
+/// are not for users.
+std::string impossible_name(std::string_view name);
+bool is_impossible(std::string_view name);
+/// Whether a reference in a scene leads from the top of the scene (`.`, `.arm`) and not from the
+/// root.
+bool is_from_top(std::string_view path);
 /// Throws Error where there is none.
 Handle instance_at(const Tree& tree, const std::string& path);
 /// Null where there is none.

@@ -95,7 +95,7 @@ class SceneCheck {
 
     /// What may yet come into being elsewhere is taken to exist: the parent is not known then.
     bool exists(const std::string& path) const {
-        const bool relative = path.starts_with('.') || path.starts_with('[');
+        const bool relative = is_from_top(path);
         std::vector<Segment> segments;
         try {
             segments = parse_path(relative ? "scene" + path : path);

@@ -5,6 +5,8 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <scenes/instance_paths.h>
+
 namespace fettle::property {
 
 namespace {
@@ -25,7 +27,7 @@ namespace {
 Handle find_reference(const SceneBeingLoaded& scene, const std::string& path,
                       const Document::Node& node) {
     if (path == ".") return scene.top;
-    const bool relative = path.starts_with('.') || path.starts_with('[');
+    const bool relative = is_from_top(path);
     std::vector<Segment> segments;
     try {
         segments = parse_path(relative ? "scene" + path : path);

@@ -40,44 +40,32 @@ class Keeping {
 
     void keep(const Rows& rows) {
         for (JournalRow* row : in_stages(rows)) {
-            const fs::path file = scene_file(*row);
+            const auto file = state_.own_file(row->file);
             // A scene that goes as a whole, or comes back, is loaded by a script.
             const bool whole =
                 row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
             // The file of kept tweaks deletes what a script makes there, and then makes this.
             const bool in_place =
                 row->kind == Kind::created && state_.deleted_by_path(paths_.home(*row));
-            if (file.empty() || whole || in_place)
+            if (!file || whole || in_place)
                 kept_rows_.push_back(row);
-            else if (is_consistent(*row, file))
-                scenes_[file].push_back(row);
+            else if (is_consistent(*row, *file))
+                scenes_[*file].push_back(row);
         }
         leave_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
         // New names may be those of what has gone, and new instances follow them.
-        std::array<Rows, 4> stages;
-        for (JournalRow* row : without_moves(kept_rows_)) {
-            const Stage stage = stage_of(*row, kept_rows_);
-            stages[std::min<std::size_t>(static_cast<std::size_t>(stage), 3)].push_back(row);
-        }
-        for (std::size_t i = 0; i < 3; ++i) keep_by_path(stages[i]);
-        keep_moves_by_path(moves_in(kept_rows_));
-        keep_by_path(stages[3]);
+        std::map<Stage, Rows> stages;
+        for (JournalRow* row : kept_rows_) stages[stage_of(*row, kept_rows_)].push_back(row);
+        for (const Stage gone_or_back : {Stage::gone, Stage::back, Stage::gone_below_it})
+            keep_by_path(stages[gone_or_back]);
+        keep_moves_by_path(stages[Stage::moved]);
+        stages[Stage::created].insert(stages[Stage::created].end(), stages[Stage::value].begin(),
+                                      stages[Stage::value].end());
+        keep_by_path(stages[Stage::created]);
     }
 
   private:
-    /// Empty when it is none of the game's own: what was loaded from elsewhere is not ours to
-    /// write.
-    fs::path scene_file(const JournalRow& row) const {
-        std::error_code error;
-        if (row.file.empty()) return {};
-        fs::path file = fs::weakly_canonical(row.file, error);
-        const fs::path relative = file.lexically_relative(state_.folder);
-        if (error || relative.empty() || *relative.begin() == ".." || !state_.files.exists(file))
-            return {};
-        return file;
-    }
-
     /// Two instances of one scene have one value in the file.
     bool is_consistent(const JournalRow& row, const fs::path& file) {
         if (row.kind != Kind::value) return true;
@@ -218,7 +206,7 @@ class Keeping {
 
     void gone_or_back_elsewhere(const Rows& rows) {
         OtherScenes others(state_, report_);
-        for (JournalRow* row : rows)
+        for (const JournalRow* row : rows)
             if (row->kind == Kind::deleted)
                 others.forget(*row);
             else if (row->kind == Kind::restored)
@@ -315,8 +303,10 @@ class Keeping {
     /// The file cannot say which of two instances of the same home path is meant.
     std::string unmarked(std::string home) const {
         if (!is_marked(home)) return home;
-        const std::string path = without_marks(home);
-        throw Error(ErrorKind::rejected, path + " is new and has a name that a script gives to " +
+        std::string path = without_marks(home);
+        while (path != "game" && paths_.moved_from(path).empty()) path = split_path(path).first;
+        throw Error(ErrorKind::rejected, without_marks(home) +
+                                             " is new and has a name that a script gives to " +
                                              paths_.moved_from(path) + ": change the script");
     }
 

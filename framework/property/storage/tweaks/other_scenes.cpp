@@ -7,39 +7,38 @@ namespace fettle::property {
 
 namespace fs = std::filesystem;
 
-OtherScenes::OtherScenes(Tweaks::State& state, TweakReport& report)
-    : state_(state), report_(report) {
-    for (const fs::path& file : state.origins.files()) try {
-            std::error_code error;
-            const fs::path path = fs::weakly_canonical(file, error);
-            const fs::path inside = path.lexically_relative(state.folder);
-            if (error || inside.empty() || *inside.begin() == ".." || !state.files.exists(path))
-                continue;
-            SceneEdit edit(state.tree, state.files.read(path), path.string());
-            std::string before = edit.text();
-            scenes_.try_emplace(path, Scene{std::move(edit), std::move(before)});
+std::map<fs::path, OtherScenes::Text>& OtherScenes::texts() {
+    if (texts_) return *texts_;
+    texts_.emplace();
+    for (const fs::path& loaded : state_.origins.files()) try {
+            const auto file = state_.own_file(loaded);
+            if (!file) continue;
+            const std::string text = state_.files.read(*file);
+            texts_->try_emplace(*file, Text{text, text});
         } catch (const Error&) {  // told when something is to be kept in it
         }
+    return *texts_;
 }
 
 template <class Change>
-void OtherScenes::change(const fs::path& file, Change change) {
-    const auto found = scenes_.find(file);
-    if (found == scenes_.end()) return;
+void OtherScenes::change(const fs::path& file, Text& text, Change change) {
     try {
-        change(found->second.edit);
+        SceneEdit edit(state_.tree, text.now, file.string());
+        change(edit);
+        text.now = edit.text();
     } catch (const Error& error) {
         report_.problems.emplace_back(error.what());
-        scenes_.erase(found);
     }
 }
 
 void OtherScenes::forget(const JournalRow& deletion) {
     const std::string mention = mention_of(deletion.instance);
     std::string all;
-    for (auto& [file, scene] : scenes_) {
-        if (scene.edit.text().find(mention) == std::string::npos) continue;
-        const std::string before = scene.edit.forget_references({deletion.instance});
+    for (auto& [file, text] : texts()) {
+        if (text.now.find(mention) == std::string::npos) continue;
+        std::string before;
+        change(file, text,
+               [&](SceneEdit& edit) { before = edit.forget_references({deletion.instance}); });
         if (before.empty()) continue;
         all += all.empty() ? "{\"file\": " : ", {\"file\": ";
         append_quoted(all, file.string());
@@ -53,29 +52,35 @@ void OtherScenes::put_back(const JournalRow& restoration) {
     const Document document(restoration.was, "journal");
     const Document::Node* all = document.member(document.root(), "elsewhere");
     for (const Document::Node* each = all != nullptr ? document.first(*all) : nullptr; each;
-         each = document.next(*each))
-        if (const Document::Node* list = document.member(*each, "references"))
-            change(document.text(*document.member(*each, "file")),
+         each = document.next(*each)) {
+        const Document::Node* list = document.member(*each, "references");
+        const Document::Node* file = document.member(*each, "file");
+        if (list == nullptr || file == nullptr || file->kind != Document::Kind::text) continue;
+        const auto found = texts().find(document.text(*file));
+        if (found != texts().end())
+            change(found->first, found->second,
                    [&](SceneEdit& edit) { edit.put_references_back(document, *list); });
-}
-
-void OtherScenes::rename(const InstanceMoves& moves, const fs::path& except) {
-    for (auto& [file, scene] : scenes_) {
-        if (file == except) continue;
-        const std::string now =
-            scene_with_paths(state_.tree, scene.edit.text(), [&](const std::string& path) {
-                const bool from_root = !path.starts_with('.') && !path.starts_with('[');
-                return std::optional(from_root ? moves.now(path) : path);
-            });
-        if (now != scene.edit.text()) scene.edit = SceneEdit(state_.tree, now, file.string());
     }
 }
 
+void OtherScenes::rename(const InstanceMoves& moves, const fs::path& except) {
+    for (auto& [file, text] : texts())
+        if (file != except)
+            change(file, text, [&](SceneEdit& edit) {
+                const std::string now =
+                    scene_with_paths(state_.tree, edit.text(), [&](const std::string& path) {
+                        return std::optional(is_from_top(path) ? path : moves.now(path));
+                    });
+                edit = SceneEdit(state_.tree, now, edit.document().file_name());
+            });
+}
+
 void OtherScenes::write() {
-    for (const auto& [file, scene] : scenes_) {
-        if (scene.edit.text() == scene.before) continue;
+    if (!texts_) return;
+    for (const auto& [file, text] : *texts_) {
+        if (text.now == text.before) continue;
         try {
-            state_.files.write(file, scene.edit.text());
+            state_.files.write(file, text.now);
             report_.files.push_back(file.string());
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());

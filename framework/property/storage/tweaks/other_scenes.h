@@ -15,8 +15,9 @@ namespace fettle::property {
 
 class OtherScenes {
   public:
-    /// Reads the scene files that were loaded. What is wrong with one is told.
-    OtherScenes(Tweaks::State& state, TweakReport& report);
+    /// Reads the scene files that were loaded when one of them may have to be changed. What is
+    /// wrong with one is told.
+    OtherScenes(Tweaks::State& state, TweakReport& report) : state_(state), report_(report) {}
 
     /// What names the deleted instance names nothing; the row remembers what it was.
     void forget(const JournalRow& deletion);
@@ -27,16 +28,16 @@ class OtherScenes {
     void write();
 
   private:
-    struct Scene {
-        SceneEdit edit;
-        std::string before;
+    struct Text {
+        std::string now, before;
     };
+    std::map<std::filesystem::path, Text>& texts();
     template <class Change>
-    void change(const std::filesystem::path& file, Change change);
+    void change(const std::filesystem::path& file, Text& text, Change change);
 
     Tweaks::State& state_;
     TweakReport& report_;
-    std::map<std::filesystem::path, Scene> scenes_;
+    std::optional<std::map<std::filesystem::path, Text>> texts_;
 };
 
 }  // namespace fettle::property

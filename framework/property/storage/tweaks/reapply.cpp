@@ -119,12 +119,19 @@ class Reapplying {
             const Handle there = above ? tree_.child(above, name) : Handle{};
             for (const JournalRow* other : waiting_)
                 if (other != row && there && instances_[other] == there) {
-                    tree_.rename(there, "_in_between_" + std::to_string(++in_between_));
+                    tree_.rename(there, free_name(above));
                     paths_ = RowPaths(state_);
                     return true;
                 }
         }
         return false;
+    }
+
+    std::string free_name(Handle parent) {
+        std::string name;
+        do name = "_in_between_" + std::to_string(++in_between_);
+        while (tree_.child(parent, name));
+        return name;
     }
 
     void make(JournalRow& row) {
@@ -184,7 +191,7 @@ class Reapplying {
                 const std::string top = paths_.home(*row);
                 const ReferenceResolver resolve = [&](const std::string& path,
                                                       const Document::Node&) {
-                    return at(path.starts_with('.') || path.starts_with('[') ? top + path : path);
+                    return at(is_from_top(path) ? top + path : path);
                 };
                 tree_.set_or_add(
                     open.instance, open.property,

@@ -77,12 +77,6 @@ Image RowPaths::live_image(const JournalRow& row) const {
     return image;
 }
 
-std::string RowPaths::live_scene(const JournalRow& row) const {
-    return scene_with_paths(state_->tree, row.now, [&](const std::string& path) {
-        return std::optional(live(row, path));
-    });
-}
-
 std::string RowPaths::home_scene(const JournalRow& row, const NewPath& written) const {
     return scene_with_paths(
         state_->tree, row.now, [&](const std::string& path) -> std::optional<std::string> {

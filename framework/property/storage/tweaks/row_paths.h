@@ -40,8 +40,6 @@ class RowPaths {
     /// A value with its references as they are in the tree now. Throws Error for one that cannot be
     /// kept.
     Image live_image(const JournalRow& row) const;
-    /// The scene of a new instance, with its references in the same way.
-    std::string live_scene(const JournalRow& row) const;
     /// The scene of a new instance with the home path in every reference, or what `written` makes
     /// of that.
     std::string home_scene(const JournalRow& row, const NewPath& written = {}) const;

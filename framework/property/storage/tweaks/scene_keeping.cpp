@@ -10,7 +10,10 @@ namespace fettle::property {
 using Kind = JournalRow::Kind;
 
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row) {
-    check_scene(state.tree, Document(paths.live_scene(row), "its scene"),
+    const std::string scene = scene_with_paths(state.tree, row.now, [&](const std::string& path) {
+        return std::optional(paths.live(row, path));
+    });
+    check_scene(state.tree, Document(scene, "its scene"),
                 paths.instance(split_path(paths.home(row)).first), split_path(row.instance).second);
 }
 
@@ -167,16 +170,14 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
         edit_.rename(steps, split_path(step.to).second);
     }
     const std::string top = paths_.home_of_top(*rows.front());
-    InstanceMoves in_file;  // from the top of the scene
-    for (const auto& [which, from, to] : parents_first(moves))
-        if (is_at_or_below(from, top) && from != top)
-            in_file.add(from.substr(top.size()),
-                        in_file.now(split_path(from).first.substr(top.size())) +
-                            path_suffix(split_path(to).second));
     const InstanceMoves homes = whole_moves(moves);
+    InstanceMoves in_file;  // from the top of the scene
+    for (const MoveStep& move : moves)
+        if (is_at_or_below(move.from, top) && move.from != top)
+            in_file.add(move.from.substr(top.size()),
+                        homes.now(move.from).substr(homes.now(top).size()));
     set_text(scene_with_paths(state_.tree, text(), [&](const std::string& path) {
-        const bool from_root = !path.starts_with('.') && !path.starts_with('[');
-        return std::optional(from_root ? homes.now(path) : in_file.now(path));
+        return std::optional(is_from_top(path) ? in_file.now(path) : homes.now(path));
     }));
     take_marks_away();
     if (check) check_scene(state_.tree, edit_.document());
@@ -184,7 +185,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
 
 /// What has moved away has its new name in the file, so the other may have the old one.
 void SceneKeeping::take_marks_away() {
-    if (!is_marked(text())) return;
+    if (!may_hold_marks(text())) return;
     set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
         return std::optional(without_marks(path));
     }));

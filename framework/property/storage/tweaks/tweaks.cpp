@@ -111,6 +111,16 @@ Tweaks::State::~State() {
 
 // --- Edits
 
+std::optional<std::filesystem::path> Tweaks::State::own_file(
+    const std::filesystem::path& named) const {
+    if (named.empty()) return std::nullopt;
+    std::error_code error;
+    std::filesystem::path file = std::filesystem::weakly_canonical(named, error);
+    const std::filesystem::path inside = file.lexically_relative(folder);
+    const bool own = !error && !inside.empty() && *inside.begin() != ".." && files.exists(file);
+    return own ? std::optional(std::move(file)) : std::nullopt;
+}
+
 bool Tweaks::State::attached(Handle instance) const {
     return instance == tree.root() || tree.is_below(instance, tree.root());
 }

@@ -181,7 +181,7 @@ std::string Tweaks::State::without_deleted(const std::string& text, WithPaths wi
     if (deleted.empty() && created.empty()) return text;
     try {
         return with_paths([this](const std::string& path) -> std::optional<std::string> {
-            if (path.starts_with(deleted_name)) return std::string();
+            if (is_of_deleted(path)) return std::string();
             return std::nullopt;
         });
     } catch (const Error&) {  // what is wrong with it is told when it is kept

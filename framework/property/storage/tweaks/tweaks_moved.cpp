@@ -245,8 +245,7 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
         }
         if (renamed && open) touch(its);
         // It was kept as a reference to nothing, while what it names was deleted.
-        if (!renamed || its.row.state != RowState::kept || its.gone ||
-            !from.starts_with(deleted_name))
+        if (!renamed || its.row.state != RowState::kept || its.gone || !is_of_deleted(from))
             continue;
         if (its.row.kind == Kind::value) {
             its.was.value = "null";

@@ -113,15 +113,19 @@ struct Tweaks::State : EditObserver {
     template <class WithPaths>
     std::string without_deleted(const std::string& text, WithPaths with_paths) const;
     /// In the texts of tweaks, of an instance that was deleted: another one may get its path.
-    static constexpr std::string_view deleted_name = "_deleted_";
     static std::string path_of_deleted(Handle instance) {
-        return std::string(deleted_name) + std::to_string(key(instance));
+        return path_below("game", impossible_name(std::to_string(key(instance))));
     }
+    static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
     /// In what tweaks name, one path in the place of another.
     void rename_mentions(const std::string& from, const std::string& to);
     void name_again(const Entry& made, const std::string& path);
     void commit();
     void tell_lost() const;
+
+    /// Without links, where the file is one of the game's own: what was loaded from elsewhere is
+    /// not changed.
+    std::optional<std::filesystem::path> own_file(const std::filesystem::path& named) const;
 
     // tweaks.cpp, keep.cpp: what is done to them
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
