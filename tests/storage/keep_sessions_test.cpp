@@ -178,14 +178,16 @@ struct Session : Run {
     std::string said, done;
 };
 
-/// The usual ones and those that have found something; FETTLE_SESSIONS makes it more.
+/// The usual ones and those that have found something; FETTLE_SESSIONS=n is the first n,
+/// FETTLE_SESSION=n only that.
 std::vector<unsigned> seeds() {
+    if (const char* const only = std::getenv("FETTLE_SESSION")) return {unsigned(std::stoul(only))};
     const char* const wanted = std::getenv("FETTLE_SESSIONS");
     std::vector<unsigned> all(wanted == nullptr ? 200 : std::stoul(wanted));
     std::iota(all.begin(), all.end(), 0);
-    for (const unsigned seed :
-         {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U, 1912U, 1934U, 2656U, 2868U, 2921U,
-          3069U, 3261U, 3390U, 4082U, 4464U, 4825U, 4901U, 6272U, 7091U, 7842U, 8941U})
+    for (const unsigned seed : {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U, 1912U, 1934U,
+                                2656U, 2868U, 2921U, 3069U, 3261U, 3390U, 4082U, 4464U, 4825U,
+                                4901U, 6272U, 6612U, 7091U, 7842U, 8349U, 8941U, 9583U})
         if (seed >= all.size()) all.push_back(seed);
     return all;
 }

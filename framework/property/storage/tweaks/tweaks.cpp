@@ -249,6 +249,13 @@ void Tweaks::State::dying(Handle instance) {
         if (!created.contains(key(instance))) return;
     }
     if (is_fresh(instance) && !created.contains(key(instance))) return;
+    // What is new below it comes back with it, and goes by itself when its making is undone.
+    bool holds_new = false;
+    if (!fresh.empty())
+        tree.each_below(instance, [&](Handle each) {
+            holds_new = holds_new || is_in_fresh.contains(key(each));
+        });
+    if (holds_new) settle_fresh();
     if (attached(instance)) bury(instance, tree.parent(instance), tree.path(instance));
 }
 

@@ -42,7 +42,8 @@ void Tweaks::State::barrier() {
 
 // --- What was created ----------------------------------------------------------------------------
 
-void Tweaks::State::settle_fresh() {
+/// `moving`: an instance that is below another parent now, and was there before what is new.
+void Tweaks::State::settle_fresh(Handle moving) {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();
     std::unordered_set<std::uint64_t> seen;  // one that went and came back is in the list twice
@@ -51,7 +52,7 @@ void Tweaks::State::settle_fresh() {
         if (!seen.insert(key(instance)).second) continue;
         // What was made below something new belongs to that.
         bool inside = false;
-        for (Handle at = tree.parent(instance); at && !inside; at = tree.parent(at))
+        for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
             inside = is_in_fresh.contains(key(at));
         const bool was_there = deleted.contains(key(instance)) || created.contains(key(instance));
         if (!inside || was_there) settle_one(instance);
@@ -124,8 +125,15 @@ bool Tweaks::State::undelete(Entry& deletion) {
     const bool in_file = deletion.row.state == RowState::kept;
     revive(deletion);
     if (in_file && !created.contains(key(deletion.handle))) {
-        restored(deletion.handle, deletion);
-        return true;
+        if (!is_home_of_another(deletion.row.instance, deletion.handle)) {
+            restored(deletion.handle, deletion);
+            return true;
+        }
+        if (const auto moved = moved_entries.find(key(deletion.handle));
+            moved != moved_entries.end()) {
+            moved->second->gone = true;
+            touch(*moved->second);
+        }
     }
     deletion.gone = true;
     touch(deletion);

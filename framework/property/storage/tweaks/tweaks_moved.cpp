@@ -21,7 +21,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool known = created.contains(key(instance)) || moved_entries.contains(key(instance));
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
-    if (into_new || out_of_new) settle_fresh();
+    if (into_new || out_of_new) settle_fresh(instance);
     if (!was && is) return born(instance);
     if (!was) return;
     if (!is) return bury(instance, old_parent, old_path);
@@ -91,6 +91,16 @@ std::string Tweaks::State::home_of(Handle instance) const {
     }
     for (auto name = names.rbegin(); name != names.rend(); ++name) home = path_below(home, *name);
     return home;
+}
+
+/// Whether the files give that path to another instance by now.
+bool Tweaks::State::is_home_of_another(const std::string& home, Handle instance) const {
+    for (const auto& each : entries)
+        if (each->row.kind == Kind::moved && each->row.state == RowState::open && !each->gone &&
+            each->row.instance == home && each->handle != instance)
+            return true;
+    const Handle there = instance_or_none(tree, home);
+    return there && there != instance && !created_above(there) && home_of(there) == home;
 }
 
 /// Of a new instance: its name now. False for a name that no file can hold.

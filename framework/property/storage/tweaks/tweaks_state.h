@@ -86,6 +86,7 @@ struct Tweaks::State : EditObserver {
     /// Moves of this run that are in no file.
     InstanceMoves moves() const;
     std::string home_of(Handle instance) const;
+    bool is_home_of_another(const std::string& home, Handle instance) const;
     bool is_home(const Entry& move) const;
     /// Whether what has that home path is deleted in no scene, but by the file of kept tweaks.
     bool deleted_by_path(const std::string& home) const;
@@ -100,7 +101,7 @@ struct Tweaks::State : EditObserver {
 
     // tweaks_commit.cpp: what becomes rows
     void barrier();
-    void settle_fresh();
+    void settle_fresh(Handle moving = {});
     void settle_one(Handle instance);
     bool settle_undeleted(Handle instance);
     bool undelete(Entry& deletion);
