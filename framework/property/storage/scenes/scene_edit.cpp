@@ -217,27 +217,44 @@ std::string SceneEdit::forget_references(const std::vector<std::string>& paths) 
 
 void SceneEdit::name_as_in(const SceneSteps& steps, const SceneEdit& other,
                            const SceneSteps& other_steps) {
-    const Node& top = find(steps);
-    std::vector<std::pair<const Node*, std::string>> replaced;
-    for (const NamingValue& each :
-         naming_values([](const std::string&) { return std::optional(std::string()); })) {
-        if (each.node->begin < top.begin || each.node->begin >= top.end) continue;
-        SceneSteps there = other_steps;
-        there.insert(there.end(), each.steps.begin() + static_cast<std::ptrdiff_t>(steps.size()),
+    const NewPath any = [](const std::string&) { return std::optional(std::string()); };
+    const auto same_below = [](const NamingValue& each, const SceneSteps& from,
+                               const SceneSteps& to) {
+        SceneSteps there = to;
+        there.insert(there.end(), each.steps.begin() + static_cast<std::ptrdiff_t>(from.size()),
                      each.steps.end());
-        replaced.emplace_back(each.node, other.value(there, document().key(*each.node)));
-    }
+        return there;
+    };
+    const Node &top = find(steps), &other_top = other.find(other_steps);
+    std::vector<std::pair<const Node*, std::string>> replaced;
+    for (const NamingValue& each : naming_values(any))
+        if (each.node->begin >= top.begin && each.node->begin < top.end) {
+            replaced.emplace_back(each.node, other.value(same_below(each, steps, other_steps),
+                                                         document().key(*each.node)));
+        }
+    // What names nothing here.
+    for (const NamingValue& each : other.naming_values(any))
+        if (each.node->begin >= other_top.begin && each.node->begin < other_top.end) {
+            const Node* here =
+                value_node(same_below(each, other_steps, steps), other.document().key(*each.node));
+            if (here != nullptr && document().raw(*here) == "null")
+                replaced.emplace_back(here, other.document().raw(*each.node));
+        }
     json_.replace(replaced);
 }
 
 std::string SceneEdit::value(const SceneSteps& steps, const std::string& property) const {
+    const Node* node = value_node(steps, property);
+    return node == nullptr ? "null" : std::string(document().raw(*node));
+}
+
+const Document::Node* SceneEdit::value_node(const SceneSteps& steps,
+                                            const std::string& property) const {
     const Node* instance = find_or_none(steps);
-    if (instance == nullptr) return "null";
     for (const std::string_view section : {"properties", "ad_hoc"})
-        if (const Node* its = document().member(*instance, section))
-            if (const Node* value = document().member(*its, property))
-                return std::string(document().raw(*value));
-    return "null";
+        if (const Node* its = instance ? document().member(*instance, section) : nullptr)
+            if (const Node* value = document().member(*its, property)) return value;
+    return nullptr;
 }
 
 /// Behind the child behind which it was.

@@ -54,6 +54,8 @@ class SceneEdit {
 
   private:
     using Node = Document::Node;
+    /// Null where the text says no value.
+    const Node* value_node(const SceneSteps& steps, const std::string& property) const;
     const Node* find_or_none(const SceneSteps& steps) const;
     const Node& find(const SceneSteps& steps) const;
     const Node* child(const Node& instance, const SceneStep& step) const;

@@ -265,6 +265,7 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
         made != created.end() && made->second->row.state == RowState::open) {
         make_void(path, {}, *made->second);
         made->second->gone = true;
+        made->second->deletion = nullptr;  // it does not come back with another one
         return touch(*made->second);
     }
     if (taken_out_of_creation(split_path(path).second, parent)) return;
