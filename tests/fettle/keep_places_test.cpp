@@ -70,6 +70,17 @@ TEST_CASE("a kept deletion does not delete what gets the name") {
     CHECK(run(game, {}, "print(world.l, world:has(\"ball\"))").out == "world.l\tfalse\n");
 }
 
+TEST_CASE("moves of two runs that contradict each other: one is kept, the other is told") {
+    const Game game;
+    run(game, {"1:world.a = Object {}", "1:world.b = Object {}", "3:keep(\"**\")"});
+    run(game, {"1:world.a:move(world.b)"});
+    run(game, {"1:world.b:move(world.a)"});
+    const Outcome kept = run(game, {"2:keep(\"**\")"});
+    CHECK(kept.status == 0);
+    CHECK(contains(kept.out, "would be moved below itself"));
+    CHECK(contains(kept.out, "kept 1"));
+}
+
 TEST_CASE("names may be anything: none means something to keeping") {
     const auto kept = [](const std::string& script, const std::vector<std::string>& edits,
                          const std::string& look) {

@@ -88,11 +88,16 @@ std::string InstanceMoves::moved_out_of(const std::string& home) const {
 InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
     std::unordered_map<std::string, std::string> targets;
     for (const MoveStep& move : moves) targets[move.from] = move.to;
+    std::size_t depth = 0;
     const std::function<std::string(const std::string&)> now = [&](const std::string& path) {
         const auto [beginning, rest] = replaced(targets, path);
         if (beginning.empty()) return path;
+        if (++depth > moves.size())
+            throw Error(ErrorKind::rejected, path + " would be moved below itself");
         const auto [parent, name] = split_path(beginning);  // the parent may have moved, too
-        return path_below(now(parent), name) + rest;
+        std::string whole = path_below(now(parent), name) + rest;
+        --depth;
+        return whole;
     };
     InstanceMoves all;
     for (const MoveStep& move : moves) all.add(move.from, now(move.from));

@@ -51,6 +51,7 @@ struct MoveStep {
 /// gets a free path in between. `from` of each is its path before all of them.
 std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves);
 /// Where everything is when all of them are made. `to` of each is its path before the others.
+/// Throws Error if together they move something below itself.
 InstanceMoves whole_moves(const std::vector<MoveStep>& moves);
 
 }  // namespace fettle::property

@@ -116,7 +116,6 @@ class SceneCheck {
     }
 
     /// Whether the names from `first` lead from the top of the scene to an instance that it names.
-    /// One that the file does not name may get any name.
     bool is_planned(const std::vector<Segment>& segments, std::size_t first) const {
         std::size_t at = 0;
         for (std::size_t i = first; i < segments.size(); ++i) {
@@ -128,7 +127,7 @@ class SceneCheck {
                 const ScenePlan::Instance& planned = plan_.instances[child];
                 if (planned.parent != at) continue;
                 if (planned.name == nullptr)
-                    nameless = true;
+                    nameless = nameless || may_be_given(name, *planned.instance_class);
                 else if (document_.text(*planned.name) == name)
                     found = child;
             }

@@ -302,10 +302,24 @@ void SceneEdit::put_reference_back(const Document& before, const Node& reference
 void SceneEdit::require_names_beside(const Node& instance, const Node& children) const {
     for (const Node* node = document().first(children); node; node = document().next(*node))
         if (node != &instance && document().member(*node, "name") == nullptr)
-            throw Error(ErrorKind::bad_structure,
-                        document().file_name() + ":" +
-                            std::to_string(document().line(node->begin)) +
-                            ": an instance beside it has no name in the file; give it one first");
+            refuse_without_name(*node);
+}
+
+void SceneEdit::refuse_without_name(const Node& node) const {
+    throw Error(ErrorKind::bad_structure,
+                document().file_name() + ":" + std::to_string(document().line(node.begin)) +
+                    ": an instance beside it has no name in the file; give it one first");
+}
+
+/// An instance that has no name in the file gets the first free one: `ball`, `ball_2`.
+void SceneEdit::require_not_given(const std::string& name, const Node& instance,
+                                  const Node& children) const {
+    for (const Node* node = document().first(children); node; node = document().next(*node)) {
+        if (node == &instance || document().member(*node, "name") != nullptr) continue;
+        const Node* called = document().member(*node, "class");
+        const Class* its = called ? tree_->find_class(document().text(*called)) : nullptr;
+        if (its == nullptr || may_be_given(name, *its)) refuse_without_name(*node);
+    }
 }
 
 void SceneEdit::rename(const SceneSteps& steps, const std::string& name) {
@@ -313,11 +327,17 @@ void SceneEdit::rename(const SceneSteps& steps, const std::string& name) {
     if (!append_quoted(quoted, name))
         throw Error(ErrorKind::bad_name, "a file cannot hold a name that is not UTF-8");
     const Node& instance = find(steps);
-    if (const Node* old = document().member(instance, "name")) return json_.replace(*old, quoted);
+    const Node* old = document().member(instance, "name");
     if (!steps.empty()) {
         const SceneSteps above(steps.begin(), steps.end() - 1);
-        require_names_beside(instance, *document().member(find(above), "children"));
+        const Node& children = *document().member(find(above), "children");
+        if (old == nullptr)
+            require_names_beside(instance, children);
+        else
+            for (const std::string& either : {document().text(*old), name})
+                require_not_given(either, instance, children);
     }
+    if (old != nullptr) return json_.replace(*old, quoted);
     json_.add_member(instance, "name", quoted, document().member(instance, "class"));
 }
 

@@ -62,6 +62,9 @@ class SceneEdit {
     void put_reference_back(const Document& before, const Node& reference);
     void add_first_child(const Node& parent, std::string text);
     void require_names_beside(const Node& instance, const Node& children) const;
+    void require_not_given(const std::string& name, const Node& instance,
+                           const Node& children) const;
+    [[noreturn]] void refuse_without_name(const Node& node) const;
     void set_member(const SceneSteps& steps, const Property* declared, const std::string& property,
                     const std::string& value);
     const Node* member_before(const Node& section, const Class& of, const Property& property) const;

@@ -6,6 +6,13 @@
 
 namespace fettle::property {
 
+bool may_be_given(std::string_view name, const Class& its) {
+    if (!name.starts_with(its.stem())) return false;
+    const std::string_view number = name.substr(its.stem().size());
+    return number.empty() || (number.size() > 1 && number.front() == '_' &&
+                              number.find_first_not_of("0123456789", 1) == std::string_view::npos);
+}
+
 namespace {
 
 std::string in_quotes(std::string_view text) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,10 @@
 #include <json/unknown_keys.h>
 
 namespace fettle::property {
+
+/// Whether an instance of the class may get this name when the file gives it none: `ball`,
+/// `ball_2`.
+bool may_be_given(std::string_view name, const Class& its);
 
 class ScenePlan {
   public:

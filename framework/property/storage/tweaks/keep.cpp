@@ -243,15 +243,22 @@ class Keeping {
                     rows_.tried(*row, [&] { require_nothing_moved_out(paths_, *row); }))
                     done.push_back(row);
             take_out(done, &KeptTweaks::remove);
+            Rows others;
             for (JournalRow* row : rows)
-                if (row->kind != Kind::deleted && rows_.tried(*row, [&] { into_kept(*row); }))
-                    done.push_back(row);
+                if (row->kind != Kind::deleted) others.push_back(row);
+            const Rows into = rows_.tried_together(
+                others, paths_,
+                [&] {
+                    if (!others.empty()) state_.kept.read_again();
+                },
+                [&](const JournalRow& row) { into_kept(row); });
+            done.insert(done.end(), into.begin(), into.end());
             if (!write(state_.kept.file(), done, [&] { state_.kept.write(); })) return;
             now_described(done);
             gone_or_back_elsewhere(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
-            if (done.size() == 1) return rows_.tell(*done.front(), error.reason());
+            if (done.size() == 1) return rows_.refuse(*done.front(), paths_, error.reason());
             report_.problems.resize(told_before);
             const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
             keep_by_path({rows.begin(), middle});
@@ -273,7 +280,7 @@ class Keeping {
         for (std::size_t i = 0; i < paths.size(); ++i) taken_out(state_, *deletions[i], before[i]);
     }
 
-    void into_kept(JournalRow& row) {
+    void into_kept(const JournalRow& row) {
         const std::string home = paths_.home(row);
         switch (row.kind) {
             case Kind::value:
@@ -337,10 +344,15 @@ class Keeping {
             const std::string to = target(*row);
             return !moving_away.contains(to) && !rows_.tried(*row, [&] { require_free(to); });
         });
+        const auto steps = [&](const Rows& some) {
+            std::vector<MoveStep> moves;
+            for (std::size_t i = 0; i < some.size(); ++i)
+                moves.push_back({i, some[i]->instance, target(*some[i])});
+            return moves;
+        };
+        rows = possible_together(rows, [&](const Rows& some) { (void)whole_moves(steps(some)); });
         if (rows.empty()) return;
-        std::vector<MoveStep> moves;
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            moves.push_back({i, rows[i]->instance, target(*rows[i])});
+        const std::vector<MoveStep> moves = steps(rows);
         try {
             if (write(state_.kept.file(), rows, [&] {
                     state_.kept.move(moves);
@@ -351,6 +363,22 @@ class Keeping {
             state_.kept.read_again();
             report_.problems.emplace_back(error.what());
         }
+    }
+
+    /// Without those that contradict the ones before them; these are told.
+    template <class Check>
+    Rows possible_together(const Rows& rows, Check check) {
+        try {
+            check(rows);
+            return rows;
+        } catch (const Error&) {  // one of them: which?
+        }
+        Rows possible;
+        for (JournalRow* row : rows) {
+            possible.push_back(row);
+            if (!rows_.tried(*row, [&] { check(possible); })) possible.pop_back();
+        }
+        return possible;
     }
 
     template <class Write>

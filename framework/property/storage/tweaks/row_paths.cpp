@@ -77,6 +77,25 @@ Image RowPaths::live_image(const JournalRow& row) const {
     return image;
 }
 
+bool RowPaths::needs(const JournalRow& row, const std::string& home) const {
+    if (is_at_or_below(this->home(row), home)) return true;
+    bool names = false;
+    const auto look = [&](const std::string& at) {
+        names = names || is_at_or_below(at, home);
+        return std::optional<std::string>();
+    };
+    try {
+        if (row.kind == Kind::value)
+            (void)value_with_paths(live_image(row).value, [&](const std::string& path) {
+                return look(home_of_live(path));
+            });
+        else if (row.kind == Kind::created || row.kind == Kind::restored)
+            (void)home_scene(row, look);
+    } catch (const Error&) {  // what is wrong with it is told when it is written
+    }
+    return names;
+}
+
 std::string RowPaths::home_scene(const JournalRow& row, const NewPath& written) const {
     return scene_with_paths(
         state_->tree, row.now, [&](const std::string& path) -> std::optional<std::string> {

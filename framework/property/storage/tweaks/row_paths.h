@@ -37,6 +37,9 @@ class RowPaths {
     /// The instance of that home path; null where there is none now.
     Handle instance(const std::string& home) const;
 
+    /// Whether the row is about something below the instance of that home path, or names it.
+    bool needs(const JournalRow& row, const std::string& home) const;
+
     /// A value with its references as they are in the tree now. Throws Error for one that cannot be
     /// kept.
     Image live_image(const JournalRow& row) const;

@@ -1,11 +1,15 @@
 #pragma once
-// What is told of rows that cannot be kept.
+// What is told of rows that cannot be kept, and of those that depend on them.
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fettle/property/storage/tweaks.h>
 
 #include <tweaks/row_paths.h>
+#include <tweaks/row_stages.h>
 
 namespace fettle::property {
 
@@ -19,6 +23,10 @@ class RowReport {
         const bool same = about.size() < reason.size() && path.ends_with(about);
         report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
     }
+    void refuse(const JournalRow& row, const RowPaths& paths, const std::string& reason) {
+        tell(row, reason);
+        if (row.kind == JournalRow::Kind::created) not_made_.push_back(paths.home(row));
+    }
     template <class Keep>
     bool tried(const JournalRow& row, Keep keep_it) {
         try {
@@ -30,6 +38,42 @@ class RowReport {
             tell(row, error.what());
         }
         return false;
+    }
+    /// Those of the rows that `keep_it` keeps; `begin` makes the text what it was before them. What
+    /// is below a new instance that cannot be kept, or names it, is not kept either.
+    template <class Begin, class Keep>
+    Rows tried_together(const Rows& rows, const RowPaths& paths, Begin begin, Keep keep_it) {
+        Rows done;
+        const std::size_t told = count();
+        std::vector<std::pair<const JournalRow*, std::string>> problems;
+        const auto refused = [&](const JournalRow& row) {
+            problems.emplace_back(&row, report_.problems.back());
+            if (row.kind == JournalRow::Kind::created) not_made_.push_back(paths.home(row));
+        };
+        for (bool again = true; again;) {
+            again = false;
+            done.clear();
+            begin();
+            forget_since(told);
+            for (const auto& [row, problem] : problems) report_.problems.push_back(problem);
+            for (JournalRow* row : rows) {
+                if (std::ranges::any_of(problems,
+                                        [&](const auto& each) { return each.first == row; }))
+                    continue;
+                if (tried(*row, [&] {
+                        require_made(*row, paths);
+                        keep_it(*row);
+                    })) {
+                    done.push_back(row);
+                } else {
+                    refused(*row);
+                    again = again || std::ranges::any_of(done, [&](const JournalRow* each) {
+                                return !missing_for(*each, paths).empty();
+                            });
+                }
+            }
+        }
+        return done;
     }
     /// The value to be kept.
     Image told(const JournalRow& row, const RowPaths& paths) {
@@ -45,7 +89,19 @@ class RowReport {
     void forget_since(std::size_t count) { report_.problems.resize(count); }
 
   private:
+    void require_made(const JournalRow& row, const RowPaths& paths) const {
+        if (const std::string path = missing_for(row, paths); !path.empty())
+            throw Error(ErrorKind::rejected, "it depends on " + path + ", which is not kept");
+    }
+    /// A new instance that is not kept, and that the row needs; "": none.
+    std::string missing_for(const JournalRow& row, const RowPaths& paths) const {
+        for (const std::string& home : not_made_)
+            if (paths.needs(row, home)) return without_marks(home);
+        return {};
+    }
+
     TweakReport& report_;
+    std::vector<std::string> not_made_;  // home paths
 };
 
 }  // namespace fettle::property

@@ -79,14 +79,16 @@ Rows SceneKeeping::keep(const Rows& rows) {
 
 /// `each`: the scene is checked after each of them.
 Rows SceneKeeping::edited(const Rows& rows, bool each) {
-    Rows done;
-    for (JournalRow* row : without_moves(rows))
-        if (edited_or_as_before(*row, [&] {
-                edit_scene(*row);
-                if (each) check_scene(state_.tree, edit_.document());
-            }))
-            done.push_back(row);
     const Rows moves = moves_in(rows);
+    const std::string at_first = text();
+    Rows done = report_.tried_together(
+        without_moves(rows), paths_, [&] { set_text(at_first); },
+        [&](const JournalRow& row) {
+            as_before_if_it_fails([&] {
+                edit_scene(row, moves);
+                if (each) check_scene(state_.tree, edit_.document());
+            });
+        });
     if (moves.empty()) {
         take_marks_away();
         return done;
@@ -98,20 +100,25 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
     } catch (const Error&) {  // one of them: which?
         set_text(before);
         for (JournalRow* row : moves)
-            if (edited_or_as_before(*row, [&] { rename({row}, true); })) done.push_back(row);
+            if (report_.tried(*row, [&] { as_before_if_it_fails([&] { rename({row}, true); }); }))
+                done.push_back(row);
     }
     return done;
 }
 
 template <class Edit>
-bool SceneKeeping::edited_or_as_before(const JournalRow& row, Edit edit) {
+void SceneKeeping::as_before_if_it_fails(Edit edit) {
     const std::string before = text();
-    const bool done = report_.tried(row, edit);
-    if (!done) set_text(before);
-    return done;
+    try {
+        edit();
+    } catch (const Error&) {
+        set_text(before);
+        throw;
+    }
 }
 
-void SceneKeeping::edit_scene(const JournalRow& row) {
+/// `moves`: those that are kept in the same file.
+void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
     const SceneSteps steps = read_steps(row.inside);
     const NewPath in_file = from_top(paths_.home_of_top(row));
     switch (row.kind) {
@@ -124,6 +131,7 @@ void SceneKeeping::edit_scene(const JournalRow& row) {
                              });
         case Kind::created:
             check_made(state_, paths_, row);
+            require_left(paths_.home(row), moves);
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
@@ -159,6 +167,7 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
             throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
         if (row.inside.empty()) require_named_by_file(row);
         moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
+        require_left(moves.back().to, rows);
         if (state_.deleted_by_path(moves.back().to))
             throw Error(ErrorKind::rejected,
                         "a script gives the name to what was deleted: choose another one");
@@ -181,6 +190,16 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
     }));
     take_marks_away();
     if (check) check_scene(state_.tree, edit_.document());
+}
+
+/// Throws Error if another instance is at home there, and `moves` do not give it another name.
+void SceneKeeping::require_left(const std::string& home, const Rows& moves) const {
+    const std::string path = without_marks(home), other = paths_.moved_from(path);
+    if (other.empty() ||
+        std::ranges::any_of(moves, [&](const JournalRow* each) { return each->instance == path; }))
+        return;
+    throw Error(ErrorKind::rejected, "a script or another file gives the name to what is " + other +
+                                         " now: choose another one");
 }
 
 /// What has moved away has its new name in the file, so the other may have the old one.

@@ -37,8 +37,9 @@ class SceneKeeping {
     bool loadable() const;
     Rows edited(const Rows& rows, bool each);
     template <class Edit>
-    bool edited_or_as_before(const JournalRow& row, Edit edit);
-    void edit_scene(const JournalRow& row);
+    void as_before_if_it_fails(Edit edit);
+    void edit_scene(const JournalRow& row, const Rows& moves);
+    void require_left(const std::string& home, const Rows& moves) const;
     NewPath named_in_file(const JournalRow& row) const;
     void take_marks_away();
     void rename(const Rows& rows, bool check);
