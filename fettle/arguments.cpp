@@ -13,7 +13,7 @@ namespace fettle::program {
 
 namespace {
 
-/// As much of an argument as a message should hold.
+/// Returns at most the first 60 bytes of an argument, in quotes, for a message.
 std::string shown(std::string_view text) {
     constexpr std::size_t most = 60;
     std::string whole = on_one_line(text.substr(0, most));

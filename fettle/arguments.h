@@ -1,6 +1,5 @@
 #pragma once
-// Arguments of the command line: what is expected of them, and what is said of one that is not as
-// expected.
+// Checks of command line arguments, and the messages for invalid ones.
 
 #include <cstdint>
 #include <string>
@@ -12,21 +11,20 @@ class App;
 
 namespace fettle::program {
 
-/// A whole number in decimal digits. Throws CLI::ValidationError: "--steps: expected a whole number
-/// from 0 to 100, got "-1"".
+/// Parses a whole number in decimal digits. Throws CLI::ValidationError, for example: --steps:
+/// expected a whole number from 0 to 100, got "-1".
 std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t least,
                            std::uint64_t most);
 
-/// The text itself. Throws CLI::ValidationError for an empty one; `expected` says what it should
-/// be.
+/// Returns `text`. Throws CLI::ValidationError if it is empty; `expected` describes a valid value.
 std::string given(const std::string& option, const std::string& text, const char* expected);
 
-/// Whether the first argument is a command of the program, or an option. What is said when it is
-/// neither, with the nearest command; "" else.
+/// Returns "" if the first argument is a command of the program or an option. Otherwise returns an
+/// error message with the nearest command.
 std::string why_no_command(const CLI::App& app, std::string_view first);
 
-/// What is said of arguments that nobody takes, with the nearest option of the command; "" when
-/// there are none.
+/// Returns an error message for arguments that no option takes, with the nearest option of the
+/// command. Returns "" if there are none.
 std::string why_left_over(const CLI::App& command);
 
 }  // namespace fettle::program

@@ -11,7 +11,7 @@ namespace fettle::program {
 
 struct Command {
     const CLI::App* app;
-    /// To be called when it was given. Returns the exit status.
+    /// Runs the command and returns the exit status.
     std::function<int()> run;
 };
 

@@ -11,13 +11,13 @@ namespace fettle::program {
 
 struct DocsOptions {
     std::filesystem::path folder{};
-    std::filesystem::path game{};        // its classes are described too; empty: Fettle's own only
-    std::vector<std::string> modules{};  // to be plugged in: files, or names of installed ones
+    std::filesystem::path game{};        // its classes are described too; empty: only Fettle's own
+    std::vector<std::string> modules{};  // modules to plug in: files, or names of installed modules
 };
 
 Command add_docs(CLI::App& app);
 
-/// Throws FileError for what cannot be written.
+/// Throws FileError if a file cannot be written.
 int docs(const DocsOptions& options);
 
 }  // namespace fettle::program

@@ -20,22 +20,22 @@ std::atomic<script::Runtime*> stopped{nullptr};
 static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal handler reads it");
 std::array<struct sigaction, signals.size() + 1> before;
 
-/// How often scripts are stopped, once a second, before the run is ended from outside: what is
-/// stuck then is no script.
+/// Scripts are interrupted once a second. If the run has not ended after this number of interrupts,
+/// the process is ended: then the cause is not a script.
 constexpr int most_alarms = 10;
 volatile std::sig_atomic_t alarms = 0;
 
-/// In a signal handler: no stream, no allocation.
+/// Writes to stderr. It may run in a signal handler, so it uses no stream and allocates nothing.
 void tell_at_once(std::string_view text) {
     const auto written = ::write(STDERR_FILENO, text.data(), text.size());
-    (void)written;  // there is nobody else to tell
+    (void)written;  // a failure cannot be reported anywhere else
 }
 
 void on_signal(int number) {
     if (asked_by != 0) {
         tell_at_once("fettle: a second signal: the run ends at once\n");
         std::signal(number, SIG_DFL);
-        std::raise(number);  // delivered as soon as this handler returns
+        std::raise(number);  // the signal is delivered when this handler returns
         return;
     }
     asked_by = number;

@@ -1,7 +1,7 @@
 #pragma once
-// A run that is asked to end by a signal: Ctrl+C, `kill`, a terminal that goes. It ends in order,
-// as if its window were closed; a second signal ends it at once, and so does the time it
-// may take.
+// Ends a run when a signal asks for it: Ctrl+C, `kill` or a terminal that closes. The run ends in
+// order, as if its window were closed. A second signal ends the process at once, and so does a run
+// that does not end in time.
 
 namespace fettle::script {
 class Runtime;
@@ -9,8 +9,8 @@ class Runtime;
 
 namespace fettle::program {
 
-/// Listens for SIGINT, SIGTERM and SIGHUP while it lives. There is one at a time. A signal that the
-/// process was told to ignore stays ignored.
+/// Handles SIGINT, SIGTERM and SIGHUP while it exists. Only one may exist at a time. A signal that
+/// the process already ignores stays ignored.
 class EndRequest {
   public:
     EndRequest();
@@ -18,13 +18,13 @@ class EndRequest {
     EndRequest(const EndRequest&) = delete;
     EndRequest& operator=(const EndRequest&) = delete;
 
-    /// The number of the signal; 0 while nobody has asked.
+    /// The number of the signal; 0 if none has arrived.
     static int asked();
-    /// The script has so many seconds from now on; 0: as many as it likes.
+    /// Scripts may run for `seconds` from now on before they are interrupted; 0: without a limit.
     static void allow(unsigned seconds);
 
-    /// While it lives, the scripts of that runtime are stopped when they let nothing end: a second
-    /// after the signal, and every second from then on.
+    /// While it exists, the scripts of `runtime` are interrupted if they prevent the end of the
+    /// run: one second after the signal, and then every second.
     class Scripts {
       public:
         explicit Scripts(script::Runtime& runtime);

@@ -1,12 +1,12 @@
 #pragma once
-// What the program says when it ends.
+// The exit statuses of the program.
 
 namespace fettle::program {
 
 enum ExitStatus : int {
     success = 0,
-    script_error = 1,  // uncaught, in main.lua, a callback, a timer or a handler
-    bad_usage = 2,     // of the command line, or no display where one is needed
+    script_error = 1,  // an uncaught error in main.lua, a callback, a timer or a handler
+    bad_usage = 2,     // the command line is invalid, or a display is needed and missing
     file_error = 3     // a file could not be read or written
 };
 

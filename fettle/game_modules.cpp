@@ -52,7 +52,8 @@ std::vector<std::string> manifest(const fs::path& game) {
         }
         return names;
     } catch (const nlohmann::json::exception& problem) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        // The message looks like this: "[json.exception.parse_error.101] parse error at line 1,
+        // ..."
         const std::string what = problem.what();
         throw FileError(file.string() + ": " + what.substr(what.find("] ") + 2));
     }
@@ -74,18 +75,19 @@ fs::path module_file(const std::string& name, const fs::path& game) {
                     installed.string());
 }
 
-/// A module that is plugged in, as `game.modules` shows it.
+/// A plugged-in module, with the values that `game.modules` shows.
 struct GameModules::Plugged {
     module::Plugin* plugin = nullptr;
     fs::file_time_type changed{};
-    bool asked = false;   // to be taken in anew
-    bool follow = false;  // whenever its file changes
+    bool asked = false;   // a reload was requested
+    bool follow = false;  // reload when the file changes
     std::int64_t reloads = 0;
-    std::string problem;  // with the last attempt
+    std::string problem;  // of the last reload; "" if it succeeded
 };
 
 GameModules::GameModules(const fs::path& game, std::span<const std::string> named) {
-    // A manifest names its modules beside itself, a command line from where one stands.
+    // Paths in a manifest are relative to its folder, paths on the command line to the current
+    // folder.
     for (const std::string& name : manifest(game)) {
         const fs::path file(name);
         const bool is_path = file.has_parent_path() || file.extension() == ".so";
@@ -180,7 +182,7 @@ void GameModules::define_service(property::Tree& tree) {
 }
 
 void GameModules::renew() {
-    // Looking for a file costs more than a frame may: four times a second is often enough.
+    // Checking a file is slow, so it is done only every 15th frame (four times a second).
     const bool look = ++frames_ % 15 == 0;
     for (const auto& plugged : plugged_) {
         if (plugged->follow && look) {

@@ -1,6 +1,6 @@
 #pragma once
-// The modules of a running game: those that are part of the program, and those that plug in because
-// the command line or the game's manifest names them.
+// The modules of a running game: the built-in modules, and those that the command line or the
+// game's manifest names.
 
 #include <filesystem>
 #include <functional>
@@ -16,26 +16,26 @@ namespace fettle::program {
 
 class GameModules {
   public:
-    /// Opens what `modules.json` in the game's folder names, then `named`. One that is called as a
-    /// built-in module is takes its place. Throws FileError, property::FileError and
+    /// Opens the modules in `modules.json` in the game's folder, then those in `named`. A module
+    /// with the name of a built-in module replaces it. Throws FileError, property::FileError and
     /// module::LoadError.
     GameModules(const std::filesystem::path& game, std::span<const std::string> named);
     ~GameModules();
 
-    /// Registers the classes of all; where any is plugged in, the service `game.modules` too.
-    /// Throws module::LoadError.
+    /// Registers the classes of all modules, and the service `game.modules` if a module is plugged
+    /// in. Throws module::LoadError.
     void attach(property::Tree& tree);
-    /// Those of the command line, each by the whole path of its file.
+    /// The modules of the command line, as absolute paths of their files.
     const std::vector<std::string>& named() const { return named_; }
-    /// What decides which there are and what they do: the manifest's file, be it there or not, and
-    /// those of the modules.
+    /// The files that determine the modules and their behavior: the manifest, whether it exists or
+    /// not, and the files of the modules.
     const std::vector<std::filesystem::path>& files() const { return files_; }
-    /// In the order they are stepped in.
+    /// All modules in the order in which they are stepped.
     std::vector<module::Module*> all() const;
-    /// Where what modules print goes, and what is told of those taken in anew.
+    /// Sets the receiver of the modules' output and of the messages about reloads.
     void on_print(std::function<void(std::string_view)> sink);
-    /// Takes in anew the modules for which that was asked, or whose file has changed while they
-    /// follow it. Between frames.
+    /// Reloads the modules for which a reload was requested, or that follow their file if it has
+    /// changed. To be called between frames.
     void renew();
 
   private:
@@ -52,12 +52,12 @@ class GameModules {
     std::uint64_t frames_ = 0;
 };
 
-/// The files a game's manifest names, as they stand there; none without a manifest. Throws
-/// FileError and property::FileError.
+/// The names and paths in a game's manifest, unchanged; empty without a manifest. Throws FileError
+/// and property::FileError.
 std::vector<std::string> manifest(const std::filesystem::path& game);
 
-/// The file of a module: `name` itself where it is a path; else NAME.so in the game's folder or
-/// among the installed modules. Throws FileError that tells where it was looked for.
+/// The file of a module: `name` itself if it is a path, else NAME.so in the game's folder or among
+/// the installed modules. Throws FileError that lists the searched places.
 std::filesystem::path module_file(const std::string& name, const std::filesystem::path& game);
 
 }  // namespace fettle::program

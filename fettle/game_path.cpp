@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What belongs to Fettle itself: installed beside the program, or in the source folder it was built
-// from.
+// Finds a file of Fettle itself: installed beside the program, or in the source folder of the
+// build.
 fs::path own(const fs::path& file) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -37,14 +37,14 @@ fs::path assets() {
 fs::path installed_modules() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-    const fs::path beside = program / "../lib/fettle/modules";  // in the folder it is built in
+    const fs::path beside = program / "../lib/fettle/modules";  // in the build folder
     const fs::path installed = program / FETTLE_LIBRARIES / "fettle/modules";
     return fs::weakly_canonical(fs::exists(installed, error) ? installed : beside, error);
 }
 
 namespace {
 
-/// "a pipe", for what is neither a regular file nor missing; null else.
+/// Returns for example "a pipe" if `path` exists and is not a regular file; null otherwise.
 const char* odd_kind(const fs::path& path) {
     std::error_code error;
     switch (fs::status(path, error).type()) {
@@ -114,7 +114,7 @@ bool file_has_word(property::GameFiles& files, const fs::path& file, std::string
     try {
         return has_word(files.read(file), word);
     } catch (const property::FileError&) {
-        return false;  // a pipe, or larger than any script: loading it tells so
+        return false;  // a pipe, or larger than a script may be: loading it reports the error
     }
 }
 

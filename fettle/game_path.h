@@ -1,5 +1,5 @@
 #pragma once
-// Where games lie.
+// The locations of games, of Fettle's own files and of installed modules.
 
 #include <filesystem>
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace fettle::program {
 
-/// A file that could not be read or written; the message names it.
+/// A file could not be read or written; the message contains its name.
 class FileError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The showcase, installed beside the program or in the source folder it was built from. Throws
-/// FileError when it is in neither.
+/// The showcase game, installed beside the program or in the source folder. Throws FileError if it
+/// is in neither.
 std::filesystem::path showcase();
 
 /// Fettle's own assets; empty when they are missing.
@@ -23,19 +23,20 @@ std::filesystem::path assets();
 /// The folder of the modules that are installed with the program.
 std::filesystem::path installed_modules();
 
-/// The game that is named: a .lua file, or a folder with main.lua. A link to a file leads to the
-/// game that lies there. Throws FileError for what is neither.
+/// The path of the game `named`: a .lua file, or a folder with main.lua. A symbolic link to a file
+/// is resolved, so that the game's folder is that of its target. Throws FileError for anything
+/// else.
 std::filesystem::path found_game(const std::filesystem::path& named);
 
-/// Throws FileError when something is there that is no regular file: opening a pipe would wait for
-/// whoever is at its other end. `expected`: "a recording".
+/// Throws FileError if `file` exists and is not a regular file: opening a pipe would block until
+/// another process opens its other end. `expected` is for the message: "a recording".
 void require_file(const std::filesystem::path& file, const char* expected);
 
-/// The folder of a game, itself or where its file is; never empty.
+/// The folder of a game: the path itself, or the folder of its file; never empty.
 std::filesystem::path folder_of(const std::filesystem::path& game);
 
-/// Whether any Lua file of the game, or one of the chunks, has the word `quit`: whether a headless
-/// run can end by itself.
+/// Whether a Lua file of the game or one of the chunks contains the word `quit`. Without it, a
+/// headless run cannot end by itself.
 bool mentions_quit(const std::filesystem::path& game, std::span<const std::string> chunks);
 
 }  // namespace fettle::program

@@ -1,4 +1,4 @@
-// The `fettle` program: one file a subcommand.
+// The `fettle` program. Each subcommand has its own file.
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -17,7 +17,7 @@
 namespace fettle::program {
 namespace {
 
-/// What is wrong, as one sentence; the library's own name of a kind of error is none.
+/// The error as one sentence, without CLI11's name of the kind of error.
 std::string words(const CLI::ParseError& error) {
     const std::string text = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
@@ -31,7 +31,8 @@ int refuse(const std::string& reason) {
 }
 
 int program(int argc, char** argv) {
-    // What a file may grow to is an error of that file, and no reason to die.
+    // A write beyond the file size limit then fails with an error for that file; the signal would
+    // end the process.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
@@ -43,7 +44,8 @@ int program(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+        // A request for help or the version.
+        if (error.get_exit_code() == 0) return app.exit(error);
         return refuse(words(error));
     }
     if (const std::string wrong = why_left_over(app); !wrong.empty()) return refuse(wrong);

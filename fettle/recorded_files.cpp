@@ -13,14 +13,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view of_fettle = "fettle:";  // before a name among Fettle's own files
+constexpr std::string_view of_fettle = "fettle:";  // prefix of the names of Fettle's own files
 
 fs::path whole_folder_of(const fs::path& game) {
     std::error_code error;
     return fs::weakly_canonical(folder_of(game), error);
 }
 
-/// "" when it is not below the folder.
+/// Returns the path of `file` relative to `folder`; "" if it is not below the folder.
 std::string name_below(const fs::path& file, const fs::path& folder) {
     if (folder.empty()) return {};
     const fs::path relative = file.lexically_relative(folder);

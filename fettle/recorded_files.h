@@ -1,5 +1,5 @@
 #pragma once
-// The files of a recorded run: what a recording calls them, and whether they are still the same.
+// The files of a recorded run: their names in the recording, and whether they have changed since.
 
 #include <filesystem>
 #include <string>
@@ -10,19 +10,21 @@
 
 namespace fettle::program {
 
-/// As a recording holds it: relative to the game's folder, or to what belongs to Fettle.
+/// Makes the entry of a recording. The name is relative to the game's folder or to Fettle's assets;
+/// any other file has its whole path.
 app::RunFile recorded(const property::GameFiles::Finding& finding,
                       const std::filesystem::path& game);
 
-/// In words, what is no longer as it was: "ball.json differs". What the run itself has overwritten
-/// since is in the recording, so it is no difference.
+/// The differences from the recorded files, in words: "ball.json differs". Files that the run
+/// itself has overwritten are in the recording, so they are not compared.
 std::vector<std::string> changed_since(const app::Recording& recording,
                                        const std::filesystem::path& game);
 
-/// Throws FileError when another file than a recording is there: it would be lost.
+/// Throws FileError if the file exists and is not a recording: recording would overwrite it.
 void require_recording_or_nothing(const std::filesystem::path& file);
 
-/// The files of the run as they were when it was recorded; nothing is written.
+/// Gives `files` the recorded content of the files that the run has overwritten. Later writes stay
+/// in memory; nothing is written to disk.
 void go_back_to(const app::Recording& recording, const std::filesystem::path& game,
                 property::GameFiles& files);
 

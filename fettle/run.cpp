@@ -28,15 +28,15 @@ int complain(ExitStatus status, const std::string& message) {
     return status;
 }
 
-/// What a shell says of a program that a signal has ended.
+/// The exit status that shells use for a program that was ended by a signal.
 int status_of_signal(int number) {
     return 128 + number;
 }
 
-/// How long `closing()` may take of a run that a signal has asked to end, s.
+/// Time limit of the game's `closing()` after a signal, s.
 constexpr unsigned closing_time = 5;
 
-/// The game is told that the run ends, as when its window is closed.
+/// Notifies the game that the run ends, as when its window is closed.
 void close(Session& session) {
     EndRequest::allow(closing_time);
     session.runtime().go_on();
@@ -45,7 +45,7 @@ void close(Session& session) {
     session.loop().handle(event);
 }
 
-/// What is asked for at the end: the hash on stdout, the picture of the last frame.
+/// Writes the requested results of the run: the hash to stdout, and the picture of the last frame.
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     EndRequest::allow(0);
     int status = session.exit_status();
@@ -73,8 +73,8 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     return status;
 }
 
-/// As `--budget` says: a call into the scripts that takes longer is stopped. False: it says
-/// nothing.
+/// Applies the time limit of `--budget` to each call into the scripts. Returns false without that
+/// option.
 bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
     if (options.budget) runtime.limit_calls(static_cast<double>(*options.budget) / 1000, {});
     return options.budget.has_value();
@@ -92,7 +92,7 @@ int run_headless(const RunOptions& options) {
         if (EndRequest::asked() != 0) close(session);
         loop.turn();
     }
-    // Asked while the last turn was made, or while the game was loaded.
+    // A signal may have arrived during the last turn, or while the game was loaded.
     if (EndRequest::asked() != 0 && !loop.closing() && !loop.stopped()) {
         close(session);
         loop.turn();
@@ -108,17 +108,17 @@ int run_headless(const RunOptions& options) {
     return finish(session, options, picture.get());
 }
 
-/// For a saved game, as wide as a list of them shows it.
+/// Picture for the list of saved games, at most 256 pixels wide.
 property::Thumbnail thumbnail(app::Pixels pixels) {
     constexpr std::uint32_t widest = 256;
     return property::scaled_down({pixels.width, pixels.height, std::move(pixels.rgba)}, widest);
 }
 
-/// How long a call into the scripts of a game in a window may take before the window asks, s.
+/// After this time in one call into the scripts, the window offers to stop it, s.
 constexpr double patience = 2;
 
-/// Plays in a window until it is closed, the game quits or its steps are made. R on the error
-/// screen starts the game anew in the same window.
+/// Runs a game in a window until the window is closed, the game quits or the number of steps is
+/// reached. The key R on the error screen restarts the game in the same window.
 class WindowRun {
   public:
     explicit WindowRun(const RunOptions& options)
@@ -162,7 +162,7 @@ class WindowRun {
         last_frame_ = Clock::now();
     }
 
-    /// True: the run ends with this frame.
+    /// Returns true if the run ends with this frame.
     bool frame() {
         app::Loop& loop = session_->loop();
         const app::Clock& clock = session_->services().clock;
@@ -177,7 +177,8 @@ class WindowRun {
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         window_->set_title(session_->services().view.title);
         window_->set_vsync(session_->services().view.vsync);
-        // A run of so many steps is nobody's to look at: it also ends when nothing moves any more.
+        // A run with a given number of steps is not interactive: it also ends if the game is
+        // halted.
         const bool made =
             options_.steps && (loop.halted() || static_cast<double>(loop.lived()) + idle_steps_ >=
                                                     static_cast<double>(*options_.steps));
@@ -191,8 +192,8 @@ class WindowRun {
         return last;
     }
 
-    /// The window of a game whose script does not come back answers all the same. With the console
-    /// open the script rests.
+    /// Keeps the window responsive while a script call takes long. While the console is open, the
+    /// script is paused.
     bool may_go_on(const script::LongCall& call) {
         app::Loop& loop = session_->loop();
         error_screen_.show_running(call);
@@ -217,7 +218,7 @@ class WindowRun {
     bool reload_ = false;
 };
 
-/// As many as a person reads.
+/// Lists at most five entries.
 std::string listed(const std::vector<std::string>& all) {
     constexpr std::size_t most = 5;
     std::string text;
@@ -227,7 +228,7 @@ std::string listed(const std::vector<std::string>& all) {
     return text;
 }
 
-/// Makes the run of a recording again, in a window or not, and sees whether it is the same.
+/// Plays a recording, with or without a window, and checks that the run is the same.
 int run_replay(RunOptions options) {
     require_file(options.replay, "a recording");
     const app::Recording recording(options.replay);
@@ -271,7 +272,7 @@ int run_replay(RunOptions options) {
 constexpr std::uint64_t most_steps = 1'000'000'000'000'000;
 constexpr std::uint64_t most_milliseconds = 1'000'000'000;
 
-/// "N:LUA"
+/// Parses "N:LUA": a step and a chunk of Lua.
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || colon + 1 == text.size())
@@ -281,7 +282,7 @@ std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::st
     return {whole_number(option, text.substr(0, colon), 1, most_steps), text.substr(colon + 1)};
 }
 
-/// The file of a picture, in one of the formats that can be written.
+/// Parses the name of a picture file; its format must be one that can be written.
 std::filesystem::path parse_picture(const std::string& text) {
     const std::filesystem::path file = given("--screenshot", text, "a file");
     for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
@@ -334,8 +335,9 @@ int run(const RunOptions& given) {
 Command add_run(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("run", "Play a game.");
     const auto options = std::make_shared<RunOptions>();
-    command.allow_extras();  // they are told of with the nearest spelling
-    // Each by itself and at once: a chunk of Lua may hold commas and brackets.
+    command.allow_extras();  // the error message names the nearest option
+    // Each option is parsed separately and at once, because a chunk of Lua may contain commas and
+    // brackets.
     const auto option = [&](const char* name, const char* help, auto take) {
         return command.add_option_function<std::string>(
             name, [options, take](const std::string& text) { take(*options, text); }, help);

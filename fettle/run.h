@@ -19,13 +19,13 @@ struct RunOptions {
     std::vector<std::string> evals{};
     std::vector<std::pair<std::uint64_t, std::string>> at{};       // step, chunk
     std::vector<std::pair<std::uint64_t, std::string>> console{};  // step, command
-    std::optional<std::uint64_t> budget{};  // ms that a call into the scripts may take
+    std::optional<std::uint64_t> budget{};  // ms; limit of each call into the scripts
     std::uint64_t seed = 0;
-    std::vector<std::string> modules{};  // files or names, beside those of the game's manifest
+    std::vector<std::string> modules{};  // files or names, in addition to the game's manifest
     std::filesystem::path screenshot{};
     bool hash = false;
-    std::filesystem::path record{};  // written there, when given
-    std::filesystem::path replay{};  // the run of this recording instead of a new one
+    std::filesystem::path record{};  // recording to write; empty: none
+    std::filesystem::path replay{};  // recording to play instead of a new run; empty: none
 };
 
 Command add_run(CLI::App& app);

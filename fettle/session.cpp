@@ -49,12 +49,13 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         script::ScriptError told;
         told.message = problem.message;
         told.context = "formula of " + problem.path;
-        tell_error(told);  // the run goes on: the property has its last good value
+        tell_error(told);  // the run continues, and the property keeps its last valid value
     });
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = options.seed,
-                               .call_seconds = 0,  // a window asks, and --budget says how long
+                               // No limit here; a window sets one, and so does --budget.
+                               .call_seconds = 0,
                                .assets = assets(),
                                .saves = saves_.get(),
                                .tweaks = tweaks_.get(),
@@ -71,12 +72,13 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     make_console(clipboard);
 }
 
-/// What is still told then goes to stderr alone: the console goes before those who tell it.
+/// From now on messages go to stderr only, because the console ends before objects that report to
+/// it.
 Session::~Session() {
     ending_ = true;
 }
 
-/// Who records what the run comes upon, and who makes it again gives it that.
+/// A recording notes the files that the run reads; a replay gets the recorded content instead.
 void Session::make_files() {
     files_.stay_below(folder_of(options_.game), assets());
     if (replayed_ != nullptr) go_back_to(*replayed_, options_.game, files_);
@@ -86,7 +88,7 @@ void Session::make_files() {
 }
 
 void Session::make_storage() {
-    // What a replay does was done before: it leaves no tweaks and overwrites no save.
+    // The original run has already written its tweaks and saves, so a replay writes none.
     const bool replay = replayed_ != nullptr;
     property::TweakOptions of_tweaks{.files = &files_};
     if (replay) of_tweaks.earlier = replayed_->start().tweaks;
@@ -103,7 +105,7 @@ void Session::make_storage() {
                                      .warn = [this](const std::string& text) { note(text); }});
 }
 
-/// Something a person should know and that is no error of the game.
+/// Reports something that a person should know and that is not an error of the game.
 void Session::note(const std::string& text) {
     tell(text);
     if (ending_) return;
@@ -156,7 +158,7 @@ void Session::add_layer(app::Layer& layer) {
     loop_->add(layer);
 }
 
-/// Everything that comes into the run goes into a file.
+/// Records all input of the run in a file.
 void Session::make_recorder() {
     if (options_.record.empty()) return;
     const property::Vec2 size = services_->view.screen;
@@ -178,7 +180,7 @@ void Session::make_recorder() {
 void Session::start() {
     make_recorder();
 #ifdef FETTLE_WITH_CONSOLE
-    // What was typed into it then is told by the recording itself.
+    // A replay gets the console's input from the recording.
     if (options_.replay.empty()) loop_->add(*console_);
 #endif
     if (!runtime_->load(options_.game) && !runtime_->interrupted()) failed_ = true;
@@ -207,7 +209,8 @@ void Session::run_at(std::uint64_t step) {
             (void)runtime_->run(chunk, "at " + std::to_string(step));
 }
 
-/// Between frames, where a person types: a recording holds it as it holds theirs.
+/// Runs the commands of --console that are due, between frames as if they were typed. So a
+/// recording contains them like typed commands.
 void Session::type_what_is_due() {
     const std::uint64_t next = loop_->lived() + 1;
     if (next == typed_) return;
@@ -224,11 +227,13 @@ void Session::type_what_is_due() {
         for (const std::string& line : script::error_lines(*said.error))
             print(std::exchange(mark, "  ") + line);
     }
-    if (!options_.console.empty()) std::fflush(stdout);  // whatever happens to the run next
+    // The output must not be lost if the run crashes.
+    if (!options_.console.empty()) std::fflush(stdout);
 }
 
 void Session::fail(const script::ScriptError& error) {
-    if (runtime_->interrupted()) {  // no error of the game's: it did not let the run end
+    // Not an error of the game: its scripts were stopped to end the run.
+    if (runtime_->interrupted()) {
         if (std::exchange(interruption_, error.message) != error.message)
             tell("in " + error.context + ": " + error.message);
         return;

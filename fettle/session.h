@@ -1,5 +1,5 @@
 #pragma once
-// A running game: tree, modules, services, scripts, console and loop, put together in this order.
+// A running game. Its tree, modules, services, scripts, console and loop are made in this order.
 
 #include <functional>
 #include <memory>
@@ -22,16 +22,16 @@ namespace fettle::program {
 
 class Session {
   public:
-    /// `clipboard`: of the window, null without one. `errors`: told of every uncaught error, after
-    /// it was written to stderr.
+    /// `clipboard` is that of the window, or null without a window. `errors` is called for every
+    /// uncaught error after it was written to stderr. With `replayed`, the run is a replay of it.
     Session(const RunOptions& options, app::Clipboard* clipboard,
             std::function<void(const script::ScriptError&)> errors,
             const app::Recording* replayed = nullptr);
     ~Session();
     Session(const Session&) = delete;
 
-    /// Loads the game and runs the chunks of --eval. Throws property::FileError when it cannot be
-    /// read.
+    /// Loads the game and runs the chunks of --eval. Throws property::FileError if the game cannot
+    /// be read.
     void start();
 
     property::Tree& tree() { return tree_; }
@@ -40,12 +40,12 @@ class Session {
     script::Runtime& runtime() { return *runtime_; }
     property::GameSaves& saves() { return *saves_; }
     bool console_is_open() const;
-    /// Puts a layer under the console.
+    /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
-    /// By errors and quit().
+    /// The exit status; it depends on errors and quit().
     int exit_status() const;
     bool failed() const { return failed_; }
-    /// Why the recording of the run is not all of it; "" when it is, or when there is none.
+    /// Why the recording of the run is incomplete; "" if it is complete or if there is none.
     std::string recording_problem() const;
 
   private:
@@ -63,9 +63,9 @@ class Session {
 
     const RunOptions& options_;
     std::function<void(const script::ScriptError&)> errors_;
-    const app::Recording* replayed_;  // whose run this one makes again
+    const app::Recording* replayed_;  // null unless the run is a replay
     property::GameFiles files_;
-    // Modules outlive the tree, which calls them as its instances go.
+    // Modules must outlive the tree, which calls them when its instances are deleted.
     GameModules modules_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
@@ -76,11 +76,11 @@ class Session {
     struct ConsoleLayer;
     std::unique_ptr<ConsoleLayer> console_;
     std::unique_ptr<app::Recorder> recorder_;
-    std::vector<std::string> early_notes_;  // of before there was a console
-    std::uint64_t typed_ = 0;               // the step whose commands were given
+    std::vector<std::string> early_notes_;  // notes from before the console existed
+    std::uint64_t typed_ = 0;               // the last step whose --console commands were run
     bool failed_ = false;
     bool ending_ = false;
-    std::string interruption_;  // what was told of scripts that were stopped
+    std::string interruption_;  // the last message about stopped scripts
 };
 
 }  // namespace fettle::program

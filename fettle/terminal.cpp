@@ -10,7 +10,7 @@ namespace fettle::program {
 
 namespace {
 
-/// How many bytes a character of UTF-8 at the beginning of `text` has; 0: there is none.
+/// Number of bytes of the UTF-8 character at the start of `text`; 0 if there is no valid one.
 std::size_t length_of_character(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -23,7 +23,7 @@ std::size_t length_of_character(std::string_view text) {
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xC0) != 0x80) return 0;
-    // Longer than need be, half of a pair, or beyond the last.
+    // Overlong encodings, surrogates, and code points above U+10FFFF are invalid.
     if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) >= 0xA0) ||
         (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) >= 0x90))
         return 0;
@@ -36,7 +36,7 @@ std::string escaped(std::string_view text, bool lines) {
     while (!text.empty()) {
         const auto first = static_cast<unsigned char>(text[0]);
         std::size_t length = length_of_character(text);
-        // Control characters: 0 to 31, 127, and those of two bytes, U+0080 to U+009F.
+        // Control characters: 0 to 31, 127, and U+0080 to U+009F, which have two bytes.
         const bool control =
             first < 0x20 || first == 0x7F ||
             (length == 2 && first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);

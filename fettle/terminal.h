@@ -1,25 +1,26 @@
 #pragma once
-// What the program says, and where. A terminal obeys control characters: those in a script's
-// messages, in the names of files and in what a game prints must not command it.
+// Output on stdout and stderr. A terminal obeys control characters, so they are escaped in messages
+// of scripts, names of files and output of games.
 
 #include <string>
 #include <string_view>
 
 namespace fettle::program {
 
-/// The text with its control characters and the bytes that are no UTF-8 as `\x1b`. Lines and tabs
-/// stay as they are.
+/// Returns the text with control characters and bytes that are not UTF-8 escaped as `\x1b`. Line
+/// ends and tabs are unchanged.
 std::string without_controls(std::string_view text);
-/// The same on one line: line ends become `\n`.
+/// The same on one line: line ends become `
+/// `.
 std::string on_one_line(std::string_view text);
 
-/// "fettle: MESSAGE" as a line of stderr, behind all that was printed before.
+/// Writes "fettle: MESSAGE" as a line to stderr, after everything that was printed before.
 void tell(std::string_view message);
-/// Lines on stderr, as they are but for control characters.
+/// Writes lines to stderr, with control characters escaped.
 void tell_lines(std::string_view text);
-/// A line of stdout: what a game prints. As it is, unless a terminal is there.
+/// Writes a line of a game's output to stdout; control characters are escaped only for a terminal.
 void print_line(std::string_view text);
-/// Writes what is still to be written to stdout. False when not all of it could be, which is told.
+/// Flushes stdout. If that fails, reports the error and returns false.
 bool all_printed();
 
 }  // namespace fettle::program

@@ -11,7 +11,7 @@
 namespace fettle::program {
 
 std::string version_text() {
-    // Told by the build: what the program was compiled with.
+    // The build defines these: the versions that the program was compiled with.
     const std::array parts = {std::pair{"SFML", FETTLE_VERSION_OF_SFML},
                               std::pair{"Lua", FETTLE_VERSION_OF_LUA},
                               std::pair{"Dear ImGui", FETTLE_VERSION_OF_IMGUI},

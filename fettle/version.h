@@ -4,8 +4,8 @@
 
 namespace fettle::program {
 
-/// What `fettle --version` says: the program, the interface of its modules, and every part it is
-/// made of with its version, a line each.
+/// The text of `fettle --version`: the program, the module interface and every library, one line
+/// each with its version.
 std::string version_text();
 
 }  // namespace fettle::program

@@ -89,7 +89,7 @@ fettle_result Outgoing::put(const Result& result) {
 
 namespace {
 
-// As deep as the tree takes lists.
+// The tree has the same limit for nested lists.
 constexpr int deepest_list = 64;
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -159,7 +159,7 @@ Result received(const fettle_result& result, const std::vector<property::Field>&
     for (std::size_t i = 0; i < result.count; ++i) {
         Record record{.fields = &fields,
                       .values = received(result.values + i * result.fields, result.fields)};
-        record.values.resize(fields.size());  // one field, one value, whatever came
+        record.values.resize(fields.size());  // each field needs a value
         records.push_back(std::move(record));
     }
     if (result.kind == FETTLE_RECORDS) return records;

@@ -1,5 +1,5 @@
 #pragma once
-// Values on their way across the C border: by value where they fit, else pointing into memory that
+// Conversion of values at the C interface. Small values are copied; others point into memory that
 // the sender keeps until its next call.
 
 #include <algorithm>
@@ -15,26 +15,27 @@
 
 namespace fettle::module {
 
-/// Keeps what sent values point to.
+/// Keeps the memory that sent values point to.
 class Outgoing {
   public:
     Outgoing() = default;
     Outgoing(const Outgoing&) = delete;
     Outgoing& operator=(const Outgoing&) = delete;
 
-    /// What was put before is no longer needed.
+    /// Frees the memory of all values that were put.
     void clear() {
         kept_.clear();
         arrays_.clear();
     }
     fettle_value put(const property::Value& value);
-    /// Good until `clear`.
+    /// Valid until `clear`.
     const fettle_value* put(std::span<const property::Value> values);
     fettle_result put(const property::Result& result);
 
   private:
     std::vector<property::Value> kept_;
-    std::vector<std::vector<fettle_value>> arrays_;  // what an inner one holds stays where it is
+    // Moving the outer vector does not move the inner arrays.
+    std::vector<std::vector<fettle_value>> arrays_;
 };
 
 /// Converts a received value. Throws Error(wrong_type) for an unknown type, a text or list that has
@@ -50,7 +51,7 @@ inline fettle_handle sent(property::Handle handle) {
 inline property::Handle received(fettle_handle handle) {
     return {handle.index, handle.generation};
 }
-/// Null is "".
+/// Null becomes "".
 inline std::string_view view(const char* text) {
     return text == nullptr ? std::string_view() : std::string_view(text);
 }
@@ -61,8 +62,8 @@ inline std::string text_or_empty(const char* text) {
 fettle_status status_of(property::ErrorKind kind);
 property::ErrorKind kind_of(fettle_status status);
 
-/// A structure whose maker may have known fewer or more of its fields: what it did not know is
-/// zero.
+/// Copies a structure that may have fewer or more fields on the sender's side. Missing fields
+/// become zero.
 template <class Struct>
 Struct known_part(const void* from, std::size_t size) {
     Struct copy{};

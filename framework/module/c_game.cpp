@@ -9,7 +9,7 @@
 
 #include "host_table.h"
 
-/// Modules outlive the tree, which calls them as its instances go.
+/// Modules must outlive the tree, which calls them when its instances are deleted.
 struct fettle_game {
     fettle::module::Plugins plugins;
     fettle::property::Tree tree;

@@ -35,7 +35,7 @@ std::vector<std::string> texts(const char* const* list) {
     return all;
 }
 
-/// Two zeros, as in what an older module has not filled in: any number.
+/// An older module leaves both limits 0; then any number is allowed.
 property::Range range_of(double min, double max) {
     return min < max ? property::Range{min, max} : property::Range{};
 }
@@ -54,8 +54,8 @@ std::vector<Field> fields(const fettle_array& array, const std::string& of) {
     return all;
 }
 
-/// What a getter gave, if the property can hold that at all: a module's slip is no reason for the
-/// host to read one type as another.
+/// Returns the value of a getter, or the default if the property cannot hold a value of that type.
+/// So an error in a module cannot make the host read a value as the wrong type.
 Value checked(const Property& declared, Value value) {
     if (declared.any_type || value.type() == declared.type) return value;
     if (value.is_nil() && declared.nullable) return value;
@@ -231,7 +231,8 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
     property::Lifecycle lifecycle;
     if (!native.create && !native.place && !native.destroy && !native.draw && !native.draw_over)
         return lifecycle;
-    // Each of them asks the module as it is now; what it lacks then does nothing.
+    // Each function uses the current module, which may have been reloaded since; a function that it
+    // lacks does nothing.
     lifecycle.context = &self;
     lifecycle.create = [](void* context, property::Tree&, Handle instance) {
         return Row{static_cast<BridgedClass*>(context)->create(instance)};
@@ -317,7 +318,7 @@ void BridgedClass::abandon() {
     for (BridgedMethod& method : methods_) method.gone = true;
 }
 
-// --- A module taken in anew
+// --- Reload of a module
 
 void BridgedClass::replace(const fettle_class& native, std::vector<std::string>& notes) {
     const std::string name = declared_->name();

@@ -1,9 +1,9 @@
 #pragma once
-// A class that a module described in C, as the tree knows it.
+// A class of the tree that a module described in C.
 //
 // The tree's descriptors hold functions and a context. The context of a bridged member is one of
-// the structures below, which holds the module's own function and context. So a module that is
-// taken in anew needs no change in the tree: its new functions are put where the old ones were.
+// the structures below, which holds the module's own function and context. So a reload changes
+// nothing in the tree: the new functions replace the old ones in these structures.
 
 #include <deque>
 #include <set>
@@ -22,7 +22,7 @@ struct BridgedProperty {
     HostTable* host = nullptr;
     const property::Property* declared = nullptr;
     fettle_property native{};
-    bool gone = false;  // the module as it is now has it no more
+    bool gone = false;  // the current module does not have this property
 };
 
 struct BridgedMethod {
@@ -40,27 +40,27 @@ class BridgedClass {
     BridgedClass& operator=(const BridgedClass&) = delete;
 
     const property::Class& declared() const { return *declared_; }
-    /// Snapshots have its rows from the module, not value by value.
+    /// Snapshots get the rows of this class from the module, not value by value.
     bool saved_natively() const { return (native_.flags & FETTLE_SAVED_NATIVELY) != 0; }
-    /// Those that the module has a row for, also instances of classes that derive from this one.
+    /// Instances with a row in the module; instances of derived classes are included.
     const std::set<std::pair<std::uint32_t, std::uint32_t>>& instances() const {
         return instances_;
     }
-    /// Of an instance that the tree has already: its row in the module, as when it was made.
+    /// Makes a row in the module for an instance that already exists in the tree.
     void revive(property::Handle self);
-    /// Ends the row and leaves the instance.
+    /// Destroys the row of the instance and keeps the instance.
     void retire(property::Handle self);
-    /// After a snapshot was restored: instances have come back and gone without being made.
+    /// Updates `instances()` after a snapshot was restored, which adds and removes instances
+    /// without `create` and `destroy`.
     void recount();
-    /// The bridged property behind a declared one; null when it is none of this class.
+    /// The bridged property of a declared one; null if it does not belong to this class.
     const BridgedProperty* find(const property::Property& declared) const;
-    /// No function of the module is called any more.
+    /// From now on, no function of the module is called.
     void abandon();
 
-    /// From now on the module's new functions are called. What the new one does not have any more
-    /// reads as its default and refuses to be written; what it has in addition is added to `notes`,
-    /// as is what is gone. Throws std::runtime_error when a property has changed its type or the
-    /// class its base.
+    /// Uses the functions of the new module from now on. A removed property reads as its default
+    /// and refuses writes. `notes` gets a line for each added and removed member. Throws
+    /// std::runtime_error if a property has another type, or the class another base.
     void replace(const fettle_class& native, std::vector<std::string>& notes);
 
   private:
@@ -73,7 +73,7 @@ class BridgedClass {
     HostTable& host_;
     fettle_class native_{};
     const property::Class* declared_ = nullptr;
-    std::deque<BridgedProperty> properties_;  // contexts: they stay where they are
+    std::deque<BridgedProperty> properties_;  // deques: the tree keeps pointers to the elements
     std::deque<BridgedMethod> methods_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> instances_;  // index, generation
     bool abandoned_ = false;

@@ -132,7 +132,7 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
                     std::to_string(size_of(native)) + " to " +
                     std::to_string(property::largest_stride));
     property.single_precision |= native == Native::f32 || native == Native::vec2f;
-    if (native == Native::i32) {  // what the memory cannot hold is refused, not wrapped around
+    if (native == Native::i32) {  // values outside its range are refused, not wrapped
         property.range.min = std::max(property.range.min, -0x1p31);
         property.range.max = std::min(property.range.max, 0x1p31 - 1);
     }

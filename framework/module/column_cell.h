@@ -1,8 +1,8 @@
 #pragma once
-// Elements of a module's own arrays.
+// Properties in a module's own arrays.
 //
-// To the tree they are values behind functions, since a tree's column has a stride for good, and a
-// module that is taken in anew may have laid its memory out in another way.
+// The tree accesses them through functions and not as columns, because the stride of a column is
+// fixed, and a reloaded module may have another memory layout.
 
 #include <fettle/property/class.h>
 
@@ -10,7 +10,7 @@
 
 namespace fettle::module {
 
-/// Fills in how the tree reads and writes a column of the module, and what it may hold.
+/// Sets the binding of a property in a column of the module, and the range that its memory allows.
 void bind_column(property::Property& property, BridgedProperty& kept);
 
 }  // namespace fettle::module

@@ -84,7 +84,7 @@ struct HostFunctions {
         const HostTable& host = host_of(self);
         return host.tree != nullptr && host.tree->alive(received(instance)) ? 1 : 0;
     }
-    /// A null handle for one that was deleted.
+    /// Returns a null handle if the instance was deleted.
     template <Handle (property::Tree::*Step)(Handle) const>
     static fettle_handle relative(void* self, fettle_handle instance) {
         Handle found;
@@ -221,7 +221,7 @@ struct HostFunctions {
         return host.tree == nullptr ? 0 : host.tree->step();
     }
     static void touched(void* self) {
-        // The barrier that follows compares what is watched of the simulation.
+        // The next barrier compares watched properties that `step` may have written.
         (void)host_of(self).guarded([](property::Tree& tree) { tree.stepped(); });
     }
     static void each_restored(void* self, void* context,

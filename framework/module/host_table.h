@@ -1,6 +1,6 @@
 #pragma once
-// The host's side of the border: the functions a module may call, each of which turns what the tree
-// throws into a status and keeps its message for `last_error`.
+// The host functions that a module may call. Each of them turns an exception of the tree into a
+// status and keeps its message for `last_error`.
 
 #include <functional>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace fettle::module {
 
-/// The table one module is given. Stays where it is: the module keeps its address.
+/// The table for one module. It must not move: the module keeps its address.
 class HostTable {
   public:
     HostTable();
@@ -23,40 +23,41 @@ class HostTable {
     HostTable& operator=(const HostTable&) = delete;
 
     const fettle_host& table() const { return table_; }
-    /// The tree that calls act on; null while the module is not attached to one.
+    /// The tree that calls act on; null while no tree is attached.
     property::Tree* tree = nullptr;
-    /// The module as the tree knows it; null while it is none of its parts.
+    /// The module as a part of the tree's snapshots; null if it is none.
     property::SnapshotPart* part = nullptr;
-    /// What `define_class` does while the module attaches; null: it refuses.
+    /// Called by `define_class` while the module attaches; without it, `define_class` refuses.
     std::function<void(const fettle_class&)> define_class{};
-    /// Asked first by `create`: an instance that is there already and is to be taken over.
+    /// Called first by `create` during a reload: returns an existing instance to reuse, or a null
+    /// handle.
     std::function<property::Handle(const property::Class&, property::Handle parent,
                                    const char* name)>
         adopt{};
     std::function<void(std::string_view)> print{};
 
-    /// Why the module's last callback refused, as it told; "" when it did not say. Forgets it.
+    /// Returns and clears the reason that the module's last callback gave; "" if it gave none.
     std::string take_reason();
-    /// Of the callback that has just returned `status`. Throws std::invalid_argument with the
-    /// module's reason unless it is FETTLE_OK; where it gives none, with that of the host function
-    /// that refused with the same status, which the callback has handed on.
+    /// Throws std::invalid_argument unless `status` of the last callback is FETTLE_OK. The message
+    /// is the module's reason. Without one, it is the error of the host function that returned the
+    /// same status, which the callback has passed on.
     void require(fettle_status status, std::string_view what);
 
     // --- For the functions of the table
-    /// Runs `body` and turns what it throws into a status.
+    /// Runs `body` and turns an exception into a status.
     template <class Body>
     fettle_status guarded(Body&& body) noexcept;
     Outgoing& outgoing() {
         outgoing_.clear();
         return outgoing_;
     }
-    std::string kept_text;  // a text given to the module until its next call
+    std::string kept_text;  // a text that the module may use until its next call
 
   private:
     friend struct HostFunctions;
     fettle_host table_{};
     std::string error_, reason_;
-    fettle_status error_status_ = FETTLE_OK;  // of `error_`, until the callback has returned
+    fettle_status error_status_ = FETTLE_OK;  // of `error_`; reset when the callback has returned
     Outgoing outgoing_;
 };
 
@@ -78,7 +79,7 @@ fettle_status HostTable::guarded(Body&& body) noexcept {
     return error_status_ = FETTLE_ERR_FAILED;
 }
 
-/// `painter` as a module sees it. Valid as long as `painter`.
+/// The C table of `painter`. Valid as long as `painter`.
 fettle_painter painter_table(property::Painter& painter);
 
 }  // namespace fettle::module

@@ -2,6 +2,6 @@
 
 namespace fettle::module {
 
-Module::~Module() = default;  // here, so that one library holds the type for all
+Module::~Module() = default;  // defined here so that exactly one library has the vtable
 
 }  // namespace fettle::module

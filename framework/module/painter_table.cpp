@@ -1,4 +1,4 @@
-// Drawing, across the border.
+// The C table of a painter.
 
 #include <vector>
 

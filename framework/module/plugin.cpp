@@ -82,7 +82,7 @@ void Plugin::State::step_once() {
 }
 
 void Plugin::State::close_native() {
-    // It is closed in any case: nothing handles its errors any more.
+    // Exceptions of `close` are reported only: nothing can handle them any more.
     try {
         if (open.native.close != nullptr) open.native.close(open.native.context);
     } catch (...) {
@@ -120,7 +120,7 @@ std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
 Plugin::Plugin(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Plugin::~Plugin() {
-    state_->host.tree = nullptr;  // it has ended before us
+    state_->host.tree = nullptr;  // the tree has already ended
     state_->close_native();
 }
 
@@ -159,7 +159,7 @@ void Plugin::attach(property::Tree& tree) {
     prepare();
     try {
         s.attach_native();
-    } catch (...) {  // not in the trial, but now
+    } catch (...) {  // an error that did not occur in the trial
         for (const auto& c : s.classes) c->abandon();
         throw LoadError(s.file, "module " + s.name + ": " + property::exception_text());
     }

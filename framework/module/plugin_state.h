@@ -12,7 +12,7 @@
 
 namespace fettle::module {
 
-/// A module as it was opened: the file in memory and what its entry point filled in.
+/// An opened module: its file in memory, and the structure that its entry point filled in.
 struct OpenModule {
     SharedObject object;
     fettle_module native{};
@@ -26,21 +26,21 @@ struct Plugin::State {
     OpenModule open;
     std::vector<std::unique_ptr<BridgedClass>> classes;
 
-    /// Opens a copy of `file` and calls its entry point. Throws LoadError.
+    /// Opens the copy and calls its entry point. Throws LoadError.
     OpenModule open_file(const ModuleCopy& copy);
-    /// The module registers its classes in `host.tree`. Throws property::Error, or
-    /// std::invalid_argument with the module's own reason.
+    /// Lets the module register its classes in `host.tree`. Throws property::Error, or
+    /// std::invalid_argument with the module's reason.
     void attach_native();
-    /// The module's own test, if it has one.
+    /// Calls the module's own test, if it has one.
     void check_native();
-    /// A step as the game will make it, to see whether the module comes back from it.
+    /// Makes one step as the game does, to test that it returns.
     void step_once();
     void close_native();
-    /// Whether it says itself what its rows are, for snapshots.
+    /// Whether the module saves its own rows in snapshots.
     bool saves() const { return open.native.save != nullptr && open.native.restore != nullptr; }
 };
 
-/// The phases of a trial, for the message.
+/// The phases of a trial, for messages.
 inline constexpr const char* while_opened = "while it was opened";
 inline constexpr const char* while_attached = "while it registered its classes";
 inline constexpr const char* in_its_test = "in its own test";

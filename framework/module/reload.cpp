@@ -1,9 +1,9 @@
-// A module taken in anew while the game goes on.
+// Reload of a module while the game runs.
 //
-// Nothing of the tree changes: classes, instances, handles, watchers and formulas stay. What lay in
-// the old module's memory goes over by name, through the old getters and the new setters, so that
-// neither layout matters. It happens first in a copy of the process, and here only when it went
-// well there.
+// The tree does not change: classes, instances, handles, watchers and formulas stay. The values in
+// the old module's memory are copied by name, through the old getters and the new setters, so the
+// memory layouts may differ. The reload is first tried in a forked copy of the process, and done
+// here only if that succeeded.
 
 #include <algorithm>
 
@@ -24,19 +24,19 @@ using property::Value;
 
 struct Saved {
     Handle instance;
-    BridgedClass* owner = nullptr;  // of its row
+    BridgedClass* owner = nullptr;  // the class of its row
     bool revived = false;
     std::vector<std::pair<const Property*, Value>> values;
 };
 
-/// Writes without reports: only the module has changed.
+/// Writes a value without reporting a change: for the tree, the value stays the same.
 void write_back(const Property& property, property::Row row, const Value& value) {
     const property::Binding& binding = property.binding;
     binding.set(binding.context, row, value);
     if (binding.invalidate != nullptr) binding.invalidate(binding.context, row);
 }
 
-/// One reload, from the old module to the new.
+/// One reload, from the old module to the new one.
 class Reload {
   public:
     Reload(Plugin::State& state, const ModuleCopy& copy)
@@ -52,7 +52,7 @@ class Reload {
         for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved)
             saved->owner->retire(saved->instance);
         s_.close_native();
-        std::swap(s_.open, fresh);  // the old one leaves the process at the end of this function
+        std::swap(s_.open, fresh);  // `fresh` unloads the old module at the end of this function
         now(while_attached);
         try {
             attach();
@@ -78,7 +78,7 @@ class Reload {
         return nullptr;
     }
 
-    /// Parents before children, in the order of the tree; then what hangs nowhere.
+    /// Saves parents before children, in the order of the tree; then instances without a parent.
     void save() {
         const auto note = [&](Handle instance) {
             if (BridgedClass* owner = owner_of(instance)) save(instance, *owner);
@@ -109,7 +109,7 @@ class Reload {
                 return c->find(*property) != nullptr;
             });
             if (!ours || property->read_only) continue;
-            // What the module computes by itself it computes again.
+            // Values that are not overridden are computed again by the module.
             if (property->binding.overridden && !tree_.overridden(instance, *property)) continue;
             saved.values.emplace_back(property, tree_.peek(instance, *property));
         }
@@ -127,7 +127,7 @@ class Reload {
             s_.classes.push_back(std::make_unique<BridgedClass>(s_.host, native));
             seen.push_back(s_.classes.back().get());
         };
-        // What the module makes when it is attached is there already.
+        // Instances that the module creates in `attach` exist already.
         s_.host.adopt = [&](const property::Class& of, Handle parent, const char* name) {
             const Handle child = parent ? tree_.child(parent, name) : Handle{};
             if (!child || &tree_.class_of(child) != &of) return Handle{};
@@ -148,7 +148,7 @@ class Reload {
         ++report_.instances;
     }
 
-    /// Some values may be refused until others are set: refused ones are tried a second time.
+    /// Some values may be refused until others are set, so refused values are tried a second time.
     void give_back() {
         for (const bool last : {false, true})
             for (Saved& saved : saved_)

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes
 
-/// Opened for reading; without waiting for a writer, should it be a pipe.
+/// Opens a file for reading; O_NONBLOCK: a pipe must not wait for a writer.
 int opened(const fs::path& file, int flags = 0) {
     return ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | flags);
 }
@@ -63,8 +63,8 @@ void require_shared_object(const fs::path& file) {
 
 constexpr std::string_view mark = ".fettle-";
 
-/// `.weather.fettle-123-4.so`, beside the file, where its own neighbors are found as for the file
-/// itself.
+/// `.weather.fettle-123-4.so`. The copy lies beside the file, so the loader finds the same
+/// neighboring libraries.
 fs::path fresh_name(const fs::path& file, const fs::path& folder) {
     static std::atomic<unsigned> count{0};
     return folder /
@@ -72,7 +72,7 @@ fs::path fresh_name(const fs::path& file, const fs::path& folder) {
             std::to_string(getpid()) + "-" + std::to_string(++count) + file.extension().string());
 }
 
-/// Copies that killed processes have left in a folder.
+/// Removes copies that killed processes have left in a folder.
 void remove_leftovers(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -109,7 +109,7 @@ ModuleCopy::~ModuleCopy() {
 
 bool ModuleCopy::copy_into(const fs::path& folder) {
     const fs::path path = fresh_name(file_, folder);
-    // Empty and locked first: what another process finds unlocked it may remove.
+    // Create and lock an empty file first: another process may remove any unlocked copy.
     lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (lock_ < 0) return false;
     (void)::flock(lock_, LOCK_EX | LOCK_NB);
@@ -127,7 +127,7 @@ SharedObject::SharedObject(const ModuleCopy& copy) {
     handle_ = dlopen(fs::absolute(copy.path()).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle_ != nullptr) return;
     std::string reason = dlerror();
-    // The loader begins with the name of what it was given; ours is known already.
+    // The loader's message begins with the path of the copy. The user knows only the original file.
     if (const std::string prefix = fs::absolute(copy.path()).string() + ": ";
         reason.starts_with(prefix))
         reason.erase(0, prefix.size());

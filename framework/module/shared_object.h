@@ -1,5 +1,5 @@
 #pragma once
-// A shared object in the process.
+// Loading of shared objects.
 
 #include <cstdint>
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace fettle::module {
 
-/// A copy of a file beside it, under a name that was never used, so that the file may be replaced
-/// and loaded again. To test a module in a copy of the process, make this before: its destructor
-/// removes the file in any case.
+/// A copy of a file in the same folder under a new name, so that the file may be replaced and
+/// loaded again. For a trial in a forked process, make the copy before the fork: then the
+/// destructor in the parent removes it even if the trial crashes.
 class ModuleCopy {
   public:
     /// Throws LoadError unless `file` can be a shared object for this machine.
@@ -18,21 +18,22 @@ class ModuleCopy {
     ModuleCopy(const ModuleCopy&) = delete;
     ModuleCopy& operator=(const ModuleCopy&) = delete;
 
-    /// The file that is copied.
+    /// The original file.
     const std::filesystem::path& of() const { return file_; }
-    /// The copy; the file itself where none could be made.
+    /// The copy, or the original file if no copy could be made.
     const std::filesystem::path& path() const { return copy_.empty() ? file_ : copy_; }
 
   private:
     bool copy_into(const std::filesystem::path& folder);
     std::filesystem::path file_, copy_;
-    int lock_ = -1;  // held while it lives: a copy without a lock was left by a killed process
+    // Held while this object lives; a copy without a lock belongs to a killed process.
+    int lock_ = -1;
 };
 
 class SharedObject {
   public:
     SharedObject() = default;
-    /// Takes the copy in. Throws LoadError.
+    /// Loads the copy. Throws LoadError.
     explicit SharedObject(const ModuleCopy& copy);
     ~SharedObject() { close(); }
     SharedObject(SharedObject&& other) noexcept : handle_(other.handle_) {
@@ -40,7 +41,7 @@ class SharedObject {
     }
     SharedObject& operator=(SharedObject&& other) noexcept;
 
-    /// Null when there is none of that name.
+    /// Null if there is no symbol of that name.
     void* symbol(const char* name) const;
 
   private:
@@ -48,7 +49,7 @@ class SharedObject {
     void* handle_ = nullptr;
 };
 
-/// Which file it is, whatever its path: two paths of one file are alike.
+/// Identifies a file independently of its path.
 struct FileIdentity {
     std::uint64_t device = 0, inode = 0;
     friend bool operator==(const FileIdentity&, const FileIdentity&) = default;

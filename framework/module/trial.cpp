@@ -28,17 +28,18 @@ void write_all(int to, std::string_view text) {
     }
 }
 
-/// What the copy writes last when all went well: a module may end the process with status 0.
+/// The copy writes this last on success. Status 0 alone is no proof, since a module may call
+/// `exit(0)`.
 constexpr std::string_view to_its_end = "=\n";
 
-/// What the copy writes is a line a phase, "@in its own test", and at last an error, "!text", or
-/// that it came to its end.
+/// Runs `body` in the copy and writes to `to`: a line for each phase, "@in its own test", and at
+/// last "!" and an error message, or `to_its_end`.
 [[noreturn]] void run_copy(
     int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);  // a crash is told of in words
-    // Handlers of crashes are for the program, not for its copy.
+    setrlimit(RLIMIT_CORE, &no_core);  // a crash is reported as text, so no core file is needed
+    // The program's crash handlers must not run in the copy.
     for (const int number :
          {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGINT, SIGTERM, SIGHUP, SIGALRM})
         signal(number, SIG_DFL);
@@ -48,10 +49,10 @@ constexpr std::string_view to_its_end = "=\n";
     } catch (...) {
         write_all(to, "!" + property::exception_text());
     }
-    _exit(0);  // nothing of the program's own ends here
+    _exit(0);  // no destructor or exit handler of the program may run here
 }
 
-/// Everything written until the other end is closed; false when that takes too long.
+/// Reads until the other end is closed; false if that takes longer than the deadline.
 bool read_until(int from, Clock::time_point deadline, std::string& text) {
     for (;;) {
         const auto left =
@@ -70,7 +71,7 @@ bool read_until(int from, Clock::time_point deadline, std::string& text) {
     }
 }
 
-/// Its status, once it has ended; a copy that does not in time is killed. False then.
+/// Waits for the copy and gets its status. Kills it and returns false after the deadline.
 bool ended(pid_t copy, Clock::time_point deadline, int& status) {
     for (;;) {
         const pid_t found = waitpid(copy, &status, WNOHANG);
@@ -106,7 +107,7 @@ std::string tried(const std::function<void(const std::function<void(std::string_
     const bool all_said = read_until(ends[0], deadline, said);
     close(ends[0]);
     int status = 0;
-    // What it says may end before the copy does: a module can close what it did not open.
+    // The pipe may close before the copy ends, because a module can close any file descriptor.
     const bool in_time = ended(copy, all_said ? deadline : Clock::now(), status) && all_said;
     if (in_time && said.ends_with(to_its_end) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return "";

@@ -7,8 +7,9 @@ namespace fettle::app {
 
 namespace {
 
-constexpr std::size_t most_in_order = 128;  // edges of a row; counting columns costs about as much
-constexpr float most_columns = 1 << 16;     // of what lies near a screen
+// Edges of a row; sorting more costs more than counting columns.
+constexpr std::size_t most_in_order = 128;
+constexpr float most_columns = 1 << 16;  // coordinates near a screen are below this
 
 bool is_inside(Area::Rule rule, int times) {
     return rule == Area::Rule::forward ? times > 0 : times != 0;
@@ -19,7 +20,7 @@ bool is_inside(Area::Rule rule, int times) {
 void Area::add(std::span<const sf::Vector2f> outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
         sf::Vector2f from = outline[i], to = outline[i + 1 < outline.size() ? i + 1 : 0];
-        // In this system of coordinates, y down, an outline of positive area goes up on the left.
+        // With y down, an outline with positive area goes up on its left side.
         const int direction = from.y < to.y ? -1 : 1;
         if (direction > 0) std::swap(from, to);
         const int first = static_cast<int>(std::ceil(from.y - 0.5f));
@@ -31,7 +32,7 @@ void Area::add(std::span<const sf::Vector2f> outline) {
     }
 }
 
-/// Edges of the rows, those of one row together; what begins above is moved down to the first.
+/// Groups the edges by their first row. Edges that begin above `first_row` are moved down to it.
 void Area::sort_by_row(int first_row, int end_row) {
     starts_.assign(static_cast<std::size_t>(end_row - first_row) + 1, 0);
     for (Edge& edge : edges_) {
@@ -78,7 +79,7 @@ void Area::cut(Rule rule, int first_row, int end_row, std::vector<Trapezoid>& tr
 }
 
 void Area::find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
-    // From row to row the order hardly changes.
+    // Insertion sort: from row to row the order hardly changes.
     for (std::size_t i = 1; i < active_.size(); ++i) {
         const std::uint32_t moving = active_[i];
         const float x = edges_[moving].middle(row);
@@ -110,7 +111,8 @@ void Area::find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
     std::swap(open_, open_now_);
 }
 
-/// The same without an order among the edges, in whole pixels. False where the row is too long.
+/// The same for many edges: does not sort them and rounds to whole pixels. Returns false if the row
+/// is too long.
 bool Area::count_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
     float least = edges_[active_[0]].middle(row), most = least;
     for (const std::uint32_t i : active_) {
@@ -147,7 +149,7 @@ void Area::end_span(Edge& left, std::vector<Trapezoid>& trapezoids) {
     const Edge& right = edges_[left.right];
     int top = left.top, bottom = left.bottom;
     left.top = left.bottom = -1;
-    // Edges that meet between two rows' middles would cross on the border between the rows.
+    // Edges that meet between the middles of two rows would cross at the border between the rows.
     if (bottom - top > 1 && left.border(top) > right.border(top)) {
         put(left, right, top, top + 1, trapezoids);
         ++top;

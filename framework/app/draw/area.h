@@ -1,11 +1,11 @@
 #pragma once
-// The inside of closed outlines, whatever their form, cut into trapezoids.
+// Cuts the inside of closed outlines of any form into trapezoids.
 //
-// Each row of pixels is looked at along the middle of the row, where the pixels' centers are: what
-// lies between two outlines there is inside. Rows that lie between the same two edges become one
-// trapezoid. A row that crosses very many edges, most of them between two pixels' centers, is not
-// put in order: the edges in front of each center are counted. So the cost is that of the corners
-// and of what each row crosses, and no outline is too tangled.
+// Each row of pixels is tested along its middle, where the pixel centers are: the parts between two
+// edges are inside. Consecutive rows between the same two edges become one trapezoid. If a row
+// crosses very many edges, they are not sorted; the edges left of each pixel center are counted
+// instead. So the cost is linear in the number of corners and crossings, even for very tangled
+// outlines.
 
 #include <cstdint>
 #include <span>
@@ -23,27 +23,28 @@ struct Trapezoid {
 class Area {
   public:
     void clear() { edges_.clear(); }
-    /// A closed outline in pixels.
+    /// Adds a closed outline in pixels.
     void add(std::span<const sf::Vector2f> outline);
 
-    /// Which points are inside: those that the outlines go round, counted with their direction.
+    /// Decides by the winding number of a point whether it is inside.
     enum class Rule : std::uint8_t {
-        any_way,  // not 0 times
-        forward   // more often than 0 times, the way that has a positive area
+        any_way,  // the winding number is not 0
+        forward   // the winding number is above 0; positive areas count positive
     };
-    /// Appends what is inside between two rows, the second excluded.
+    /// Appends the trapezoids of the inside from `first_row` up to, but not including, `end_row`.
     void cut(Rule rule, int first_row, int end_row, std::vector<Trapezoid>& trapezoids);
 
   private:
     struct Edge {
-        int first, end;  // rows whose middle it crosses, the second excluded
-        float x, slope;  // in the middle of the first row; for each row
+        int first, end;  // rows whose middle the edge crosses; `end` is excluded
+        float x, slope;  // x in the middle of the first row, and its change for each row
         int direction;   // 1: down
-        // Of the span that it begins on its left side.
+        // The span to the right of this edge, if one is open.
         std::uint32_t right = 0;
         int top = -1, bottom = -1;
         float middle(int row) const { return x + slope * static_cast<float>(row - first); }
-        float border(int row) const { return middle(row) - 0.5f * slope; }  // its upper one
+        // The x at the upper border of the row.
+        float border(int row) const { return middle(row) - 0.5f * slope; }
     };
     void sort_by_row(int first_row, int end_row);
     void find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids);
@@ -53,11 +54,11 @@ class Area {
              std::vector<Trapezoid>& trapezoids) const;
 
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> order_, starts_;  // edges by their first row
+    std::vector<std::uint32_t> order_, starts_;  // edges grouped by their first row
     std::vector<std::uint32_t> active_;          // edges that the row crosses, from left to right
-    std::vector<int> columns_;                   // what a row's edges change at each column
+    std::vector<int> columns_;                   // change of the winding number at each column
     std::vector<std::uint32_t> open_,
-        open_now_;  // left edges of spans, of the row before and of this
+        open_now_;  // left edges of the open spans: in the last row, and in this row
 };
 
 }  // namespace fettle::app

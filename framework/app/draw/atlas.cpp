@@ -8,9 +8,9 @@ namespace fettle::app {
 
 namespace {
 
-constexpr unsigned gap = 1;  // texels between patches: neighbours must not bleed in
+constexpr unsigned gap = 1;  // texels between patches, so that filtering does not mix neighbors
 
-/// White of the given opacity.
+/// Writes a white texel with the given opacity.
 void put(std::vector<std::uint8_t>& pixels, std::size_t index, float opacity) {
     pixels[4 * index] = pixels[4 * index + 1] = pixels[4 * index + 2] = 255;
     pixels[4 * index + 3] =
@@ -23,7 +23,7 @@ Atlas::Atlas() {
     if (!sfml::create(texture_, side, side))
         throw std::runtime_error("the graphics system has no textures of 2048 x 2048");
     texture_.setSmooth(true);
-    // Transparent white: filtering at the rim of a patch must not darken it.
+    // The background is transparent white, so that filtering does not darken the rim of a patch.
     std::vector<std::uint8_t> pixels(std::size_t{side} * side * 4);
     for (std::size_t i = 0; i < std::size_t{side} * side; ++i) put(pixels, i, 0);
     for (std::size_t y = 0; y < 4; ++y)
@@ -35,7 +35,7 @@ Atlas::Atlas() {
 }
 
 void Atlas::draw_discs() {
-    // Sizes in steps of 6 %: a disc is scaled down by less than that, which keeps its rim sharp.
+    // Radii grow by 6 %, so a disc is scaled down by less than that and its rim stays sharp.
     std::vector<float> radii;
     for (float radius = 0.75f; radius < largest_disc; radius *= 1.06f) radii.push_back(radius);
     radii.push_back(largest_disc);
@@ -125,7 +125,7 @@ bool Atlas::prepare(const std::u32string& line, unsigned size, Face face) {
         if (!glyphs_.contains(key(c, size, face))) missing.push_back(c);
     if (missing.empty()) return true;
     for (const char32_t c : missing) (void)source.getGlyph(c, size, false);
-    // The font draws into a texture of its own for each size; its pixels move over here, once.
+    // The font draws into its own texture for each size; each glyph is copied from there once.
     const sf::Image image = source.getTexture(size).copyToImage();
     const std::uint8_t* from = image.getPixelsPtr();
     for (const char32_t c : missing) {
@@ -164,7 +164,7 @@ float Atlas::kerning(char32_t first, char32_t second, unsigned size, Face face) 
 }
 
 float Atlas::ascent(unsigned size, Face face) const {
-    // DejaVu's capitals are 0.73 em tall and its descenders reach 0.24 em down; SFML tells neither.
+    // DejaVu's capitals are 0.73 em high and its descenders 0.24 em deep; SFML provides neither.
     (void)face;
     return std::round(0.93f * static_cast<float>(size));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// One texture that everything is drawn with: a white patch for plain triangles, discs for small
-// circles, and glyphs. One texture means one draw call, in the order of painting.
+// One texture for all drawing: a white patch for plain triangles, discs for small circles, and
+// glyphs. With one texture, all figures need only one draw call and keep their order.
 
 #include <array>
 #include <cstdint>
@@ -28,9 +28,9 @@ struct Disc {
 };
 
 struct Glyph {
-    float left = 0, top = 0;  // of the picture, from the pen on the baseline, y down, px
+    float left = 0, top = 0;  // of the image, from the pen position on the baseline, y down, px
     float advance = 0;        // px
-    Patch patch{};            // width 0: nothing to draw
+    Patch patch{};            // width 0: an empty glyph, such as a space
 };
 
 class Atlas {
@@ -38,18 +38,18 @@ class Atlas {
     Atlas();
 
     const sf::Texture& texture() const { return texture_; }
-    /// Both coordinates of the middle of the white patch.
+    /// Both coordinates of the center of the white patch.
     static constexpr float white = 2;
 
     static constexpr float largest_disc = 56;  // px
-    /// The smallest disc that is no smaller than `radius`, which is at most `largest_disc`.
+    /// The smallest disc with a radius of at least `radius`, which is at most `largest_disc`.
     const Disc& disc(float radius) const;
 
     bool has_font(Face face) const;
-    /// Glyphs of a line at a whole pixel size, those missing drawn into the atlas. Null when the
-    /// atlas is full: `clear_glyphs` once what is batched is drawn.
+    /// Draws missing glyphs of a line at a whole pixel size into the atlas. Returns false if the
+    /// atlas is full: then flush the batch and call `clear_glyphs`.
     bool prepare(const std::u32string& line, unsigned size, Face face);
-    /// Of a prepared glyph.
+    /// The glyph must have been prepared.
     const Glyph& glyph(char32_t character, unsigned size, Face face) const;
     float kerning(char32_t first, char32_t second, unsigned size, Face face) const;
     float ascent(unsigned size, Face face) const;  // px above the baseline
@@ -70,12 +70,12 @@ class Atlas {
     sf::Texture texture_;
     std::vector<Disc> discs_;
     Shelf shelf_{};
-    unsigned glyphs_from_ = 0;  // the row below the discs
+    unsigned glyphs_from_ = 0;  // row below the discs
     std::array<std::unique_ptr<sf::Font>, 3> fonts_;
     std::unordered_map<std::uint64_t, Glyph> glyphs_;
 };
 
-/// Replacement characters stand for what is no UTF-8.
+/// Invalid UTF-8 becomes replacement characters.
 std::u32string decode_utf8(std::string_view text);
 
 }  // namespace fettle::app

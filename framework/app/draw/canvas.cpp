@@ -78,7 +78,7 @@ bool Canvas::outside(const Vec2& lower, const Vec2& upper) const {
 
 bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
     const Vec2 a = exact(lower), b = exact(upper);
-    const Vec2 margin(4, 4);  // px, for borders
+    const Vec2 margin(4, 4);  // px; a border may lie outside the given box
     return !outside(a.cwiseMin(b) - margin, a.cwiseMax(b) + margin);
 }
 
@@ -89,7 +89,7 @@ CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
     return {position.x, position.y, color.r, color.g, color.b, color.a, white, white};
 }
 
-/// Room for a strip of `count` vertices, joined to what stands before by triangles without area.
+/// Appends `count` vertices to the strip, joined to the last one by degenerate triangles.
 CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first) {
     const std::size_t size = strip_.size();
     if (size == 0) {
@@ -151,7 +151,7 @@ void Canvas::triangles(std::span<const SurfaceVertex> vertices,
         layer_.push_back({v.x, v.y, v.r, v.g, v.b, v.a, plain ? Atlas::white : v.u * wide,
                           plain ? Atlas::white : v.v * high});
     }
-    // A view on the clip rectangle alone: nothing beyond its edges is drawn.
+    // The view and viewport are the clip rectangle, so nothing outside it is drawn.
     const float left = std::clamp(std::floor(clip.left), 0.0f, width());
     const float top = std::clamp(std::floor(clip.top), 0.0f, height());
     const float right = std::clamp(std::ceil(clip.left + clip.width), left, width());

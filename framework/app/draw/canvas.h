@@ -1,6 +1,6 @@
 #pragma once
-// Draws figures, text and a layer's triangles on a window or a picture. Everything but a layer's
-// own textures goes into one batch of triangles with one texture.
+// Draws figures, text and the triangles of layers on a window or a picture. Everything except a
+// layer's own textures goes into one batch of triangles with one texture.
 
 #include <array>
 #include <memory>
@@ -22,8 +22,8 @@
 
 namespace fettle::app {
 
-/// A vertex as SFML lays it out. SFML's own has constructors that are calls into its library, forty
-/// of them for a bordered box.
+/// Has the memory layout of SFML's vertex. Constructors of SFML's own type are library calls, which
+/// cost too much: a bordered box has forty vertices.
 struct CanvasVertex {
     float x, y;
     std::uint8_t r, g, b, a;
@@ -36,7 +36,7 @@ class Canvas : public property::Painter, public Surface {
 
     void begin(property::Color background);
     void set_view(const View& view);
-    /// Draws what is batched.
+    /// Draws the batch.
     void flush();
     void release_textures() { textures_.clear(); }
 
@@ -70,7 +70,7 @@ class Canvas : public property::Painter, public Surface {
                Face face) override;
 
   private:
-    struct Line;  // of text, ready to be drawn
+    struct Line;  // a line of text, ready to be drawn
 
     void draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
               const sf::Texture& texture);
@@ -80,7 +80,7 @@ class Canvas : public property::Painter, public Surface {
     bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
 
     // figures.cpp
-    /// Of corners_, which lie where they can be seen.
+    /// Draws corners_, which must lie near the screen.
     void figure(float rounding, const property::Paint& paint);
     void large_figure(std::vector<property::Vec2> outline, const property::Paint& paint);
     Sight sight(const property::Paint& paint) const;
@@ -94,8 +94,8 @@ class Canvas : public property::Painter, public Surface {
 
     // parts.cpp
     bool joins(const property::Paint& paint);
-    void join();  // what outline_ is
-    /// Draws the parts of one thing that have come together.
+    void join();  // adds outline_ to joined_
+    /// Draws the collected parts of one whole.
     void settle();
     void draw_joined(const Rim& rim);
     void draw_parts();
@@ -112,19 +112,19 @@ class Canvas : public property::Painter, public Surface {
     Atlas atlas_{};
     View view_{};
     bool in_pixels_ = false;
-    std::vector<CanvasVertex> strip_{};  // one strip of triangles; figures are joined by empty ones
+    std::vector<CanvasVertex> strip_{};  // one strip; degenerate triangles join the figures
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
-    /// What its straight sides are to others: a tile beside others must leave no pixel out between;
-    /// a line is as wide as it is.
+    /// The type of the straight sides of corners_. `touching`: no gap may show between this figure
+    /// and its neighbors, such as tiles. `free`: the figure has its exact width, such as a line.
     enum class Edge : std::uint8_t { touching, free };
-    Edge edge_ = Edge::free;             // of corners_
-    std::vector<sf::Vector2f> rings_{};  // of outline_, outermost first, one after another
+    Edge edge_ = Edge::free;             // type of corners_
+    std::vector<sf::Vector2f> rings_{};  // rings of outline_, one after another, outermost first
     std::array<sf::Color, 4> ring_colors_{};
     Area area_{};
     std::vector<Trapezoid> trapezoids_{};
     std::uint64_t whole_ = 0;
-    Joined joined_{};  // parts of one thing, of one paint, until another is drawn
+    Joined joined_{};  // collected parts of one whole with the same paint
     std::uint64_t joined_whole_ = 0;
     property::Paint joined_paint_{};
     std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};

@@ -1,4 +1,4 @@
-// Figures as triangles.
+// Converts figures to triangles.
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@ using property::Vec2;
 
 namespace {
 
-// px. Beyond that a figure is cut to what can be seen of it, in the precision of the world.
+// px. A figure beyond these limits is cut to its visible part, in double precision.
 constexpr double far_away = 8000, large_radius = 1000;
 
-/// A box round points.
+/// A bounding box.
 struct Bounds {
     Vec2 lower, upper;
     explicit Bounds(const Vec2& point) : lower(point), upper(point) {}
@@ -49,7 +49,7 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& paint) {
     edge_ = Edge::free;
     if (size > large_radius) return large_figure(sight(paint).rounded({&middle, 1}, size), paint);
     const auto small = static_cast<float>(size);
-    // A small circle that hides what lies under it is one disc upon another.
+    // A small circle with an opaque fill is drawn as one disc over another.
     if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0) {
         settle();
         const bool bordered = paint.border.a > 0 && paint.border_width > 0;
@@ -108,7 +108,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     settle();
     Vec2 start = exact(from), end = exact(to);
     if (!is_finite(start) || !is_finite(end) || !(width > 0) || !std::isfinite(width)) return;
-    // Thinner than a pixel is paler than a line of one.
+    // A line thinner than a pixel is drawn one pixel wide and paler.
     const Paint paint{
         {color.r, color.g, color.b, color.a * std::min(1.0f, width)}, {0, 0, 0, 0}, width};
     Bounds bounds(start);
@@ -120,7 +120,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     const sf::Vector2f a = narrow(start), b = narrow(end), along = b - a;
     const float length = std::hypot(along.x, along.y);
     edge_ = Edge::free;
-    const std::uint64_t whole = std::exchange(whole_, 0);  // a line is no part of anything
+    const std::uint64_t whole = std::exchange(whole_, 0);  // a line never belongs to a whole
     if (width > 2.5f || length < 1e-3f) {                  // round ends
         corners_.assign({a, b});
         figure(half, paint);
@@ -143,7 +143,7 @@ void Canvas::point(const Vec2& position, Color color, float size) {
 
 // --- Outlines ------------------------------------------------------------------------------------
 
-/// The visible area for figures: larger than the screen, so that the cuts are out of sight.
+/// The visible area for figures; larger than the screen, so that the cuts are not visible.
 Sight Canvas::sight(const Paint& paint) const {
     const double margin = 16 + 2 * std::clamp(static_cast<double>(paint.border_width), 0.0, 1e4);
     return {Vec2::Constant(-margin),
@@ -175,7 +175,7 @@ void Canvas::figure(float rounding, const Paint& paint) {
         draw_any_outline(paint);
 }
 
-/// Convex: its rings are drawn, and the inside of the innermost.
+/// For a convex outline: draws its rings, and the inside of the innermost ring.
 void Canvas::draw_outline(const Paint& paint) {
     if (outline_.size() == 0) return;
     const float limit = outline_.depth_limit();
@@ -190,8 +190,8 @@ void Canvas::draw_outline(const Paint& paint) {
         outline_.halo(rings_);
         ring_colors_[0] = clear(color);
     };
-    // What is of one color up to its outline, and fades outside of it, leaves no pixel out where it
-    // touches another.
+    // An opaque color up to the outline that fades only outside of it leaves no gap where two
+    // figures touch.
     const bool touching = edge_ == Edge::touching;
     if (!bordered(paint)) {
         if (!touching || !opaque(fill)) {
@@ -204,7 +204,7 @@ void Canvas::draw_outline(const Paint& paint) {
             ring(0, fill);
         }
     } else {
-        // A border thinner than a pixel is a paler one.
+        // A border thinner than a pixel is drawn one pixel wide and paler.
         const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
         const bool fades_outside = touching && opaque(border);
         const float width = std::max(paint.border_width, 1.0f) - (fades_outside ? thinner : 0.0f);
@@ -215,15 +215,16 @@ void Canvas::draw_outline(const Paint& paint) {
             ring(-0.5f, clear(border));
             ring(within(0.5f), border);
         }
-        // A crisp border of a figure of ten pixels is not visible; thousands of figures cost time.
+        // In a figure of about ten pixels the sharp border is not visible, so its vertices are
+        // saved.
         if (width > 1 && limit > 5) ring(within(width - 0.5f), border);
         ring(within(width + 0.5f), fill.a > 0 ? fill : clear(border));
     }
     draw_rings(fill.a > 0);
 }
 
-/// The halo of a figure with few sides, each side's by itself, so that those of tiles in a row do
-/// not overlap at their corners. False when it is no such figure.
+/// Draws the halo of a figure with few sides separately for each side, so that the halos of
+/// neighboring tiles do not overlap at their corners. Returns false for other figures.
 bool Canvas::draw_sides(sf::Color fill) {
     const auto corners = outline_.corners();
     const auto sides = outline_.sides();
@@ -242,7 +243,7 @@ bool Canvas::draw_sides(sf::Color fill) {
     return true;
 }
 
-/// Strips between neighbouring rings of rings_, and the inside of the innermost.
+/// Draws the strips between neighboring rings of rings_, and the inside of the innermost ring.
 void Canvas::draw_rings(bool filled) {
     const std::size_t n = outline_.size();
     const std::size_t count = rings_.size() / n;
@@ -257,7 +258,7 @@ void Canvas::draw_rings(bool filled) {
         }
     }
     if (!filled || n < 3) return;
-    // A convex polygon as a strip: zigzag from one end to the other.
+    // A convex polygon as one strip: zigzag from one end to the other.
     const sf::Vector2f* inside = rings_.data() + (count - 1) * n;
     const sf::Color color = ring_colors_[count - 1];
     CanvasVertex* out = start_strip(n, inside[0]);
@@ -268,7 +269,8 @@ void Canvas::draw_rings(bool filled) {
     }
 }
 
-/// Not convex: its inside first, then its rim over it, which hides where rows of pixels end.
+/// For any outline: draws the inside first, then the rim over it, which hides the steps of the
+/// pixel rows.
 void Canvas::draw_any_outline(const Paint& paint) {
     if (outline_.size() < 3) return;
     const Rim rim = outline_.goes_round_once() ? Rim::inside(paint) : Rim::on_both_sides(paint);

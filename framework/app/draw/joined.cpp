@@ -12,13 +12,14 @@ namespace {
 
 using Vector = sf::Vector2f;
 
-// px. So far outside of an edge one looks for another part: what touches has no border between.
+// px. At this distance outside of an edge another part is searched for; if there is one, the edge
+// has no border.
 constexpr float beyond = 0.35f;
-// px. So far parts reach into each other where they touch.
+// px. Overlap of parts that touch.
 constexpr float overlapping = 0.25f;
-// px. Stretches shorter than that belong to their neighbor.
+// px. Shorter stretches are merged with a neighbor.
 constexpr float shortest = 0.3f;
-constexpr std::size_t most_work = 1u << 20;  // edges met by edges
+constexpr std::size_t most_work = 1u << 20;  // tests of one edge against another
 
 }  // namespace
 
@@ -78,7 +79,7 @@ void Joined::find_seams_of(Part& part) {
             work_ += other.size();
             if (work_ > most_work) return;
             cover(other, from + out, to + out, Kind::seam);
-            // Of two borders in one place the first is drawn.
+            // If two borders coincide, only the first is drawn.
             if (&other < &part) cover(other, from - out, to - out, Kind::shared);
         }
         add_stretches(part, part.sides[i].length);
@@ -86,7 +87,8 @@ void Joined::find_seams_of(Part& part) {
     }
 }
 
-/// Adds the shares of a line that lie in another part: between its crossings with the outline.
+/// Adds the shares of a line that lie inside another part. They begin and end where the line
+/// crosses the part's outline.
 void Joined::cover(const Part& other, Vector from, Vector to, Kind kind) {
     const Vector along = to - from;
     const float squared = dot(along, along);
@@ -109,7 +111,7 @@ void Joined::cover(const Part& other, Vector from, Vector to, Kind kind) {
     }
 }
 
-/// Of a side, from what is covered of it.
+/// Divides a side into stretches by its covered shares.
 void Joined::add_stretches(Part& part, float length) {
     crossings_.assign({0, 1});
     for (const Covered& each : covered_) {
@@ -130,14 +132,14 @@ void Joined::add_stretches(Part& part, float length) {
             part.stretches.push_back({from * length, to * length, kind});
     }
     if (part.stretches.size() == first) part.stretches.push_back({0, length, Kind::border});
-    // What was too short belongs to what is beside it.
+    // Short stretches were left out; their neighbors take their place.
     part.stretches[first].from = 0;
     part.stretches.back().to = length;
     for (std::size_t k = first + 1; k < part.stretches.size(); ++k)
         part.stretches[k].from = part.stretches[k - 1].to;
 }
 
-// --- What comes of them --------------------------------------------------------------------------
+// --- Contours and borders ------------------------------------------------------------------------
 
 void Joined::contour(std::size_t number, float depth, std::vector<Vector>& outline) const {
     const Part& part = parts_[number];
@@ -148,7 +150,7 @@ void Joined::contour(std::size_t number, float depth, std::vector<Vector>& outli
         const Vector corner = part.corners[i];
         const Vector before = part.sides[last].normal, after = part.sides[i].normal;
         const float out_before = moved(part.end_of(last)), out_after = moved(part.begin_of(i));
-        // Where the two sides, each moved, meet, unless that is far away.
+        // The point where the two moved sides meet, unless it is far away.
         const Vector way = meeting(before, out_before, after, out_after);
         const float most = 4 * std::max(std::abs(out_before), std::abs(out_after));
         if (dot(way, way) > 0 && dot(way, way) < most * most) {
@@ -172,8 +174,9 @@ std::vector<Run> Joined::border(float overlap) const {
     return runs;
 }
 
-/// The end of a run at a point of a side. Where another part sticks out there, the border goes on
-/// by `overlap` beneath it (backwards when it is negative), without a halo: the other one has it.
+/// Adds the end of a run at a point of a side. If another part covers the space beyond the end, the
+/// border continues by `overlap` beneath it (backwards if negative). That piece has no halo,
+/// because the other part draws it.
 void Joined::add_end(const Part& part, std::size_t side, float where, float overlap,
                      std::vector<Bend>& bends) const {
     const Vector out = part.sides[side].normal, along{-out.y, out.x};
@@ -190,7 +193,7 @@ void Joined::add_end(const Part& part, std::size_t side, float where, float over
         bends.insert(bends.end(), {into, bare, cut});
 }
 
-/// Whether another part than that one holds the point.
+/// Whether the point lies in a part other than `part`.
 bool Joined::sticks_out(const Part& part, Vector point) const {
     return std::any_of(parts_.begin(), parts_.end(), [&](const Part& other) {
         if (&other == &part) return false;
@@ -218,7 +221,7 @@ void Joined::add_runs(const Part& part, float overlap, std::vector<Run>& runs) c
         for (std::size_t i = 0; i < n; ++i) add_corner(i, run.bends);
         return;
     }
-    // From a side that begins without a border, if there is one: no run goes over the end.
+    // Start at a side that begins without a border, if there is one, so that no run is split.
     const auto begins = [&](std::size_t side) { return part.begin_of(side) == Kind::border; };
     std::size_t start = 0;
     while (start < n && begins(start)) ++start;
@@ -244,7 +247,7 @@ void Joined::add_runs(const Part& part, float overlap, std::vector<Run>& runs) c
                 add_end(part, i, stretch.to, overlap, found.back().bends);
         }
     }
-    if (open && begins(start) && found.size() > 1) {  // the last goes on as the first
+    if (open && begins(start) && found.size() > 1) {  // the last run continues as the first
         Run& last = found.back();
         const auto rest = std::find_if(found[0].bends.begin(), found[0].bends.end(),
                                        [](const Bend& b) { return dot(b.halo, b.halo) > 0; });

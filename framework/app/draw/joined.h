@@ -1,6 +1,6 @@
 #pragma once
-// Figures that are parts of one thing: which stretches of their outlines are its border, and what
-// is inside of it.
+// Figures that are parts of one whole. Finds the stretches of their outlines that belong to the
+// border of the whole, and the area inside it.
 
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace fettle::app {
 
-/// Bends of an outline, one after another. A ring of it has a corner for each.
+/// Consecutive bends of an outline. Each ring has a corner for each bend.
 struct Run {
     std::vector<Bend> bends{};
     bool closed = false;
@@ -19,44 +19,44 @@ struct Run {
 class Joined {
   public:
     void clear();
-    /// Closed, in pixels, either way round.
+    /// Adds a closed outline in pixels, in either direction.
     void add(std::span<const sf::Vector2f> outline);
     std::size_t size() const { return parts_.size(); }
     std::span<const sf::Vector2f> part(std::size_t i) const { return parts_[i].corners; }
-    /// Side of the square that holds them all, in pixels.
+    /// Side of the square that contains all parts, in pixels.
     float extent() const;
 
-    /// To be called when all are there: finds what of each lies inside of others. False when that
-    /// would take too long.
+    /// Finds which stretches of each part lie inside other parts. Call it after all parts were
+    /// added. Returns false if the cost is too high.
     bool find_seams();
-    /// The outline of a part, moved inwards by `depth` where it is the border of the whole, and a
-    /// little outwards where another part goes on.
+    /// Appends the outline of a part, moved inwards by `depth` along the border of the whole, and
+    /// slightly outwards where another part continues.
     void contour(std::size_t part, float depth, std::vector<sf::Vector2f>& outline) const;
-    /// The border of the whole. A run that ends at another part reaches `overlap` into it.
+    /// The border of the whole. A run that ends at another part continues by `overlap` into it.
     std::vector<Run> border(float overlap) const;
 
   private:
     enum class Kind : std::uint8_t {
-        border,  // of the whole
-        seam,    // another part goes on beyond it
-        shared   // border, and the same as another part's, which stands for both
+        border,  // border of the whole
+        seam,    // another part continues beyond it
+        shared   // a border that coincides with that of an earlier part, which draws it
     };
     struct Stretch {
-        float from, to;  // px from the side's beginning
+        float from, to;  // px from the beginning of the side
         Kind kind;
     };
     struct Part {
         std::vector<sf::Vector2f> corners{};
-        std::vector<Side> sides{};  // each begins at the corner of its number
+        std::vector<Side> sides{};  // side i begins at corner i
         std::vector<Stretch> stretches{};
-        std::vector<std::size_t> first{};  // stretch of each side, and the end
+        std::vector<std::size_t> first{};  // first stretch of each side; the last is their number
         sf::Vector2f lower{}, upper{};
 
         std::size_t size() const { return corners.size(); }
         Kind begin_of(std::size_t side) const { return stretches[first[side]].kind; }
         Kind end_of(std::size_t side) const { return stretches[first[side + 1] - 1].kind; }
     };
-    /// Shares of a side that lie in another part.
+    /// A share of a side that lies in another part.
     struct Covered {
         float from, to;
         Kind kind;

@@ -1,4 +1,4 @@
-// Text as glyphs of the atlas.
+// Draws text with glyphs of the atlas.
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,10 @@ using property::Vec2;
 
 namespace {
 
-constexpr float line_height = 1.2f;  // of the size
-constexpr float tab_stops = 2;       // apart, of the size
-constexpr float tab_gap = 0.3f;      // as wide as a space; of the size
+constexpr float line_height = 1.2f;  // relative to the size
+constexpr float tab_stops = 2;       // distance of tab stops, relative to the size
+// Smallest width of a tab, relative to the size: about that of a space.
+constexpr float tab_gap = 0.3f;
 
 /// Lines of a text: "\n", "\r\n" and "\r" each end one.
 std::vector<std::u32string> lines_of(std::string_view text) {
@@ -37,12 +38,12 @@ std::vector<std::u32string> lines_of(std::string_view text) {
 
 struct Canvas::Line {
     std::u32string text{};
-    unsigned size = 0;  // px, as the glyphs are in the atlas
-    float scale = 1;    // from there to the screen
+    unsigned size = 0;  // px, size of the glyphs in the atlas
+    float scale = 1;    // screen pixels for each pixel of the atlas
     float width = 0;    // px on the screen
     Face face = Face::plain;
 
-    /// Calls `visit(glyph, x)` for each glyph, and returns where the line ends.
+    /// Calls `visit(glyph, x)` for each glyph, and returns the x of the end of the line.
     template <class Visit>
     float walk(const Atlas& atlas, Visit visit) const {
         const float stop = tab_stops * scale * static_cast<float>(size);
@@ -51,7 +52,7 @@ struct Canvas::Line {
         char32_t before = 0;
         for (const char32_t c : text) {
             if (c == U'\t') {
-                // Words on both sides of a tab never touch.
+                // A tab has a smallest width, so that the words beside it do not touch.
                 x = stop * std::ceil((x + gap) / stop - 1e-3f);
                 before = 0;
                 continue;
@@ -70,8 +71,8 @@ bool Canvas::lay_out(Line& line, float size, Face face) {
     if (!(size >= 1) || !std::isfinite(size) || line.text.empty() || !atlas_.has_font(face))
         return false;
     line.face = face;
-    // Whole sizes are sharp; large text comes in fewer sizes, so that zooming does not fill the
-    // atlas.
+    // Small text has whole sizes, which are sharp. Large text uses fewer sizes and is scaled, so
+    // that zooming does not fill the atlas.
     const float whole = std::round(size);
     const float kept = whole <= 32 ? whole : std::min(96.0f, 8 * std::ceil(whole / 8));
     line.size = static_cast<unsigned>(kept);
@@ -118,7 +119,7 @@ void Canvas::text(const Vec2& position, std::string_view text, double height, Co
                                       : align == TextAlign::right ? width
                                                                   : 0.5 * width);
         if (left > static_cast<double>(this->width()) || left + width < 0) continue;
-        // The middle of capitals, which are 0.73 of the size high.
+        // Half the height of capitals, which is 0.73 of the size.
         const float drawn = static_cast<float>(line.size) * line.scale;
         draw_line_of_text(line,
                           {static_cast<float>(std::round(left)),

@@ -12,14 +12,15 @@ namespace {
 
 using Vector = sf::Vector2f;
 
-constexpr float sharp = 0.3f;     // px; rounding below that cannot be seen
-constexpr float miter_limit = 4;  // how far a sharp corner may stick out, in widths
+constexpr float sharp = 0.3f;     // px; a smaller rounding is not visible
+constexpr float miter_limit = 4;  // largest length of a sharp corner, in widths
 constexpr float pi = std::numbers::pi_v<float>;
 
 }  // namespace
 
 int circle_segments(float radius) {
-    // A chord misses its arc by r (1 - cos(pi / n)). On small circles one sees less of it.
+    // The distance of a chord from its arc is r (1 - cos(pi / n)). On small circles larger
+    // distances are allowed, because they are less visible.
     radius = std::max(radius, 0.5f);
     const float bend = 1 - std::clamp(4 / radius, unseen, 4 * unseen) / radius;
     const float n = pi / std::acos(std::clamp(bend, -1.0f, 1.0f));
@@ -30,7 +31,8 @@ Side::Side(Vector from, Vector to) {
     const Vector edge = to - from;
     length = std::sqrt(dot(edge, edge));
     normal = Vector{edge.y, -edge.x} / length;
-    // One along a row or a column of pixels has no steps to be smoothed, and is crisp.
+    // A side along a row or a column of pixels has no steps, so a short halo is enough and looks
+    // sharp.
     halo = std::clamp(std::min(std::abs(edge.x), std::abs(edge.y)), 0.5f, 1.0f);
 }
 
@@ -91,7 +93,7 @@ void thin(std::vector<Vector>& corners) {
 }
 
 float reach_between(const Side& before, const Side& after) {
-    // At a depth of d the corner is d tan(turn / 2) along each side.
+    // At a depth d the corner moves by d tan(turn / 2) along each side.
     const float tangent =
         std::abs(cross(before.normal, after.normal)) / (1 + dot(before.normal, after.normal));
     const float shorter = std::min(before.length, after.length);
@@ -108,7 +110,7 @@ Vector meeting(Vector normal, float distance, Vector other_normal, float other_d
 
 void add_bends(Vector corner, const Side& before, const Side& after, float reach,
                std::vector<Bend>& bends) {
-    // The miter m has m . before = m . after = 1.
+    // The miter m is defined by m . before = m . after = 1.
     const float scale = 1 + dot(before.normal, after.normal);
     const Vector miter = scale > 1e-5f ? (before.normal + after.normal) / scale : Vector{0, 0};
     const bool sharp = scale < 2 / (miter_limit * miter_limit);
@@ -119,10 +121,10 @@ void add_bends(Vector corner, const Side& before, const Side& after, float reach
     }
     if (!sharp) {
         bends.push_back({corner, miter, miter, halo, reach});
-    } else if (cross(before.normal, after.normal) >= 0) {  // a spike: blunt outside
+    } else if (cross(before.normal, after.normal) >= 0) {  // convex corner: cut off on the outside
         bends.push_back({corner, before.normal, miter, before.normal * before.halo, reach});
         bends.push_back({corner, after.normal, miter, after.normal * after.halo, reach});
-    } else {  // a notch: blunt inside
+    } else {  // concave corner: cut off on the inside
         bends.push_back({corner, miter, before.normal, before.normal * before.halo, reach});
         bends.push_back({corner, miter, after.normal, after.normal * after.halo, reach});
     }
@@ -190,7 +192,7 @@ void Outline::add_arc(Vector corner, const Side& before, const Side& after) {
     const Vector miter = scale > 1e-5f ? (before.normal + after.normal) / scale : Vector{0, 0};
     const float turn =
         std::atan2(cross(before.normal, after.normal), dot(before.normal, after.normal));
-    // The end of a line is half a turn, whichever way it comes out.
+    // The end of a line is half a turn; rounding may give -pi instead of pi.
     const float angle = turn < -1 ? turn + 2 * pi : std::max(turn, 0.0f);
     const int segments =
         std::max(1, static_cast<int>(std::ceil(static_cast<float>(circle_segments(rounding_)) *
@@ -212,7 +214,8 @@ void Outline::halo(std::vector<Vector>& points) const {
 
 void Outline::ring(float depth, std::vector<Vector>& points) const {
     for (const Bend& b : bends_) {
-        // Within the rounding a ring is an arc around the corner; deeper it has a sharp corner.
+        // At depths within the rounding a ring is an arc around the corner; deeper rings have sharp
+        // corners.
         if (rounding_ == 0)
             points.push_back(b.at(depth));
         else if (depth <= rounding_)

@@ -1,8 +1,8 @@
 #pragma once
-// Outlines of figures, and the rings that lie at a given depth inside them.
+// Outlines of figures, and rings at a given depth inside them.
 //
-// Anti-aliasing needs no help from the graphics system: a figure is drawn as rings of triangles,
-// and the ring across its rim fades from the color to nothing.
+// These rings give anti-aliasing without support of the graphics system: a figure is drawn as rings
+// of triangles, and the color fades to transparent across the rim.
 
 #include <span>
 #include <vector>
@@ -11,21 +11,22 @@
 
 namespace fettle::app {
 
-/// An edge of an outline with a positive area.
+/// A side of an outline with positive area.
 struct Side {
     sf::Vector2f normal;  // outwards, unit
     float length;         // px
-    float halo;           // px; how far outside of it its color ends, where it may touch others
+    float halo;           // px; width of the fading outside of it, if figures may touch
 
     Side(sf::Vector2f from, sf::Vector2f to);
 };
 
-/// A corner of an outline, and where the corners of its rings are.
+/// A corner of an outline, from which the corners of its rings are computed.
 struct Bend {
     sf::Vector2f corner;
-    sf::Vector2f out, in;  // where a pixel of depth takes it, outwards and inwards
-    sf::Vector2f halo;     // from it to the end of the halo
-    float reach;           // px; from that depth on a ring's corner stays where it is
+    // Movement of a ring's corner for each pixel of depth, outwards and inwards.
+    sf::Vector2f out, in;
+    sf::Vector2f halo;  // from the corner to the end of the halo
+    float reach;        // px; a ring's corner does not move beyond this depth
 
     sf::Vector2f at(float depth) const {
         return depth < 0 ? corner + out * (-depth < reach ? -depth : reach)
@@ -33,51 +34,51 @@ struct Bend {
     }
 };
 
-/// Appends what an outline has where two of its sides meet: one bend, or two where the corner is so
-/// sharp that one would stick out far.
+/// Appends the bends at a corner between two sides: one bend, or two if the corner is so sharp that
+/// one would extend too far.
 void add_bends(sf::Vector2f corner, const Side& before, const Side& after, float reach,
                std::vector<Bend>& bends);
 
-/// How deep a ring may be before its corner between two sides passes a next one.
+/// The largest depth of a ring at which its corner does not pass a neighboring corner.
 float reach_between(const Side& before, const Side& after);
 
-/// The way to where two lines meet that are moved from one point by `distance` along their normals;
-/// zero where they hardly differ.
+/// Two lines through the same point are moved by `distance` along their normals. Returns the vector
+/// from that point to their new intersection; zero if they are almost parallel.
 sf::Vector2f meeting(sf::Vector2f normal, float distance, sf::Vector2f other_normal,
                      float other_distance);
 
 float area_of(std::span<const sf::Vector2f> corners);  // px²
 
-/// Makes `corners` those of `given` that differ, in the order that has a positive area.
+/// Sets `corners` to `given` without repeated corners, in the order with positive area.
 void set_round(std::vector<sf::Vector2f>& corners, std::span<const sf::Vector2f> given);
 
-/// Whether an outline bulges everywhere, as far as one can see, and goes round once.
+/// Whether an outline is convex, up to an invisible error, and winds around only once.
 bool is_convex(std::span<const sf::Vector2f> corners);
 
-/// Leaves out corners that are too near to the one before to be seen.
+/// Removes corners that are closer to the one before than is visible.
 void thin(std::vector<sf::Vector2f>& corners);
 
 class Outline {
   public:
-    /// `corners` in pixels, convex, either way round, at least one; `rounding` is a radius around
-    /// them in pixels.
+    /// `corners`: pixels, convex, in either direction, at least one. `rounding`: radius around the
+    /// corners in pixels.
     void set(std::span<const sf::Vector2f> corners, float rounding);
-    /// Corners of any closed outline, either way round.
+    /// Sets any closed outline, in either direction.
     void set_any(std::span<const sf::Vector2f> corners);
 
-    /// Appends `size()` points where its halo ends.
+    /// Appends `size()` points at the end of the halo.
     void halo(std::vector<sf::Vector2f>& points) const;
     /// Appends `size()` points at `depth` pixels inside the rim (negative: outside).
     void ring(float depth, std::vector<sf::Vector2f>& points) const;
-    /// How deep a ring can lie before it would turn inside out.
+    /// The largest depth at which a ring is not turned inside out.
     float depth_limit() const { return depth_limit_; }
     std::size_t size() const { return bends_.size(); }
     std::span<const Bend> bends() const { return bends_; }
     std::span<const sf::Vector2f> corners() const { return corners_; }
-    /// Each begins at the corner of its number.
+    /// Side i begins at corner i.
     std::span<const Side> sides() const { return sides_; }
     bool rounded() const { return rounding_ > 0; }
-    /// False when it certainly crosses itself: it does not go round just once.
+    /// False if the outline certainly crosses itself.
     bool goes_round_once() const { return goes_round_once_; }
 
   private:
@@ -93,10 +94,10 @@ class Outline {
     std::vector<Side> sides_;
 };
 
-/// Segments that make a circle of `radius` pixels look round.
+/// Number of segments with which a circle of `radius` pixels looks round.
 int circle_segments(float radius);
 
-/// How far a chord may miss its arc, in pixels: of more one sees the corners.
+/// Largest distance between a chord and its arc, in pixels; above it corners are visible.
 inline constexpr float unseen = 0.05f;
 
 }  // namespace fettle::app

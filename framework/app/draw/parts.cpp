@@ -1,4 +1,4 @@
-// Parts of one thing: they are kept until all have come, and drawn with one border.
+// Parts of one whole: they are collected, and drawn together with one border.
 
 #include <draw/canvas.h>
 #include <draw/rim.h>
@@ -7,15 +7,15 @@ namespace fettle::app {
 
 using property::Paint;
 
-/// Whether a figure of that paint is kept. What is kept already and is no part of the same thing is
-/// drawn.
+/// Returns whether a figure with this paint is to be collected. Draws the collected parts first if
+/// they belong to another whole or have another paint.
 bool Canvas::joins(const Paint& paint) {
     const bool same = joined_whole_ == whole_ && joined_paint_.fill == paint.fill &&
                       joined_paint_.border == paint.border &&
                       joined_paint_.border_width == paint.border_width;
     if (!same) settle();
     if (whole_ == 0) return false;
-    // One color hides by itself where parts touch.
+    // An opaque color without a border shows no seams, so each part is drawn by itself.
     if (!bordered(paint) && opaque(native(paint.fill))) return false;
     joined_whole_ = whole_;
     joined_paint_ = paint;
@@ -30,7 +30,7 @@ void Canvas::join() {
 
 void Canvas::settle() {
     if (joined_.size() == 0) return;
-    constexpr float too_small = 12;  // px: seams in it are not visible
+    constexpr float too_small = 12;  // px; in a smaller whole the seams are not visible
     if (joined_.size() > 1 && joined_.extent() > too_small && joined_.find_seams())
         draw_joined(Rim::inside(joined_paint_));
     else

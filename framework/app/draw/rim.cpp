@@ -26,7 +26,7 @@ Rim Rim::inside(const Paint& paint) {
         if (opaque(rim.fill)) {
             rim.add_halo(rim.fill);
             rim.add(0, rim.fill);
-            rim.add(0.5f, rim.fill);  // over where the inside begins, which has steps
+            rim.add(0.5f, rim.fill);  // covers the steps at the edge of the inside
             rim.depth = 0.25f;
         } else {
             rim.add(-0.5f, clear(rim.fill));
@@ -35,10 +35,11 @@ Rim Rim::inside(const Paint& paint) {
         }
         return rim;
     }
-    // A border thinner than a pixel is a paler one.
+    // A border thinner than a pixel is drawn one pixel wide and paler.
     const float width = std::max(paint.border_width, 1.0f);
     const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
-    if (opaque(border)) {  // it hides where the inside begins, and where two of its sides overlap
+    // An opaque border covers the steps of the inside and overlaps of its own sides.
+    if (opaque(border)) {
         rim.add_halo(border);
         rim.add(0, border);
         rim.add(width - thinner - 0.5f, border);
@@ -59,7 +60,7 @@ Rim Rim::on_both_sides(const Paint& paint) {
     Rim rim;
     rim.fill = native(paint.fill);
     const bool seen = bordered(paint);
-    // Without a border a line of its own color smooths the steps of the inside.
+    // Without a visible border, a line of the fill color smooths the steps of the inside.
     if (!seen && !opaque(rim.fill)) return rim;
     const float width = seen ? std::max(paint.border_width, 1.0f) : 1.0f;
     const sf::Color line =

@@ -1,6 +1,6 @@
 #pragma once
-// How the rim of a figure that is not convex is drawn: rings at depths inside of its outline, each
-// of one color, and what lies between two of them goes from one color to the other.
+// The rim of a figure that is not convex: rings at given depths inside its outline. Each ring has
+// one color; between two rings the color changes linearly.
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace fettle::app {
 
-/// As the graphics system has it.
+/// Converts a color to SFML's type.
 sf::Color native(property::Color color, float opacity = 1);
 
 inline sf::Color clear(sf::Color color) {
@@ -22,30 +22,30 @@ inline sf::Color clear(sf::Color color) {
 inline bool opaque(sf::Color color) {
     return color.a == 255;
 }
-/// px; how much thinner than it is a border is drawn inside of an outline with a halo.
+/// px; a border with a halo is drawn thinner by this amount, since the halo makes it look wider
 inline constexpr float thinner = 0.25f;
 
-/// Whether one sees a border: not one that looks like what it surrounds.
+/// Whether the paint has a visible border: its color differs from that of the fill.
 bool bordered(const property::Paint& paint);
 
 struct Rim {
     struct Ring {
         float depth;  // px
         sf::Color color;
-        bool halo = false;  // where the halo ends instead
+        bool halo = false;  // the ring lies at the end of the halo; `depth` is not used
         sf::Vector2f at(const Bend& bend) const {
             return halo ? bend.corner + bend.halo : bend.at(depth);
         }
     };
-    std::array<Ring, 4> rings{};  // the outermost first
+    std::array<Ring, 4> rings{};  // outermost first
     std::size_t count = 0;
     sf::Color fill{};
-    float depth = 0;    // of the outline of what is filled
-    float overlap = 0;  // px; how far a border reaches into another part of the same thing
+    float depth = 0;    // px; depth of the outline of the filled area
+    float overlap = 0;  // px; overlap of a border with another part of the same whole
 
-    /// A rim that lies inside of the outline, as that of convex figures.
+    /// A rim inside the outline, as for convex figures.
     static Rim inside(const property::Paint& paint);
-    /// For an outline that crosses itself, where no side of a line is the inside.
+    /// For an outline that crosses itself: its lines have no inner side, so the rim is centered.
     static Rim on_both_sides(const property::Paint& paint);
 
   private:

@@ -40,13 +40,14 @@ void Sight::arc(const Point& center, const Point& a, const Point& b, double star
     }
 }
 
-/// Appends what is between two points, as long as a chord could be told from the arc.
+/// Appends the points between two points of an arc, unless the chord differs invisibly from the arc
+/// or the piece is not visible.
 void Sight::bend(const Arc& arc, double start, const Point& from, double end, const Point& to,
                  int levels, std::vector<Point>& outline) const {
     const double t = 0.5 * (start + end);
     const Point middle = arc.at(t);
     if (levels == 0 || (middle - 0.5 * (from + to)).squaredNorm() < unseen * unseen) return;
-    // The arc lies between the chord and where the tangents at its ends meet.
+    // The arc lies between the chord and the intersection of the tangents at its ends.
     const Point tip = arc.center + (middle - arc.center) / std::cos(0.5 * (end - start));
     const Point least = from.cwiseMin(to).cwiseMin(tip), most = from.cwiseMax(to).cwiseMax(tip);
     if ((most.array() < lower_.array()).any() || (least.array() > upper_.array()).any()) return;
@@ -71,7 +72,7 @@ std::vector<Point> Sight::rounded(std::span<const Point> corners, double roundin
     for (std::size_t i = 0; i < n; ++i)
         area += cross(given[i] - given[0], given[(i + 1) % n] - given[0]);
     if (area < 0) std::reverse(given.begin(), given.end());
-    const auto direction = [&](std::size_t i) {  // of the normal of the edge that begins there
+    const auto direction = [&](std::size_t i) {  // of the normal of the edge from corner i
         const Point edge = given[(i + 1) % n] - given[i % n];
         return std::atan2(-edge.x(), edge.y());
     };

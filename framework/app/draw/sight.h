@@ -1,8 +1,8 @@
 #pragma once
-// What can be seen of outlines that are much larger than the screen: arcs get as many corners as
-// the part of them that can be seen needs, and everything is cut off a little outside of the
-// screen. A circle of a million pixels then is as round as one of a hundred, and nothing of it is
-// too large for the numbers that the graphics system computes with.
+// Reduces outlines that are much larger than the screen to their visible part. Arcs get as many
+// corners as their visible part needs, and everything is cut off slightly outside of the screen. So
+// a circle of a million pixels looks as round as one of a hundred, and all coordinates stay small
+// enough for the single precision of the graphics system.
 
 #include <span>
 #include <vector>
@@ -15,18 +15,19 @@ class Sight {
   public:
     using Point = property::Vec2;  // pixels
 
-    /// Figures reach from `lower` to `upper` where they are looked at.
+    /// `lower` and `upper` are the corners of the visible area.
     Sight(const Point& lower, const Point& upper) : lower_(lower), upper_(upper) {}
 
     /// Appends the arc center + a cos t + b sin t, t from `start` to `end`, without its last point.
     void arc(const Point& center, const Point& a, const Point& b, double start, double end,
              std::vector<Point>& outline) const;
-    /// The outline `rounding` outside of a convex one, which may have one or two corners only.
+    /// Returns the outline at the distance `rounding` outside of a convex one, which may have only
+    /// one or two corners.
     std::vector<Point> rounded(std::span<const Point> corners, double rounding) const;
-    /// Cuts off what lies outside. Of a concave outline there may remain parts that are joined
-    /// along the edge of what is seen.
+    /// Cuts off what lies outside of the visible area. The remaining parts of a concave outline may
+    /// be connected along the edge of this area.
     void cut(std::vector<Point>& outline) const;
-    /// The same of a line; false when nothing remains.
+    /// The same for a line; returns false if nothing remains.
     bool cut(Point& from, Point& to) const;
 
   private:

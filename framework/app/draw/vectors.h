@@ -1,5 +1,5 @@
 #pragma once
-// Products of vectors in the plane of a picture.
+// Products of two-dimensional vectors.
 
 #include <limits>
 
@@ -10,12 +10,12 @@ namespace fettle::app {
 inline float dot(sf::Vector2f a, sf::Vector2f b) {
     return a.x * b.x + a.y * b.y;
 }
-/// Positive where `b` lies to the left of `a` in a plane whose y goes up.
+/// Positive if `b` points to the left of `a` with y up.
 inline float cross(sf::Vector2f a, sf::Vector2f b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Farther than any coordinate.
+/// Larger than any coordinate.
 constexpr float anywhere = std::numeric_limits<float>::max();
 
 }  // namespace fettle::app

@@ -34,7 +34,7 @@ std::string utf8(char32_t c) {
     return text;
 }
 
-/// Some windows tell escape, backspace, tab and delete as text as well. They are keys.
+/// Some windows also send escape, backspace, tab and delete as text. They are keys only.
 bool is_control(char32_t c) {
     return c < 0x20 || (c >= 0x7F && c < 0xA0);
 }
@@ -43,7 +43,7 @@ std::string axis_name(std::string_view stick, int component) {
     return std::string(stick) + (component == 0 ? "_x" : "_y");
 }
 
-/// Which property of a gamepad an axis is: a component of a stick, or a trigger.
+/// The property of a gamepad to which an axis belongs: a component of a stick, or a trigger.
 struct Axis {
     std::string_view property;
     int component = -1;  // -1: a trigger
@@ -72,7 +72,7 @@ void Input::State::move_mouse(const Vec2& pixels) {
     mouse = pixels;
     if (silent) return;
     std::vector<Value> arguments{view.to_world(mouse), mouse};
-    // One call for a chain of moves: some mice send a thousand a second.
+    // Consecutive moves give one call, because some mice send a thousand events a second.
     if (!calls.empty() && calls.back().callback == "mouse_moved")
         calls.back().arguments = std::move(arguments);
     else
@@ -169,7 +169,7 @@ void Input::observe(const InputEvent& event) {
             if (button(event.name)) apply(event);
             break;
         case EventKind::mouse_moved:
-            // A drag that began in the game goes on over whatever lies above it.
+            // A drag that began in the game continues even over a layer.
             point(event, any_button());
             break;
         case EventKind::gamepad_released:
@@ -196,7 +196,7 @@ void Input::point(const InputEvent& event, bool tell) {
 }
 
 void Input::set_switch(Handle instance, std::string_view name, bool down) {
-    // Keys without a name are no input.
+    // Keys without a name are ignored.
     if (const property::Property* found = state_->tree.find(instance, name);
         found != nullptr && found->type == property::Type::boolean)
         state_->tree.set(instance, *found, down);
@@ -234,10 +234,10 @@ void Input::release_all() {
 }
 
 bool Input::deliver(script::Runtime& runtime) {
-    // What a callback presses is delivered in the next frame.
+    // Input made by a callback is delivered in the next frame.
     state_->wheel_told = state_->wheel;
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
-    const auto life = runtime.lifetime();  // what a callback calls may end it
+    const auto life = runtime.lifetime();  // a callback may destroy the runtime
     for (const State::Call& call : calls) {
         if (!runtime.call(call.callback, call.arguments)) return false;
         if (life.expired() || runtime.quit_status()) break;
@@ -251,7 +251,8 @@ void Input::drop() {
 }
 
 void Input::end_frame() {
-    // What a script has turned meanwhile is of the next frame, as its callback is.
+    // A turn of the wheel by a script during the frame counts for the next frame, like its
+    // callback.
     state_->wheel -= std::exchange(state_->wheel_told, 0);
 }
 

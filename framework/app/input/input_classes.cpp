@@ -46,8 +46,7 @@ Property button_property(State::Switch& button) {
 }
 
 std::vector<Property> mouse_properties(State& state) {
-    // World and screen position say the same, and the view moves one against the other: the tree
-    // compares them at barriers.
+    // The view can change either position without a write, so the tree compares both at barriers.
     return {{.name = "world",
              .type = Type::vec2,
              .unit = "m",
@@ -190,7 +189,7 @@ void Input::State::define() {
 
 void Input::State::define_keys(Handle input) {
     std::vector<Property> properties;
-    keys.reserve(key_names().size());  // the properties are bound to its elements
+    keys.reserve(key_names().size());  // properties are bound to its elements
     for (const std::string_view name : key_names())
         properties.push_back(key_property(keys.emplace_back(Switch{this, std::string(name)})));
     const property::Class& keys_class =

@@ -1,5 +1,5 @@
 #pragma once
-// What input there is now, as the tree's properties are bound to it, and the callbacks it causes.
+// The current input, to which the tree's properties are bound, and the queue of callbacks.
 
 #include <array>
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace fettle::app {
 
-/// Sticks, which are vectors: their axes are called "left_x", "left_y" and so on.
+/// Sticks are vectors. Their axes are called "left_x", "left_y" and so on.
 inline constexpr std::array<std::string_view, 3> gamepad_stick_names{"left", "right", "pad"};
-/// Triggers, which are numbers and axes of the same name.
+/// Triggers are numbers. Their axes have the same names.
 inline constexpr std::array<std::string_view, 2> gamepad_trigger_names{"left_trigger",
                                                                        "right_trigger"};
 inline constexpr std::array<std::string_view, 5> mouse_button_names{"left", "right", "middle",
@@ -34,16 +34,16 @@ struct Input::State {
         std::array<double, gamepad_trigger_names.size()> triggers{};
         std::array<bool, gamepad_buttons> buttons{};
     };
-    /// One stick or one trigger of all gamepads: what a property of their class is bound to.
+    /// Context of the properties for one stick or one trigger of all gamepads.
     struct GamepadAxis {
         State* state = nullptr;
         std::size_t index = 0;
     };
-    /// One button of all gamepads: what a property of their class is bound to.
+    /// Context of the property for one button of all gamepads.
     struct GamepadButton {
         State* state = nullptr;
         std::size_t index = 0;
-        std::string name{};  // "1", what callbacks are told; the property is button_1
+        std::string name{};  // "1": the name in callbacks; the property is button_1
     };
     struct Call {
         std::string_view callback;
@@ -60,12 +60,12 @@ struct Input::State {
     std::array<GamepadAxis, gamepad_trigger_names.size()> gamepad_triggers{};
     std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
     property::Vec2 mouse{0, 0};  // px
-    double wheel = 0;            // notches in this frame, and those a script turned in it
-    double wheel_told = 0;       // notches whose callbacks belong to this frame
+    double wheel = 0;            // notches in this frame, with those added by scripts
+    double wheel_told = 0;       // part of `wheel` whose callbacks are delivered in this frame
     std::vector<Call> calls{};
-    bool silent = false;  // the mouse moves, but the game is not told
+    bool silent = false;  // no callbacks for mouse moves
 
-    /// Makes classes and instances.
+    /// Registers the classes and creates the instances.
     void define();
 
     void queue(std::string_view callback, std::vector<property::Value> arguments);
@@ -73,7 +73,7 @@ struct Input::State {
     void turn_wheel(double notches);
     void move_stick(Gamepad& gamepad, std::size_t stick, const property::Vec2& to);
     void pull_trigger(Gamepad& gamepad, std::size_t trigger, double to);
-    /// Lets go of everything when it goes.
+    /// Releases all buttons and axes of a gamepad that is disconnected.
     void connect(Gamepad& gamepad, bool connected);
 
   private:

@@ -1,4 +1,4 @@
-// The last phase of a frame: the picture.
+// Draws a frame.
 
 #include <algorithm>
 #include <array>
@@ -17,14 +17,14 @@ using property::Vec2;
 
 namespace {
 
-/// Black or white, whichever can be seen on `background`, with an opacity.
+/// Black or white, whichever has the better contrast to `background`.
 Color contrasting(Color background, float opacity) {
     const float light = 0.299f * background.r + 0.587f * background.g + 0.114f * background.b;
     const float shade = light < 0.5f ? 1.0f : 0.0f;
     return {shade, shade, shade, opacity};
 }
 
-/// Lines a power of ten of metres apart, so that they are 20 to 200 pixels apart on the screen.
+/// Draws a grid. The lines are a power of ten of metres apart, which is 20 to 200 pixels.
 void draw_grid(property::Painter& painter, const View& view) {
     const double spacing = std::pow(10, std::ceil(std::log10(20 / view.zoom())));
     const Vec2 lower = view.lower(), upper = view.upper();
@@ -41,7 +41,7 @@ void draw_grid(property::Painter& painter, const View& view) {
             line(n * spacing, axis);
 }
 
-/// Frames a second and a bar for each phase of a frame, at the top right.
+/// Draws the frame rate and a bar for each phase of a frame at the top right.
 void draw_timings(Surface& surface, const Clock& clock) {
     struct Row {
         const char* name;
@@ -77,7 +77,7 @@ void draw_timings(Surface& surface, const Clock& clock) {
         surface.text(left + padding, y, row.name, 12, pale, Face::plain);
         std::snprintf(text.data(), text.size(), "%.2f", row.ms);
         surface.text(left + width - padding - 34, y, text.data(), 12, ink, Face::plain);
-        // The whole bar is a frame of 60 a second.
+        // The full length of a bar is 1/60 s.
         const float share = std::min(1.0f, static_cast<float>(row.ms * 60 / 1000));
         constexpr float bar = 84;
         box(left + 76, y + 5, bar, 6, {255, 255, 255, 24});

@@ -25,7 +25,7 @@ void fill(Surface& surface, float x, float y, float w, float h, SurfaceColor c) 
     surface.triangles(corners, order, 0, {0, 0, surface.width(), surface.height()});
 }
 
-/// Where `text` must be cut so that it fits `width` pixels: behind a space if there is one.
+/// Length of the part of `text` that fits `width` pixels; it ends after a space if there is one.
 std::size_t fitting(Surface& surface, std::string_view text, float width, float size, Face face) {
     const auto fits = [&](std::size_t length) {
         return surface.text(0, 0, text.substr(0, length), size, {0, 0, 0, 0}, face) <= width;
@@ -36,7 +36,7 @@ std::size_t fitting(Surface& surface, std::string_view text, float width, float 
         const std::size_t middle = (low + high) / 2;
         (fits(middle) ? low : high) = middle;
     }
-    // Not inside a character of several bytes.
+    // Do not cut inside a character of several bytes.
     while (low > 1 && (static_cast<unsigned char>(text[low]) & 0xC0) == 0x80) --low;
     const std::size_t space = text.substr(0, low).rfind(' ');
     return space == std::string_view::npos || space < low / 2 ? low : space + 1;
@@ -65,8 +65,8 @@ struct ErrorScreen::Line {
     float size = 15;  // px
     SurfaceColor color = white;
     Face face = Face::plain;
-    float above = 0;     // px of space before it
-    bool boxed = false;  // on a darker ground: code
+    float above = 0;     // px, space above the line
+    bool boxed = false;  // code, on a darker background
 };
 
 std::string error_text(const script::ScriptError& error) {
@@ -113,7 +113,7 @@ void ErrorScreen::came_back() {
 
 namespace {
 
-/// The place with its line of source.
+/// Adds the place of the error and its source line.
 template <class Line>
 void add_source(std::vector<Line>& lines, const script::ScriptError& e) {
     const std::string place = place_of(e);
@@ -194,7 +194,7 @@ std::vector<ErrorScreen::Line> ErrorScreen::lines() const {
     return running_ ? lines_of_running() : lines_of_error();
 }
 
-/// A key that decides something.
+/// Handles a key that has an action.
 bool ErrorScreen::handle_key(const std::string& key) {
     if (key == "r" && actions_.reload) {
         stop_wanted_ = running_.has_value();
@@ -228,7 +228,7 @@ bool ErrorScreen::handle(const InputEvent& event) {
         case EventKind::closing:
             return false;
         default:
-            return true;  // the game rests
+            return true;  // the game must get no input
     }
 }
 

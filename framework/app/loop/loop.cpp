@@ -13,7 +13,7 @@
 
 namespace fettle::app {
 
-/// Times the phases of a frame: each `lap` adds the time since the last to a phase.
+/// Measures the phases of a frame: each `lap` adds the time since the last one to a phase.
 class Loop::Stopwatch {
   public:
     Stopwatch() : last_(Clock::now()) {}
@@ -31,7 +31,7 @@ class Loop::Stopwatch {
 
 namespace {
 
-/// Moves `average` towards `sample` so that half a second of frames counts most.
+/// Exponential moving average with a time constant of half a second.
 void smooth(double& average, double sample, double seconds) {
     average += (sample - average) * (1 - std::exp(-seconds / 0.5));
 }
@@ -42,7 +42,7 @@ class Witnessed {
     Witnessed(Witness* witness, Begin begin) : witness_(witness) {
         if (witness_ != nullptr) begin(*witness_);
     }
-    /// Throws what the witness throws, unless the frame itself is left by an exception.
+    /// Throws the witness's exception, unless another exception is leaving the frame already.
     ~Witnessed() noexcept(false) {
         if (witness_ == nullptr) return;
         try {
@@ -69,8 +69,11 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     services_.clock.go_to = [this](std::int64_t step) {
-        timeline_.require(step);  // the caller can catch this; fewer steps may be kept at the
-                                  // barrier
+        // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
+        // goes to the nearest.
+        // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
+        // goes to the nearest.
+        timeline_.require(step);
         tree_.at_barrier([this, step] { timeline_.go_near(step); });
     };
 }
@@ -130,7 +133,7 @@ void Loop::barrier(bool between_steps) {
         }
     };
     attempt([&] { deliver(between_steps); });
-    // It may put another in its place.
+    // A copy, because the hook may replace itself.
     if (const auto hook = after_barrier_) attempt(hook);
     if (problem) std::rethrow_exception(problem);
 }
@@ -139,7 +142,7 @@ void Loop::deliver(bool between_steps) {
     try {
         tree_.barrier(between_steps);
     } catch (const std::exception& error) {
-        // Handlers that never come to rest: the game's fault, and no reason to fall over.
+        // Handlers that never stop making changes are an error of the game, not of the program.
         const auto sink = on_error_;
         if (!sink) throw;
         script::ScriptError told;
@@ -149,7 +152,7 @@ void Loop::deliver(bool between_steps) {
     }
 }
 
-/// Before anything moves.
+/// Checks before the frame changes anything.
 void Loop::require_ready() const {
     if (runtime_life_.expired())
         throw property::Error(property::ErrorKind::deleted,
@@ -169,7 +172,7 @@ void Loop::announce_next() {
     before_step_(next);
 }
 
-/// False when there is no next step.
+/// Begins the next step or turn. False if there is none.
 bool Loop::live_next() {
     announce_next();
     if (stopped()) return false;
@@ -177,7 +180,7 @@ bool Loop::live_next() {
     return true;
 }
 
-/// Input, barrier, update, barrier. False when the frame ends here.
+/// Input, barrier, update and barrier. False if the frame ends here.
 bool Loop::prelude(double dt, Stopwatch& watch) {
     if (halted_) {
         services_.input.drop();
@@ -189,7 +192,7 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
     if (stopped()) return false;
     barrier();
     watch.lap(watch.phases.handlers);
-    if (stopped() || closing_) return false;  // closing() is the last that a game does
+    if (stopped() || closing_) return false;  // no other callback follows closing()
     runtime_.call("update", {dt});
     watch.lap(watch.phases.update);
     if (stopped()) return false;
@@ -198,10 +201,10 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
     return !stopped();
 }
 
-/// One fixed step. False when it was the last.
+/// One fixed step. False if it was the last.
 bool Loop::make_step(Stopwatch& watch) {
     Clock& clock = services_.clock;
-    clock.require_usable();  // a script's host may have set it since the frame began
+    clock.require_usable();  // a script or the host may have changed it since the frame began
     const double dt = clock.dt;
     struct Leave {
         Timeline& timeline;
@@ -213,7 +216,8 @@ bool Loop::make_step(Stopwatch& watch) {
     runtime_.step(clock.now, dt);
     watch.lap(watch.phases.scripts);
     if (stopped()) return false;
-    barrier(false);  // time does not jump between the scripts and the modules of a step
+    // Going to another step is not allowed between the scripts and the modules of a step.
+    barrier(false);
     watch.lap(watch.phases.handlers);
     if (stopped()) return false;
     {
@@ -248,10 +252,10 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
     if (will_step && !halted_ && lived_ < limit) announce_next();
-    // update is never told of more time than the frame may step through.
+    // `dt` of update is at most the time that this frame may simulate.
     if (prelude(std::min(passed, clock.max_steps * clock.dt), watch)) {
         if (clock.paused) {
-            // A step is due the moment the game goes on, and the picture shows the last one.
+            // A step is due as soon as the game is resumed, and the picture shows the last step.
             owed_ = clock.dt;
             if (clock.step_once) {
                 if (live_next()) make_step(watch);
@@ -270,7 +274,8 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
 
 void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
     Clock& clock = services_.clock;
-    // Sixty frames of 1/60 s are sixty steps although their sum is not quite one second.
+    // The tolerance makes sixty steps of sixty frames of 1/60 s, whose sum is slightly below one
+    // second.
     const auto due = [&] { return owed_ >= clock.dt * (1 - 1e-9); };
     for (int made = 0; due() && !clock.paused && lived_ < limit; ++made) {
         if (made == clock.max_steps) {
@@ -316,7 +321,7 @@ void Loop::end_frame(const Stopwatch& watch, double seconds) {
     if (average.frame > 0)
         smooth(average.frame, 1000 * seconds, seconds);
     else
-        average.frame = 1000 * seconds;  // the first
+        average.frame = 1000 * seconds;  // the first frame
     clock.fps = average.frame > 0 ? 1000 / average.frame : 0;
 }
 

@@ -29,7 +29,7 @@ void define_audio(property::Tree& tree, Audio& audio) {
 
 }  // namespace
 
-// Input comes last since it needs the view.
+// Input must be last, because it uses the view.
 Services::Services(property::Tree& tree) : input(define(tree), view), tree_(tree) {
     tree.add_part(clock_part_);
 }

@@ -75,7 +75,8 @@ std::vector<Property> where(View& view) {
                  .doc = "How much of the world is seen from side to side.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.width(); })},
                 {"height", "screen"}),
-        // Another way to say `height`; it changes with the size of the window, hence simulated.
+        // Computed from `height` and the size of the window. Resizing changes it without a write,
+        // so it is simulated.
         {.name = "zoom",
          .type = Type::number,
          .default_value = 40.0,

@@ -1,6 +1,6 @@
 #pragma once
-// SFML 2 and 3 behind one set of names. The rest of the application layer is written against this
-// header and against what both versions spell alike.
+// One interface for SFML 2 and 3. The rest of the application layer uses only this header and names
+// that are the same in both versions.
 
 #include <cstdint>
 #include <optional>
@@ -15,10 +15,10 @@
 
 namespace fettle::app::sfml {
 
-/// The name of a key, "" for one that has none. In sfml_events.cpp, like the next two.
+/// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next two.
 std::string key_name(sf::Keyboard::Key key);
 std::string button_name(sf::Mouse::Button button);
-/// Of an axis at `position` percent, y down positive: name and delta of the event.
+/// Sets name and delta of an axis event. `position`: percent, y down positive.
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
 
 #if SFML_VERSION_MAJOR >= 3

@@ -1,4 +1,4 @@
-// Names of keys, buttons and axes.
+// Names of keys, mouse buttons and gamepad axes for both versions of SFML.
 
 #include <array>
 #include <utility>

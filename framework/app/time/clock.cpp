@@ -14,7 +14,8 @@ using property::Type;
 
 namespace {
 
-/// What the loop keeps: it changes every frame without telling, and is no part of a saved game.
+/// Marks a property that the loop computes: it changes every frame without reports, and is not
+/// saved.
 Property kept(Property property) {
     property.read_only = true;
     property.simulated = true;
@@ -59,7 +60,7 @@ std::vector<Property> set_by_users(Clock& clock) {
     };
 }
 
-/// How much of the past is kept: the player's affair, not the saved game's.
+/// Settings for the timeline. They belong to the player, so saved games do not contain them.
 std::vector<Property> of_the_past(Clock& clock) {
     return {
         {.name = "rewind_limit",
@@ -186,7 +187,7 @@ void Clock::require_usable() const {
                                   std::string("time.") + name + " = " +
                                       property::number_text(value) + ": expected " + expected);
     };
-    constexpr double most = 1e6;  // s, so that no sum of them comes near what is no time
+    constexpr double most = 1e6;  // s; small enough that sums stay finite and exact
     require("dt", dt, dt > 0 && dt <= most, "a time in seconds, more than 0 and at most 1e6");
     const auto amount = [](double value) { return value >= 0 && std::isfinite(value); };
     require("scale", scale, amount(scale), "a number, at least 0");
@@ -234,7 +235,7 @@ std::function<void()> ClockPart::restore(property::ByteReader& from, const prope
     const auto read = from.get<State>();
     for (const double time : {read.now, read.origin, read.origin_dt})
         from.require(time >= 0 && time < 1e15, "a time that is none");
-    constexpr std::int64_t most = std::int64_t{1} << 52;  // more than a life of steps
+    constexpr std::int64_t most = std::int64_t{1} << 52;  // more steps than any run makes
     from.require(read.step >= 0 && read.step < most && read.origin_step >= 0 &&
                      read.origin_step <= read.step,
                  "a step that is none");

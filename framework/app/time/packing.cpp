@@ -12,14 +12,15 @@
 namespace fettle::app {
 namespace {
 
-// The fastest level of any use: it halves what the bytes' own order leaves.
+// The fastest useful level: it halves the size that remains after sorting the bytes.
 constexpr int level = 1;
 
-// A piece is packed at a time, so that packing takes little memory of its own.
+// Data is compressed in pieces, so that compression needs little additional memory.
 constexpr std::size_t piece_size = std::size_t{1} << 20;  // bytes, a multiple of 4
 
-// State is mostly floats: their bytes of the same rank, taken together, repeat far more than they
-// do in a row (a sixth less, in half the time).
+// Sorts the bytes of 4-byte words by their position in the word. State is mostly floats, whose
+// bytes of the same position repeat far more often. This saves a sixth of the size and half the
+// time.
 void sort_by_rank(std::span<const std::byte> plain, std::byte* ranks) {
     const std::size_t words = plain.size() / 4;
     for (std::size_t rank = 0; rank < 4; ++rank)
@@ -34,9 +35,10 @@ void sort_from_ranks(std::span<const std::byte> ranks, std::byte* plain) {
     for (std::size_t i = 4 * words; i < ranks.size(); ++i) plain[i] = ranks[i];
 }
 
-/// Where there is no processor to spare, the game goes first.
+/// Lowers the priority of the packing thread, so that the game goes first if there are few
+/// processors.
 void step_back() {
-#ifdef __linux__  // elsewhere it would be the whole process that does
+#ifdef __linux__  // elsewhere it would change the whole process
     constexpr int niceness = 10;
     (void)setpriority(PRIO_PROCESS, 0, niceness);
 #endif
@@ -44,7 +46,7 @@ void step_back() {
 
 }  // namespace
 
-// Each piece is a frame of its own, with its size in front.
+// Each piece is a zstd frame with its size before it.
 void PackedBytes::pack() {
     using Size = std::uint32_t;
     std::vector<std::byte> ranks(std::min(piece_size, plain_size_)), packed;
@@ -55,11 +57,10 @@ void PackedBytes::pack() {
         const std::size_t size =
             ZSTD_compress(frame.data() + sizeof(Size), frame.size() - sizeof(Size), ranks.data(),
                           piece.size(), level);
-        if (ZSTD_isError(size) != 0) return;  // it stays as it is
+        if (ZSTD_isError(size) != 0) return;  // the state stays unpacked
         const auto told = static_cast<Size>(size);
         std::memcpy(frame.data(), &told, sizeof told);
-        // By an eighth at a time: what is done with it is done once, and the rest is not to be
-        // held.
+        // Grow by an eighth and not by doubling, because unused capacity would stay allocated.
         if (const std::size_t wanted = packed.size() + sizeof told + size;
             wanted > packed.capacity())
             packed.reserve(wanted + wanted / 8);
@@ -68,7 +69,7 @@ void PackedBytes::pack() {
     }
     packed.shrink_to_fit();
     packed_ = std::move(packed);
-    // The system looks for the pages when they are first written to: better here than in a step.
+    // The first write to a page is slow, so it is done here and not in a step of the game.
     if (prepare_ != 0) next_.resize(prepare_);
     is_packed_.store(true, std::memory_order_release);
 }

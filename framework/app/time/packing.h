@@ -1,7 +1,6 @@
 #pragma once
-// Keyframes of a timeline, packed by a thread of their own so that no frame waits for it: neither
-// thread ever holds what the other wants. The game hands a state over and looks, when it comes by
-// again, whether it is packed.
+// Compresses keyframes of a timeline in a separate thread. Neither thread waits for the other: the
+// game hands over a state, and later checks whether it is packed.
 
 #include <algorithm>
 #include <atomic>
@@ -17,39 +16,40 @@
 
 namespace fettle::app {
 
-/// The state of a keyframe, and later the same in fewer bytes.
+/// The state of a keyframe, which the packing thread compresses.
 class PackedBytes {
   public:
-    /// Memory for a state. `touched`: as much of it has been written to, and so is there.
+    /// Memory for a state. The first `touched` bytes have been written before, so their pages
+    /// exist.
     struct Buffer {
         std::vector<std::byte> bytes;
         std::size_t touched = 0;
     };
-    /// `prepare`: bytes of memory that the packing thread is to make for later states; 0: none.
+    /// `prepare`: size in bytes of the memory to make for later states; 0: none.
     explicit PackedBytes(Buffer plain, std::size_t prepare = 0)
         : plain_(std::move(plain.bytes)),
           touched_(std::max(plain.touched, plain_.size())),
           plain_size_(plain_.size()),
           prepare_(prepare) {}
 
-    // --- By the game's thread
+    // --- Called by the game's thread
     std::vector<std::byte> payload() const;
-    /// Bytes of the state.
+    /// Size of the state in bytes.
     std::size_t plain_size() const { return plain_size_; }
-    /// Bytes of memory it takes now.
+    /// Memory in use, in bytes.
     std::size_t memory() const;
-    /// Once it is packed, memory for the next: that of what was packed, or more. Nothing before,
-    /// and after that.
+    /// Once the state is packed, returns memory for the next state: the unpacked buffer or a larger
+    /// one. Returns nothing before that, and nothing on later calls.
     std::optional<Buffer> settle();
 
-    // --- By the packing thread
+    // --- Called by the packing thread
     void pack();
 
   private:
-    std::vector<std::byte> plain_;   // the game's again once it is packed
-    std::size_t touched_ = 0;        // of its memory
-    std::vector<std::byte> packed_;  // the packing thread's until then
-    std::vector<std::byte> next_;    // as well: memory for later states
+    std::vector<std::byte> plain_;   // owned by the packing thread until packed, then by the game
+    std::size_t touched_ = 0;        // bytes of its memory that were written
+    std::vector<std::byte> packed_;  // owned by the packing thread until packed
+    std::vector<std::byte> next_;    // memory for later states; owned likewise
     std::size_t plain_size_ = 0;
     std::size_t prepare_ = 0;
     std::atomic<bool> is_packed_{false};
@@ -65,7 +65,7 @@ class Packer {
   private:
     void work();
 
-    std::mutex mutex_;  // held to hand over, never while packing
+    std::mutex mutex_;  // held only to hand over a state, not during packing
     std::condition_variable wake_;
     std::deque<std::weak_ptr<PackedBytes>> waiting_;
     bool ending_ = false;

@@ -1,5 +1,5 @@
-// Writing a recording. A line is complete or it is not there: a reader leaves out a last line
-// without an end.
+// Writes recordings. A reader ignores a last line without a line end, so every recorded line is
+// complete.
 
 #include <cerrno>
 #include <cstdio>
@@ -78,7 +78,8 @@ void Recorder::file(const RunFile& file) {
     else if (!file.overwritten && file.checksum)
         text += " " + hex(*file.checksum);
     line(text);
-    if (file.overwritten) flush();  // the next to happen
+    // The file itself is overwritten next, so its old content must be on disk before.
+    if (file.overwritten) flush();
 }
 
 void Recorder::frame_begins(double seconds, std::int64_t step_limit) {
@@ -102,8 +103,8 @@ void Recorder::stepped() {
     line(text);
 }
 
-// What is written between frames by no command, no event and no formula, which do it again: by the
-// inspector, or by another layer.
+// Whether a write came from the inspector or another layer between two frames. Commands, events and
+// formulas repeat their own writes in a replay, so those are not recorded.
 bool Recorder::writes_alone() const {
     const property::Cause cause = tree_->cause();
     return !inside_ && cause.writer != property::Writer::console &&

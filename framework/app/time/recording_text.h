@@ -1,5 +1,5 @@
 #pragma once
-// The words of a recording: one thing a line, texts in quotes, numbers exact.
+// The text format of a recording: one item on each line, texts in quotes, numbers exact.
 
 #include <cstdint>
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace fettle::app {
 
-/// In double quotes; line breaks, quotes, backslashes and control characters escaped.
+/// Adds double quotes and escapes line breaks, quotes, backslashes and control characters.
 std::string in_quotes(std::string_view text);
-/// Exact: hexadecimal.
+/// Hexadecimal, which is exact.
 std::string exact(double number);
 std::string hex(std::uint64_t bits);
 std::string encoded(const property::Value& value);
 
-/// Takes words off the front of a line. Each gives nothing where there is no such word.
+/// Reads words from the front of a line. Each function returns nothing if the next word has another
+/// form.
 class Words {
   public:
     explicit Words(std::string_view line) : rest_(line) {}

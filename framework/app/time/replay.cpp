@@ -1,4 +1,4 @@
-// Reading a recording and making its run again.
+// Reads recordings and replays them.
 
 #include <algorithm>
 #include <fstream>
@@ -20,12 +20,12 @@ using property::Writer;
 namespace {
 
 constexpr std::int64_t format = 2;
-/// A recording of an hour of nothing but the fastest events is far below.
+/// Far above the size of an hour with the fastest possible events.
 constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
 }  // namespace
 
-/// A line after `begin`.
+/// A line after the line `begin`.
 struct Recording::Item {
     enum class Kind : std::uint8_t { event, command, write, reset, frame, turn, step };
     Kind kind = Kind::turn;
@@ -117,7 +117,7 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
     std::string line;
     bool begun = false;
     for (int number = 1; std::getline(in, line); ++number) {
-        // The last line of a run that was cut off.
+        // The run was interrupted while the last line was written.
         if (in.eof() && number > 1) break;
         Words words(line);
         const std::string word = words.word().value_or("");
@@ -206,7 +206,6 @@ std::uint64_t Recording::steps() const {
 }
 
 // --- The run again
-// ----------------------------------------------------------------------------------------------------
 
 Replay::Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime,
                Loop& loop)
@@ -271,7 +270,7 @@ void Replay::stepped() {
     if (!difference_.empty()) return;
     const std::string now = "step " + std::to_string(tree_.step());
     const auto& items = recording_.items_;
-    if (next_ >= items.size()) return;  // cut off in the middle of a frame
+    if (next_ >= items.size()) return;  // the recording ends in the middle of a frame
     const Recording::Item& item = items[next_];
     if (item.kind != Recording::Item::Kind::step || item.step != tree_.step()) {
         difference_ = now + " is made now and was not made then";

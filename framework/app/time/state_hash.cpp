@@ -57,7 +57,7 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
                 add(double{channel});
             break;
         case Type::reference:
-            // By path: a handle's number says how the run went, not where it is.
+            // The path, because the number of a handle depends on the history of the run.
             add(std::string_view(tree.alive(value.reference()) ? tree.path(value.reference())
                                                                : std::string()));
             break;
@@ -70,8 +70,8 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
 
 void StateHash::add_stored_values(const property::Tree& tree) {
     tree.each_below(tree.root(), [&](property::Handle instance) {
-        // Services are not the game's, a console may be there or not; but what a game adds to them
-        // is.
+        // Services are skipped, because they may differ between programs (a console). Ad hoc
+        // properties that a game added to them are included.
         const bool service = !tree.class_of(instance).creatable();
         if (!service) {
             add(std::string_view(tree.name(instance)));
@@ -83,7 +83,7 @@ void StateHash::add_stored_values(const property::Tree& tree) {
                               (kind == BindingKind::stored && !service && !property->transient);
             if (!kept) continue;
             add(std::string_view(property->name));
-            // Settled; of a formula in error it is the last good value.
+            // This settles the value; a formula with an error has its last valid value.
             (void)tree.problem(instance, *property);
             add(tree.peek(instance, *property), tree);
         }

@@ -1,5 +1,5 @@
 #pragma once
-// A hash of the state of a game, equal in every run that went the same way.
+// A hash of the state of a game. It is equal in runs with the same state.
 
 #include <cstdint>
 #include <string_view>
@@ -14,8 +14,8 @@ class StateHash {
     void add(double number);
     void add(std::string_view text);
     void add(const property::Value& value, const property::Tree& tree);
-    /// Instances in the order of the tree, with names and classes, and every value that the tree
-    /// itself keeps and saves. What modules keep is theirs to hash; services are left out.
+    /// Adds the instances in the order of the tree, with names, classes, and all saved values that
+    /// the tree itself stores. Modules hash their own values; services are skipped.
     void add_stored_values(const property::Tree& tree);
     std::uint64_t result() const { return state_; }
 

@@ -18,9 +18,9 @@ using property::Snapshot;
 namespace {
 
 constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
-// Where not even one keyframe has room, it is tried again so much later: the state may be smaller.
+// If there was no room for one keyframe, try again after this time: the state may be smaller then.
 constexpr std::int64_t tried_again = 600;  // steps
-// What is kept of a step besides what was written in it: parts of containers and their memory.
+// Estimated overhead of a step: containers and their memory.
 constexpr std::size_t of_step = 256;                         // bytes
 constexpr std::size_t most_history = std::size_t{64} << 20;  // bytes
 
@@ -31,7 +31,7 @@ double now() {
 
 }  // namespace
 
-/// Notices snapshots that other code restores: time has jumped.
+/// Notices when other code restores a snapshot, that is, when time jumps.
 class Timeline::Jumps : public property::Observer {
   public:
     explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {
@@ -45,7 +45,7 @@ class Timeline::Jumps : public property::Observer {
         arrived = true;
     }
     void wrote_plain(const property::PlainWrites&) override {
-        // not one by one
+        // single writes are not needed here
     }
 
     bool jumped = false;
@@ -57,7 +57,7 @@ class Timeline::Jumps : public property::Observer {
     std::weak_ptr<const property::Tree*> tree_life_;
 };
 
-/// To write the next keyframe to.
+/// Memory for the next keyframe.
 struct Timeline::Room {
     PackedBytes::Buffer buffer;
 };
@@ -72,7 +72,6 @@ Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double
 Timeline::~Timeline() = default;
 
 // --- Keeping
-// ----------------------------------------------------------------------------------------------------------
 
 bool Timeline::on() const {
     return clock_.rewind_limit > 0;
@@ -93,7 +92,8 @@ void Timeline::forget_all() {
     clock_.oldest = clock_.newest = clock_.step;
 }
 
-/// How much of the memory is for what. Lowered, it holds from the next step on.
+/// Divides the memory limit between keyframes and history. A lower limit applies from the next
+/// step.
 void Timeline::share_room() {
     const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
     if (room == room_) return;
@@ -132,7 +132,7 @@ void Timeline::begin_step() {
         take_keyframe();
     }
     begun_ = now();
-    // From here on this is what has been.
+    // A step from here replaces the later steps.
     if (here_ < newest()) {
         drop_after(here_);
         tail_ = {};
@@ -188,7 +188,7 @@ bool Timeline::too_much(const Step& step) const {
                        [](const LoggedWrites& w) { return w.too_much; });
 }
 
-/// What cannot be done again cannot be gone back over.
+/// A step that cannot be repeated ends the past: the timeline starts again here.
 void Timeline::begin_anew() {
     const std::int64_t step = clock_.step;
     forget_all();
@@ -203,7 +203,7 @@ void Timeline::take_keyframe() {
     const double before = now();
     Room room = room_of_packed();
     Snapshot taken = tree_.snapshot(std::move(room.buffer.bytes));
-    (void)log_->take();  // it is in the snapshot
+    (void)log_->take();  // these writes are in the snapshot
     if (packer_ == nullptr) packer_ = std::make_unique<Packer>();
     Keyframe frame{.step = here_,
                    .payload = nullptr,
@@ -212,7 +212,7 @@ void Timeline::take_keyframe() {
                    .history = tree_.history_bytes(),
                    .forgotten = forgotten()};
     room.buffer.bytes = std::move(taken).take_payload();
-    // The first state is that of bodies that touch nothing yet: what comes next takes more.
+    // The first state is often before any contact, so later states need more memory.
     const std::size_t later = keyframes_.empty() ? 3 * room.buffer.bytes.size() : 0;
     frame.payload =
         std::make_shared<PackedBytes>(std::move(room.buffer), later <= room_ / 4 ? later : 0);
@@ -223,20 +223,20 @@ void Timeline::take_keyframe() {
     worked_ = 0;
 }
 
-/// Of a state that is packed by now, for the next one to be written to; others go back to the
-/// system.
+/// Returns the memory of the latest packed state for the next keyframe and frees that of the
+/// others.
 Timeline::Room Timeline::room_of_packed() {
     Room found;
     for (Keyframe& frame : keyframes_)
         if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
-    // Of a state that was far larger than they are by now.
+    // Memory that is far larger than the current states is not used again.
     if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
         found = {};
     return found;
 }
 
-/// Often enough to be quick at any moment, and not so often that the game is slower for it. Much
-/// that was written calls for one: what is before it can then be forgotten.
+/// A keyframe is due often enough to reach any step quickly, but not so often that it slows the
+/// game. It is also due after many writes, because then older log entries can be dropped.
 bool Timeline::keyframe_is_due() const {
     const Keyframe& last = keyframes_.back();
     const std::int64_t since = here_ - last.step;
@@ -244,8 +244,8 @@ bool Timeline::keyframe_is_due() const {
            logged_since_ > std::max(room_ / 8, last.payload->plain_size());
 }
 
-// Other code has restored a snapshot. The next steps start from there; steps before the step of the
-// snapshot can still be restored.
+// Handles a snapshot that other code has restored. The next steps start from there; steps before
+// the step of the snapshot can still be restored.
 void Timeline::note_jump() {
     if (!std::exchange(jumps_->jumped, false) || log_ == nullptr) return;
     const std::int64_t step = clock_.step;
@@ -281,7 +281,7 @@ void Timeline::drop_oldest() {
         drop(steps_.begin());
 }
 
-/// Half as many keyframes: going somewhere takes longer, and the past is as long.
+/// Halves the number of keyframes. The kept time stays the same, but going to a step takes longer.
 void Timeline::thin_out() {
     spacing_ *= 2;
     std::deque<Keyframe> kept;
@@ -315,7 +315,7 @@ std::int64_t Timeline::oldest() const {
 
 std::int64_t Timeline::newest() const {
     if (keyframes_.empty()) return clock_.step;
-    // After a jump the last keyframe is where no step leads.
+    // After a jump, the step of the last keyframe may have no entry in the log.
     const std::int64_t last = keyframes_.back().step;
     return steps_.empty() ? last : std::max(last, steps_.back().number);
 }
@@ -324,7 +324,7 @@ std::size_t Timeline::Keyframe::memory() const {
     return payload->memory() + held + sizeof *this + of_step;
 }
 
-/// Bytes of edits that the history held once.
+/// Total bytes of edits that the history has dropped.
 std::size_t Timeline::forgotten() const {
     return tree_.history_bytes_ever() - tree_.history_bytes();
 }
@@ -333,14 +333,13 @@ std::size_t Timeline::memory() const {
     std::size_t sum = logged_ + tail_.bytes + (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
     if (keyframes_.empty()) return sum;
-    // The history as it was at the beginning, as far as it is kept for that alone.
+    // The part of the history at the first keyframe that is kept only for the timeline.
     const Keyframe& first = keyframes_.front();
     const std::size_t since = forgotten();
     return sum + std::min(first.history, since - std::min(since, first.forgotten));
 }
 
 // --- Travelling
-// -------------------------------------------------------------------------------------------------------
 
 void Timeline::require(std::int64_t step) const {
     if (!keeps())
@@ -400,7 +399,7 @@ void Timeline::redo(const Step& step) {
     for (const auto& [part, changes] : step.changes) part->redo(changes);
 }
 
-/// What was done since the newest step is kept, so that one can come back to it.
+/// Saves the changes since the newest step, so that they can be restored later.
 void Timeline::settle() {
     note_jump();
     if (log_ == nullptr || here_ != newest()) return;
@@ -427,7 +426,8 @@ void Timeline::travel(std::int64_t step) {
             if (step == newest()) redo_writes(tail_);
         });
     } catch (...) {
-        if (jumps_->arrived) begin_anew();  // wherever it has come; else nothing has changed
+        // The tree has changed and its state is unknown; without `arrived` nothing has changed.
+        if (jumps_->arrived) begin_anew();
         throw;
     }
     here_ = step;

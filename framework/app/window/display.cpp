@@ -1,5 +1,4 @@
-// Whether there is a display. SFML 2.5 ends the process when it finds none, so that one has to look
-// before making anything of SFML's.
+// Checks for a display. SFML 2.5 ends the process if there is none, so the check must come first.
 
 #include <fettle/app/screen.h>
 
@@ -18,13 +17,13 @@ namespace {
 bool look_for_display() {
     const char* name = std::getenv("DISPLAY");
     if (name == nullptr || *name == '\0') return false;
-    // SFML's own library for windows; already loaded, hence not worth a dependency.
+    // SFML uses the same library, so it is already loaded and adds no dependency.
     void* x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
     if (x11 == nullptr) return false;
     using Open = void* (*)(const char*);
     const auto open = reinterpret_cast<Open>(dlsym(x11, "XOpenDisplay"));
-    // The connection stays open as long as the program runs: a server whose last client leaves
-    // starts anew, and would turn away SFML, which comes next.
+    // The connection stays open until the program ends: an X server may reset when its last client
+    // closes, and would refuse SFML's connection then.
     return open != nullptr && open(nullptr) != nullptr;
 }
 

@@ -16,9 +16,9 @@ struct HostWindow::State {
     sf::RenderWindow& window;
     Canvas canvas;
     SystemClipboard clipboard;
-    std::set<std::string> down;  // keys, so that a repetition is told as one
+    std::set<std::string> down;  // pressed keys, to mark repeated events
 
-    /// Draws in pixels, and gives the game its own view back.
+    /// Draws in pixels, then restores the view of the game.
     template <class Draw>
     void over_the_game(Draw draw) {
         const sf::View before = window.getView();

@@ -14,9 +14,8 @@ namespace fettle::app {
 
 namespace {
 
-// No multi-sampling: figures bring smooth rims of their own, the picture looks the same, and
-// software rendering takes a fifth of the time (10 000 circles at 1280 x 800: 23 ms instead of
-// 135).
+// No multi-sampling: figures have their own anti-aliased rims and look the same without it.
+// Software rendering needs a fifth of the time (10 000 circles at 1280 x 800: 23 ms, not 135 ms).
 constexpr unsigned samples = 0;
 
 void require_display() {
@@ -25,8 +24,8 @@ void require_display() {
             "there is no display to draw on: set DISPLAY, use xvfb-run, or run with --headless");
 }
 
-/// SFML explains what goes wrong on a stream of its own, and finds fault where there is none (a
-/// virtual display cannot wait for its screen). Failures are told by what its functions return.
+/// SFML writes errors to its own stream, also for harmless cases (a virtual display has no vertical
+/// synchronization). Failures are detected by return values instead.
 class Silence {
   public:
     Silence() : before_(sf::err().rdbuf(nullptr)) {}
@@ -58,7 +57,7 @@ Pixels pixels_of(const sf::Texture& texture) {
     return pixels;
 }
 
-/// The clipboard of a picture in memory, not shared with other programs.
+/// The clipboard of a picture in memory; it is not shared with other programs.
 class OwnClipboard : public Clipboard {
   public:
     std::string read() override { return text_; }
@@ -102,8 +101,8 @@ class Picture : public Screen {
     OwnClipboard clipboard_;
 };
 
-/// Makes frames wait where the system does not: some drivers ignore the wish for vertical
-/// synchronisation, and virtual displays have nothing to wait for.
+/// Limits the frame rate where the system does not: some drivers ignore vertical synchronization,
+/// and virtual displays do not have it.
 class Pacer {
   public:
     void wait(bool vsync) {
@@ -141,7 +140,7 @@ class SfmlWindow : public Window {
                    std::min(options.height, sfml::height(desktop)), samples);
         keep_on(desktop);
         window_.setVerticalSyncEnabled(true);
-        window_.setKeyRepeatEnabled(true);  // for the console; the game is told of the first only
+        window_.setKeyRepeatEnabled(true);  // for the console; the game gets only the first press
         canvas_ = std::make_unique<Canvas>(window_);
     }
     property::Vec2 size() const override {
@@ -198,7 +197,7 @@ class SfmlWindow : public Window {
     }
 
   private:
-    /// Without a window manager, SFML 2 puts a window partly below the edge of the screen.
+    /// Without a window manager, SFML 2 may put a window partly outside of the screen.
     void keep_on(const sf::VideoMode& desktop) {
         const int spare_x = static_cast<int>(sfml::width(desktop) - window_.getSize().x);
         const int spare_y = static_cast<int>(sfml::height(desktop) - window_.getSize().y);

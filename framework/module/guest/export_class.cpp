@@ -1,4 +1,4 @@
-// A C++ class descriptor, told in C.
+// Converts a C++ class descriptor to its C form.
 
 #include "guest_tree.h"
 
@@ -92,7 +92,7 @@ std::uint32_t flag(bool set, std::uint32_t bit) {
     return set ? bit : 0u;
 }
 
-/// What descriptors in C point to, while the program copies them.
+/// Keeps the data that C descriptors point to until the program has copied it.
 struct Texts {
     std::deque<std::vector<const char*>> lists;
     std::deque<std::vector<fettle_field>> fields;

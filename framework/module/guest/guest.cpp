@@ -11,12 +11,12 @@
 namespace fettle::module {
 namespace {
 
-/// A module with the tree it sees. The tree ends first.
+/// A module and its tree. The tree is destroyed first.
 struct Guest {
     std::unique_ptr<Module> module;
     std::string name;
     property::Tree tree;
-    std::function<void()> put_into_place;  // what was restored and checked
+    std::function<void()> put_into_place;  // second part of `restore`: writes the checked data
 };
 
 Guest& guest_of(void* context) {
@@ -28,7 +28,7 @@ fettle_status attach(void* context) {
     return guest.tree.state().answer([&] { guest.module->attach(guest.tree); });
 }
 
-/// Prints an error where no status can be returned.
+/// Runs `body` and prints an exception, for callbacks that return no status.
 template <class Body>
 void told(Guest& guest, Body&& body) {
     const fettle_host* host = guest.tree.state().host;

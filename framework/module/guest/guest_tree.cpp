@@ -1,4 +1,4 @@
-// property::Tree, handing on.
+// property::Tree for shared objects: forwards calls to the program.
 
 #include "guest_tree.h"
 
@@ -102,7 +102,7 @@ const Class& Tree::class_of(Handle instance) const {
     State& s = *state_;
     const char* name = s.host->class_name(s.host->self, sent(instance));
     if (name == nullptr) {
-        require(instance);  // says what is wrong
+        require(instance);  // throws if the instance was deleted
         throw Error(ErrorKind::unknown_name, "the game does not tell of what class it is");
     }
     const auto found = s.by_name.find(name);
@@ -157,7 +157,7 @@ bool Tree::is_below(Handle instance, Handle ancestor) const {
 }
 
 void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) const {
-    // Listed first: the visitor may make and delete.
+    // The list is made first, because the visitor may create and delete instances.
     std::vector<Handle> all;
     for (Handle at = top; at;) {
         all.push_back(at);
@@ -318,7 +318,7 @@ void each_restored(const Tree& tree, const std::function<void(Handle, const Clas
             if (to.failed) return;
             try {
                 to.visit(received(instance), to.tree.class_named(class_name), row);
-            } catch (...) {  // not across the border
+            } catch (...) {  // no exception may cross the C interface
                 to.failed = std::current_exception();
             }
         });

@@ -1,6 +1,6 @@
 #pragma once
-// The tree as a module in a shared object has it: the same class, another inside. Every member
-// hands on to the program's table of functions.
+// property::Tree inside a shared object: the same class with another implementation, which forwards
+// every call to the program's table of functions.
 
 #include <deque>
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace fettle::module {
 
-/// The program that has opened this shared object; null before. For what the tree's library asks
-/// without a tree at hand.
+/// The program that opened this shared object; null before. For functions of the tree's library
+/// that have no tree.
 const fettle_host* program();
 
-/// What the program calls a property, a method or a class of the module through.
+/// Contexts with which the program calls properties, methods and classes of the module.
 struct GuestProperty {
     property::Tree::State* tree = nullptr;
     property::Binding binding;
@@ -49,24 +49,26 @@ struct Tree::State {
     Tree* self = nullptr;
     const fettle_host* host = nullptr;
     ClassRegistry classes;
-    SnapshotPart* part = nullptr;  // the module, where it saves its rows itself
-    module::Outgoing outgoing;     // towards the program: what the last callback answered
+    SnapshotPart* part = nullptr;  // the module, if it saves its rows itself
+    module::Outgoing outgoing;     // the last result of a callback, for the program
 
-    // Contexts of what the program calls: they stay where they are.
+    // Deques, because the program keeps pointers to the elements.
     std::deque<module::GuestProperty> properties;
     std::deque<module::GuestMethod> methods;
     std::deque<module::GuestClass> lifecycles;
     std::deque<module::GuestEvent> events;
-    mutable std::unordered_map<const void*, const Class*> by_name;  // by the program's own text
+    // Key: address of the program's name of the class.
+    mutable std::unordered_map<const void*, const Class*> by_name;
 
-    /// Throws what the program refused with.
+    /// Throws the program's last error unless `status` is FETTLE_OK.
     void require(fettle_status status) const;
-    /// Runs a callback of the module and tells the program what it throws.
+    /// Runs a callback of the module and reports an exception to the program.
     template <class Body>
     fettle_status answer(Body&& body) noexcept;
-    /// The class of that name, made with its bases if it is the program's; null when there is none.
+    /// The class of that name; null if there is none. A class of the program is registered here
+    /// first, with its bases.
     const Class* known(const char* name);
-    /// The program counts handlers; the module's own events are reported before it may ask.
+    /// Copies the program's counts of listeners into the module's events.
     void follow_listeners();
 };
 
@@ -93,12 +95,12 @@ fettle_status Tree::State::answer(Body&& body) noexcept {
 
 namespace fettle::module {
 
-/// Describes a class in C and gives it to the program. `descriptor` is that which the registry was
-/// given, `made` what came of it.
+/// Describes a class in C and gives it to the program. `descriptor` was given to the registry;
+/// `made` is the resulting class.
 void export_class(property::Tree::State& tree, const property::ClassDescriptor& descriptor,
                   const property::Class& made);
 
-/// Draws with the program's painter.
+/// Forwards drawing to the program's painter.
 class GuestPainter : public property::Painter {
   public:
     explicit GuestPainter(const fettle_painter& table) : table_(table) {}

@@ -47,7 +47,7 @@ int guess_column(const ScriptError& error) {
             return column;
         open = text.find('\'', close + 1);
     }
-    // "main.lua:12: world.ball.mas: no such name"
+    // The message has the form "main.lua:12: world.ball.mas: no such name".
     std::size_t start = error.file.size();
     start = text.find(": ", start);
     if (start == std::string::npos) return 0;

@@ -1,14 +1,15 @@
 #pragma once
-// The place of an error, found in its message.
+// Finds the place of an error from its message.
 
 #include <fettle/script/runtime.h>
 
 namespace fettle::script {
 
-/// "main.lua:12: ...": file and line. Nothing when the message does not begin so.
+/// Sets file and line from a message of the form "main.lua:12: ...". Does nothing for other
+/// messages.
 void place_from_message(ScriptError& error);
-/// Lua tells the line only. The word that a message is about (quoted, or the end of the path in
-/// front of it) shows the column; 0 when the source line does not have it.
+/// Lua reports only the line. The column is that of the name in the message: a quoted name, or the
+/// last name of the path at its beginning. Returns 0 if the source line does not contain it.
 int guess_column(const ScriptError& error);
 
 }  // namespace fettle::script

@@ -39,7 +39,8 @@ std::string traceback_of(lua_State* L, int level) {
     int shown = 0;
     for (; lua_getstack(L, level, &frame); ++level) {
         lua_getinfo(L, "Slnt", &frame);
-        if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;  // our own entry
+        // The C function through which the host calls Lua.
+        if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;
         if (++shown > most_frames) {
             text += "  ...\n";
             break;
@@ -65,7 +66,7 @@ std::string locals_of(lua_State* L, lua_Debug& frame) {
     return text;
 }
 
-// The innermost frame of a script, at `level` or above.
+// Finds the innermost frame of a script at `level` or above.
 bool script_frame(lua_State* L, int level, lua_Debug& frame) {
     for (; lua_getstack(L, level, &frame); ++level) {
         lua_getinfo(L, "Sl", &frame);
@@ -74,15 +75,15 @@ bool script_frame(lua_State* L, int level, lua_Debug& frame) {
     return false;
 }
 
-// Lua's own message says neither where memory was refused nor which limit did so.
+// Lua's message contains neither the place nor the limit that refused the memory.
 std::string with_refusal(Budget& budget, std::string message) {
     if (message != "not enough memory") return message;
     std::string refusal = budget.take_refusal();
     return refusal.empty() ? message : refusal;
 }
 
-// What the error says of itself, if it is an object that can. Its `__tostring` may raise as well,
-// and it may take only so long.
+// The text from the error object's `__tostring`, if it has one. This function may also raise an
+// error, and its run time is limited.
 std::optional<std::string> own_text(lua_State* L, int index) {
     if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
         return std::nullopt;
@@ -95,7 +96,8 @@ std::optional<std::string> own_text(lua_State* L, int index) {
     return text;
 }
 
-// A screen, a terminal or a log would end the text at a zero byte, and obey other ones.
+// A zero byte would end the text on a screen, in a terminal or in a log, and a terminal obeys other
+// control characters.
 std::string without_control_characters(std::string_view text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -156,10 +158,10 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     error.message = error_text(from, index);
     error.message = with_refusal(machine.budget, std::move(error.message));
     if (machine.errors.thread_error && machine.errors.thread_error->message == error.message) {
-        // It rose out of a coroutine, where it was described already.
+        // The error comes from a coroutine, where it was described already.
         error = std::move(*machine.errors.thread_error);
         machine.errors.thread_error.reset();
-        // No script started the coroutine of a timer.
+        // The coroutine of a timer was not started by a script, so this may be empty.
         if (const std::string outside = traceback_of(L, level); !outside.empty())
             error.traceback += "  (coroutine started from)\n" + outside;
         return error;

@@ -1,6 +1,5 @@
 #pragma once
-// Descriptions of errors at the point where they are raised: message, place, traceback, local
-// variables.
+// Describes errors where they are raised: message, place, traceback, local variables.
 
 #include <optional>
 #include <string>
@@ -15,30 +14,30 @@ namespace fettle::script {
 struct Machine;
 
 struct Errors {
-    std::optional<ScriptError> caught;        // described where it was raised, not yet reported
-    std::optional<ScriptError> thread_error;  // raised in a coroutine, on its way out of it
-    int reports = 0;                          // calls of the host's sink that have not returned
-    // Functions whose errors are as the script wants them: `error`, `assert`, those of wrapped
-    // coroutines.
+    std::optional<ScriptError> caught;        // described where it was raised, not reported yet
+    std::optional<ScriptError> thread_error;  // raised in a coroutine, now on its way out
+    int reports = 0;                          // running calls of the host's function for errors
+    // Functions that pass on a script's own error unchanged: `error`, `assert` and the functions of
+    // wrapped coroutines.
     std::vector<lua_CFunction> raise_as_told;
 };
 
-/// Of the error object at `index` of `from`, raised on the stack of `L` above `level`.
+/// Describes the error object at `index` of `from`, raised on the stack of `L` above `level`.
 ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State* from, int index);
-/// A message for an error object of any type, without control characters; calls nothing of a script
-/// but a `__tostring` of its own.
+/// A message for an error object of any type, without control characters. The only script function
+/// that it calls is the object's own `__tostring`.
 std::string error_text(lua_State* L, int index);
-/// Puts the script's position in front of the error on top of `from` when it has none because a
-/// function in C raised it that knows none: Lua's own functions do so for what goes wrong deeper
-/// inside. `level`: of the function that raised it, on the stack of `L`.
+/// Adds the script's position to the error on top of `from` if it has none, because a C function
+/// raised it. Lua's own functions do so for errors in nested calls. `level`: the function that
+/// raised the error, on the stack of `L`.
 void add_missing_position(lua_State* L, lua_State* from, int level);
-/// For lua_pcall: does that.
+/// The same as a message handler for lua_pcall.
 int placing_handler(lua_State* L);
-/// Where a script is, without anything having gone wrong.
+/// The current place of the script, without an error.
 ScriptError describe_place(Machine& machine, lua_State* L);
-/// For lua_pcall: describes the error into `machine.errors.caught` and returns it.
+/// Message handler for lua_pcall: describes the error in `machine.errors.caught` and returns it.
 int describing_handler(lua_State* L);
-/// An error of which nothing is known but its message.
+/// A description that contains only the message.
 ScriptError bare_error(Machine& machine, std::string message);
 
 }  // namespace fettle::script

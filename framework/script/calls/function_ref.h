@@ -1,5 +1,5 @@
 #pragma once
-// Functions of scripts that are kept for later.
+// Functions of scripts that are kept for later calls.
 
 #include <cstddef>
 #include <memory>
@@ -10,15 +10,16 @@ namespace fettle::script {
 
 struct Machine;
 
-/// A function kept alive for a handler. The tree may outlive Lua and so may handlers.
+/// Keeps a Lua function for a handler. The tree and its handlers may outlive Lua.
 class FunctionRef {
   public:
-    /// Takes the function on top of the stack.
+    /// Pops the function from the stack.
     FunctionRef(lua_State* L, Machine& machine);
     ~FunctionRef();
     FunctionRef(const FunctionRef&) = delete;
     void push(lua_State* L) const;
-    /// Bytes that only this function keeps, estimated: `held_memory`, if it was computed; else 0.
+    /// Estimated bytes that only this function keeps, if they were computed with `held_memory`;
+    /// else 0.
     std::size_t holds() const { return holds_; }
     void set_holds(std::size_t bytes) { holds_ = bytes; }
 

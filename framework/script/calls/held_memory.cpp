@@ -7,10 +7,10 @@
 namespace fettle::script {
 namespace {
 
-// Bytes, as Lua 5.4 has them on 64 bits.
+// Sizes in bytes in Lua 5.4 on 64-bit systems.
 constexpr std::size_t of_function = 64, of_upvalue = 56, of_table = 56, of_element = 16,
                       of_entry = 40, of_text = 32;
-constexpr std::size_t least_text = 64;  // shorter ones are not worth a look
+constexpr std::size_t least_text = 64;  // shorter texts are not counted
 constexpr int most_values = 1 << 16, deepest_value = 16;
 
 class Measure {
@@ -39,7 +39,8 @@ class Measure {
     }
 
   private:
-    /// A weak set, so that it keeps nothing alive; it contains the globals from the beginning.
+    /// Makes a weak set, which keeps no value alive. The globals are in it from the beginning, so
+    /// they are not counted.
     void make_set() {
         push_weak_table(L_, "k");
         for (const int known : {machine_.globals.table, machine_.globals.loaded}) {
@@ -102,7 +103,7 @@ class Measure {
 
 std::size_t held_memory(lua_State* L, Machine& machine, int index) {
     const int function = lua_absindex(L, index);
-    // Kept memory delays Lua's next collection: the garbage of that time counts, too.
+    // Kept memory delays Lua's next collection, so the garbage until then counts, too.
     return Measure(L, machine).of(function) * (collector_pause / 100);
 }
 

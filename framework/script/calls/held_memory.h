@@ -1,5 +1,5 @@
 #pragma once
-// Memory that a function keeps: for lists of old functions with a limit.
+// Estimates the memory that a function keeps, for lists of old functions with a memory limit.
 
 #include <cstddef>
 
@@ -9,16 +9,16 @@ namespace fettle::script {
 
 struct Machine;
 
-/// What was counted already.
+/// The values that were counted already.
 struct CountedMemory {
     int set = 0;                 // weak table in the registry: tables and functions; 0: none yet
-    const void* text = nullptr;  // the text counted last
+    const void* text = nullptr;  // the last counted text
 };
 
-/// Bytes, about, by which Lua's memory may be larger because the function at `index` is kept: its
-/// own, and those of tables, functions and long texts among its local variables of outer functions,
-/// times `collector_pause`. What was counted for another function before is not counted again, nor
-/// is what the game's globals hold. Looks at 65 536 values at most.
+/// The estimated number of bytes by which Lua's memory grows if the function at `index` is kept:
+/// the function itself, and the tables, functions and long texts in its local variables of outer
+/// functions, times `collector_pause`. Does not count values that were counted before or that the
+/// globals refer to. Checks at most 65 536 values.
 std::size_t held_memory(lua_State* L, Machine& machine, int index);
 
 }  // namespace fettle::script

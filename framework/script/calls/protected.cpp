@@ -18,7 +18,8 @@ namespace fettle::script {
 
 namespace {
 
-/// A sink may run scripts, which may be in error: that ends before the stack does.
+/// The host's function may run scripts, which may raise errors again; the limit prevents a stack
+/// overflow.
 void report(Machine& machine, ScriptError error) {
     constexpr int deepest = 16;
     if (machine.errors.reports == deepest) {
@@ -31,7 +32,8 @@ void report(Machine& machine, ScriptError error) {
         explicit Depth(int& reports) : of(reports) { ++of; }
         ~Depth() { --of; }
     } depth(machine.errors.reports);
-    if (const auto sink = machine.host.on_error) sink(error);  // it may be replaced meanwhile
+    // A copy, because the call may replace it.
+    if (const auto sink = machine.host.on_error) sink(error);
 }
 
 }  // namespace
@@ -47,8 +49,8 @@ std::string Context::text(Machine& machine) const {
 
 namespace {
 
-/// Sets the writer of the tree while the host has called into Lua; the place is found only when it
-/// is needed.
+/// Sets the writer of the tree while the host calls Lua. The position is computed only if it is
+/// needed.
 class ScriptCause {
   public:
     explicit ScriptCause(Machine& machine)
@@ -76,7 +78,8 @@ void tell_where_stopped(Machine& machine, ScriptError& error) {
 
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report_error) {
-    if (!machine.life.in_tree) return false;  // its runtime was destroyed: only what runs ends yet
+    // The runtime was destroyed: running calls end, but no new call starts.
+    if (!machine.life.in_tree) return false;
     const Life::Use use(machine.life);
     const Watchdog::Call call(machine.watchdog);
     lua_State* L = machine.lua.main;
@@ -93,14 +96,14 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
         status = lua_pcall(L, 1, 0, top + 1);
     }
     machine.lua.running = outer;
-    // A pcall that ends what runs may have caught the end of the budget.
+    // The script may have caught the error of the budget with pcall.
     const bool stopped = machine.budget.stopping();
     if (status == LUA_OK && !stopped) {
         lua_settop(L, top);
         return true;
     }
     if (!machine.errors.caught) {
-        // Out of memory, or an error while describing one: there is a message and no more.
+        // Out of memory, or an error while describing an error: only a message exists.
         machine.errors.caught =
             bare_error(machine, status == LUA_OK                 ? machine.budget.reason()
                                 : lua_type(L, -1) == LUA_TSTRING ? error_text(L, -1)
@@ -108,7 +111,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
                                                        : "an error that cannot be described");
     }
     lua_settop(L, top);
-    // Where it was stopped, whatever the script made of that error.
+    // Report where the script was stopped, even if it changed the error.
     if (stopped) tell_where_stopped(machine, *machine.errors.caught);
     machine.errors.thread_error.reset();
     machine.errors.caught->context = context.text(machine);

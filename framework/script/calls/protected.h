@@ -1,5 +1,5 @@
 #pragma once
-// Running something in Lua from outside: whatever it raises is caught and described.
+// Protected calls into Lua: errors are caught and described.
 
 #include <memory>
 #include <string>
@@ -14,8 +14,7 @@ namespace fettle::script {
 
 struct Machine;
 
-/// What the host is calling into Lua for, as error messages say it; the path is found only when
-/// there is an error.
+/// The reason why the host calls Lua, for error messages. The path is computed only for an error.
 struct Context {
     Context(const char* text) : what(text) {}
     Context(std::string text, property::Handle instance = {},
@@ -28,8 +27,9 @@ struct Context {
     const property::Property* property = nullptr;
 };
 
-/// Runs `body(L)` on the main thread. False when it raised: the error was described where it arose
-/// and went to the sink, or stays in `machine.errors.caught` when `report` is false.
+/// Runs `body(L)` on the main thread. Returns false if it raised an error. The error is described
+/// where it was raised; it goes to the host's function, or stays in `machine.errors.caught` if
+/// `report` is false.
 bool run_protected(Machine& machine, const Context& context, int (*trampoline)(lua_State*),
                    void* body, bool report);
 

@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::size_t most_candidates = 200;
 
-// Groups in a list without anything typed: what an instance holds, then what it can do.
+// Order of completions while no letter is typed: values, then functions, then the rest.
 enum class Group : int { value, function, other };
 
 class Candidates {
@@ -50,7 +50,7 @@ class Candidates {
         if (entries_.size() >= most_collected || !labels_.insert(label).second) return;
         entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
     }
-    /// What is added until the next call is what belongs here, ahead of everything else.
+    /// Entries that are added after `expect(true)` fit this place best and come first.
     void expect(bool expected) { expected_ = expected; }
     std::size_t replace_from() const { return replace_from_; }
 
@@ -74,7 +74,7 @@ class Candidates {
     };
     std::string_view typed_;
     std::size_t replace_from_;
-    // A world may have a hundred thousand children.
+    // The limit matters for a parent with very many children.
     static constexpr std::size_t most_collected = 20'000;
     std::vector<Entry> entries_;
     std::unordered_set<std::string> labels_;
@@ -136,7 +136,7 @@ void add_table(lua_State* L, int index, std::size_t separator, Candidates& out) 
     }
 }
 
-// Members of a value that is no instance.
+// Adds the members of a value that is not an instance.
 void add_members_of_type(const TypeDoc& type, bool methods_only, Candidates& out) {
     for (const MemberDoc& member : type.members) {
         const bool function = member.is_function();
@@ -146,7 +146,7 @@ void add_members_of_type(const TypeDoc& type, bool methods_only, Candidates& out
     }
 }
 
-// Entries of a library such as `math`, and of the game's own tables.
+// Adds the entries of a library such as `math`, or of a table of Fettle such as `scene`.
 void add_documented(const std::string& library, Candidates& out) {
     const std::string prefix = library + ".";
     for (const auto* docs : {&global_docs(), &library_docs()})
@@ -156,7 +156,7 @@ void add_documented(const std::string& library, Candidates& out) {
                         Group::function);
 }
 
-// What a list of descriptions has under names, or the fields of one of them.
+// Adds the names in a list of descriptions, or the fields of one description.
 void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out) {
     push_described(L, -1);
     const int table = lua_gettop(L);
@@ -180,7 +180,7 @@ void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out)
     lua_pop(L, 1);
 }
 
-// The kind of the value on top, where it is neither an instance nor a table of the game's.
+// The type of the value on top; nullptr for an instance or a plain table.
 const TypeDoc* type_of(lua_State* L) {
     if (vec_at(L, -1)) return type_doc("vec");
     if (color_at(L, -1)) return type_doc("color");
@@ -195,7 +195,7 @@ const TypeDoc* type_of(lua_State* L) {
                                 : nullptr;
 }
 
-// Members of the value on top, which `path` led to.
+// Adds the members of the value on top, which has the path `path`.
 void add_members(lua_State* L, Machine& machine, std::string_view path, bool methods_only,
                  std::size_t separator, Candidates& out) {
     if (const auto* box = instance_at(L, -1)) {
@@ -254,7 +254,7 @@ void add_keys(const property::Tree& tree, const Class& of, Candidates& out) {
             out.add(property->name, property_facts(tree, *property), property->doc, Group::value);
 }
 
-// The class whose constructor the cursor is in, at a place where a key may stand.
+// The class whose constructor contains the cursor, if a key may be written there.
 const Class* constructor_at(const property::Tree& tree, std::string_view before,
                             const Scan& scanned, std::size_t token) {
     if (scanned.braces.empty() || before[scanned.braces.back()] != '{') return nullptr;
@@ -267,8 +267,8 @@ const Class* constructor_at(const property::Tree& tree, std::string_view before,
     return tree.find_class(before.substr(word_start(before, end), end - word_start(before, end)));
 }
 
-// The property that a value at `end` would be assigned to or compared with: `path =`, or a key in a
-// constructor.
+// The property to which a value at `end` would be assigned or compared: after `path =`, or after a
+// key in a constructor.
 const Property* assigned_property(lua_State* L, Machine& machine, std::string_view before,
                                   const Scan& scanned, std::size_t end) {
     end = skip_blanks_back(before, end);
@@ -301,7 +301,7 @@ void add_enumerators(const Property& property, bool quoted, Candidates& out) {
         for (const char* word : {"true", "false"}) out.add(word, property.name, {}, Group::value);
 }
 
-// Inside quotes: what the function or property before them takes.
+// Completes inside quotes: texts that the function or property before them accepts.
 void add_in_string(lua_State* L, Machine& machine, std::string_view before, const Scan& scanned,
                    Candidates& out) {
     const std::size_t quote = scanned.string_start - 1;

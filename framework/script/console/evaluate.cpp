@@ -1,5 +1,5 @@
-// One console command: compiled as an expression, else as statements; run under a budget; its
-// results, and what it changed in the tree, become lines.
+// Runs one console command. It is compiled as an expression, or else as statements, and run under a
+// budget. Its results and its changes of the tree become lines of text.
 
 #include <cctype>
 
@@ -35,8 +35,8 @@ constexpr std::size_t most_echoes = 20;
 constexpr int most_results = 20;
 constexpr const char* chunk_name = "=console";
 
-// `a.b["c"].d`: names, dots and brackets only, so that its value is the property read last. The
-// last name goes to `last`.
+// Whether the text is a plain path such as `a.b["c"].d`, so that its value is that of the property
+// read last. Stores the last name in `last`.
 bool is_plain_path(std::string_view text, std::string& last) {
     std::size_t i = 0;
     last.clear();
@@ -59,7 +59,7 @@ bool is_plain_path(std::string_view text, std::string& last) {
     return !last.empty();
 }
 
-// The unit that belongs to a number which is, or is a component of, the property read last.
+// The unit of a number, if the command is a path to a property or to a component of it.
 std::string unit_of(const Machine& machine, std::string_view command) {
     const Property* read = machine.recording.last_read;
     std::string last;
@@ -69,7 +69,7 @@ std::string unit_of(const Machine& machine, std::string_view command) {
     return component ? read->unit : std::string();
 }
 
-// Lines for the results on the stack from index 1.
+// Adds lines for the results on the stack from index 1.
 void add_results(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     const int count = lua_gettop(L);
     if (count == 0) return;
@@ -100,7 +100,7 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
     try {
         evaluation.result = to_value(L, 1);
     } catch (const Error&) {
-        // a function, a table with names: no value of the tree
+        // a function or a table with names is not a value of the tree
     }
 }
 
@@ -138,7 +138,7 @@ bool ends_early(lua_State* L) {
     return lua_type(L, -1) == LUA_TSTRING && view_at(L, -1).ends_with("<eof>");
 }
 
-// Leaves the function, or the message, on the stack.
+// Leaves the compiled function or the error message on the stack.
 Compiled compile(lua_State* L, std::string_view command) {
     const std::string expression = "return " + std::string(command);
     if (luaL_loadbufferx(L, expression.data(), expression.size(), chunk_name, "t") == LUA_OK)
@@ -149,8 +149,8 @@ Compiled compile(lua_State* L, std::string_view command) {
     return ends_early(L) ? Compiled::incomplete : Compiled::wrong;
 }
 
-// `a.b is expr`: the formula whose text is the expression becomes the value of `b` of `a`. False
-// when it is not of that form.
+// Handles `a.b is expr`: sets a formula with this text for the property `b` of `a`. Returns false
+// if the command has another form.
 bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     const std::size_t at = command.find(" is ");
     std::string name;
@@ -175,7 +175,7 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     return true;
 }
 
-// `x?`
+// Handles `x?`.
 bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command.size() < 2 || command.back() != '?') return false;
     const std::string asked(trimmed(command.substr(0, command.size() - 1)));
@@ -191,7 +191,7 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     return true;
 }
 
-/// Functions without arguments that people type as words.
+/// Functions without arguments that may be typed without parentheses.
 bool is_bare_command(std::string_view command) {
     return command == "undo" || command == "redo" || command == "history" || command == "tweaks";
 }
@@ -217,14 +217,14 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             break;
     }
     lua_call(L, 0, LUA_MULTRET);
-    machine.budget.check(L);  // before the results of a command that was stopped are printed
+    machine.budget.check(L);  // a command that was stopped must not print results
     evaluation.lines = std::move(machine.recording.lines);
     machine.recording.lines.clear();
     add_results(L, machine, command, evaluation);
 }
 
-/// What a command makes. One that is stopped because it made too much leaves none of it: a game may
-/// be unable to bear a hundred thousand bodies at one place.
+/// Records the instances that a command creates. If the command is stopped because it used too much
+/// memory, they are deleted again: a game may not be able to run with them.
 class Made : public property::Observer {
   public:
     explicit Made(Machine& machine) : machine_(machine) { machine.tree.observe(*this); }
@@ -233,7 +233,7 @@ class Made : public property::Observer {
     }
     Made(const Made&) = delete;
     void created(Handle instance) override { all_.push_back(instance); }
-    /// How many went.
+    /// Returns the number of deleted instances.
     std::size_t destroy() {
         const std::vector<Handle> all = std::move(all_);
         std::size_t count = 0;
@@ -250,7 +250,7 @@ class Made : public property::Observer {
     std::vector<Handle> all_;
 };
 
-// Everything that must be undone however the command ends.
+// The state of a command. Its destructor restores everything, even after an error.
 class Session {
   public:
     Session(Machine& machine, std::string_view command)
@@ -272,11 +272,11 @@ class Session {
 
   private:
     Machine& machine_;
-    const bool edits_;  // nothing can be changed inside of a formula and of a question
+    const bool edits_;  // inside a formula or a question nothing may be changed
 };
 
 Limits limits(const Machine& machine) {
-    const auto memory = machine.host.command_memory;  // it may put another in its place
+    const auto memory = machine.host.command_memory;  // a copy, because the call may replace it
     return {.instructions = machine.options.console_budget,
             .memory = memory ? memory() : machine.options.console_memory,
             .raised_by = machine.host.memory_property};
@@ -306,7 +306,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
                 if (const std::size_t count = made.destroy(); count > 0)
                     evaluation.error->message +=
                         "; these " + std::to_string(count) + " instances are deleted again";
-            // What it printed before it failed is worth reading.
+            // The output before the error is shown, too.
             evaluation.lines = std::move(machine.recording.lines);
         }
         evaluation.ok = ok && !evaluation.incomplete;

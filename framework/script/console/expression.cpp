@@ -78,7 +78,7 @@ std::size_t path_start(std::string_view text, std::size_t end) {
 
 namespace {
 
-// One step down from the value on top; the new value replaces it. False when there is none.
+// Replaces the value on top by its member `name` or `index`. Returns false if there is none.
 bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer index,
              const Property** read) {
     *read = nullptr;

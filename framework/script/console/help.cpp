@@ -118,7 +118,7 @@ std::vector<std::string> instance_help(Machine& machine, Handle instance) {
     return lines;
 }
 
-// One line a signature, and what it is for.
+// One line for each signature, then the description.
 std::vector<std::string> function_lines(std::string_view prefix, std::string_view signatures,
                                         std::string_view doc) {
     std::vector<std::string> lines;
@@ -157,7 +157,7 @@ std::vector<std::string> global_help(const GlobalDoc& doc) {
     return lines;
 }
 
-// "vec.rotated", "Pen.circle", "pen"
+// Help for a type or a member of one: "vec.rotated", "Pen.circle", "pen".
 std::vector<std::string> value_help(std::string path) {
     if (path == "pen" || path.starts_with("pen.") || path.starts_with("pen:")) path[0] = 'P';
     if (const TypeDoc* type = type_doc(path)) {
@@ -177,7 +177,7 @@ std::vector<std::string> value_help(std::string path) {
     return {};
 }
 
-// A member of an instance or class by name.
+// Help for a member of an instance or class.
 std::vector<std::string> member_help(Machine& machine, const Class& of, std::string_view name) {
     if (const Property* property = of.property(name)) return property_help(machine.tree, *property);
     if (const Method* method = of.method(name)) return method_help(*method);
@@ -196,7 +196,7 @@ std::vector<std::string> member_help(Machine& machine, const Class& of, std::str
     return {};
 }
 
-// Pushes what a dotted name stands for in the environment, nil where there is nothing.
+// Pushes the value of a dotted name in the environment; nil if there is none.
 void push_named(lua_State* L, std::string_view name) {
     push_registry(L, machine_of(L).globals.table);
     for (std::size_t start = 0; start <= name.size();) {
@@ -230,7 +230,7 @@ std::vector<std::string> function_help(lua_State* L, int index) {
 
 namespace {
 
-// Whether all of it but the last name is the path of an instance.
+// Whether the path without its last name is the path of an instance.
 bool leads_to_instance(const property::Tree& tree, const std::string& path) {
     const std::size_t last = path.find_last_of(".[");
     if (last == std::string::npos) return false;
@@ -269,7 +269,7 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
                 }
             }
         } catch (const Error&) {
-            // tried as a whole below
+            // resolved as a whole path below
         }
     }
     try {
@@ -355,7 +355,7 @@ class Search {
   private:
     static constexpr std::size_t most = 50;
     std::string word_;
-    std::vector<std::vector<std::string>> names_, docs_;  // found by name, by documentation
+    std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
 };
 
 }  // namespace

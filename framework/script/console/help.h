@@ -1,5 +1,5 @@
 #pragma once
-// Documentation from the class descriptors: help(x), `path?`, find("word").
+// Help texts from the class descriptors: help(x), `path?`, find("word").
 
 #include <string>
 #include <string_view>
@@ -17,14 +17,14 @@ std::vector<std::string> property_help(const property::Tree& tree,
                                        const property::Property& property);
 std::vector<std::string> method_help(const property::Method& method);
 std::vector<std::string> class_help(Machine& machine, const property::Class& of);
-/// Of any value of Lua.
+/// Help for any Lua value.
 std::vector<std::string> help_lines(lua_State* L, int index);
-/// Of what a path or name stands for; empty when it stands for nothing known.
+/// Help for a path or name; empty if it is not known.
 std::vector<std::string> help_for(Machine& machine, const std::string& path);
-/// Everything whose name or documentation has the word.
+/// Lists all entries whose name or documentation contains the word.
 std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word);
 
-/// `help find` among the globals on top.
+/// Adds `help` and `find` to the globals on top.
 void open_help(lua_State* L);
 
 }  // namespace fettle::script

@@ -25,7 +25,7 @@ void add_count(std::vector<std::string>& lines, std::size_t total, const char* w
                         std::to_string(total) + " " + what + ")");
 }
 
-// What stands for the value in a listing: a formula that is in error spoils its own line only.
+// The value of a property in a list. A formula with an error affects only its own line.
 std::string listed_value(const property::Tree& tree, Handle handle, const Property& property,
                          bool unit) {
     try {
@@ -36,7 +36,7 @@ std::string listed_value(const property::Tree& tree, Handle handle, const Proper
     }
 }
 
-// name  value with unit, in order of name; then what hangs below.
+// One row for each property in order of name: name, value with unit. Then the children.
 std::vector<std::string> instance_lines(const property::Tree& tree, Handle handle) {
     std::vector<std::string> lines = {tree.path(handle) + " · " + tree.class_of(handle).name()};
     std::vector<std::vector<std::string>> rows;
@@ -60,8 +60,8 @@ bool worth_a_column(const Property& property) {
     return !property.hidden && property.type != Type::list && property.type != Type::reference;
 }
 
-// One row an instance: its path and the properties that all have, those first that differ from
-// their defaults somewhere.
+// One row for each instance: its path and the properties that all instances have. Properties with a
+// value other than the default come first.
 std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handle> handles) {
     std::erase_if(handles, [&](Handle h) { return !tree.alive(h); });
     if (handles.empty()) return {"no instances"};
@@ -102,7 +102,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     return lines;
 }
 
-// The instances of a table 1..n of nothing else.
+// The instances in a table 1..n; empty if the table contains anything else.
 std::vector<Handle> only_instances(lua_State* L, int index) {
     std::vector<Handle> handles;
     index = lua_absindex(L, index);
@@ -117,7 +117,7 @@ std::vector<Handle> only_instances(lua_State* L, int index) {
     return handles;
 }
 
-// The unit of a value in a table whose keys are paths, as `query` returns.
+// The text of a value in a table from `query`, whose keys are paths; with the unit of the property.
 std::string entry_text(lua_State* L, const property::Tree& tree, const std::string& key) {
     try {
         const property::Place place = property::resolve(tree, key);
@@ -126,7 +126,7 @@ std::string entry_text(lua_State* L, const property::Tree& tree, const std::stri
             return cut(with_unit(tree, value, *place.property), line_width);
         }
     } catch (const Error&) {
-        // an ordinary key
+        // not a path
     }
     return short_text(L, -1);
 }
@@ -169,7 +169,8 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
     return lines;
 }
 
-// `name  value` a line; a list of records one line each, under the names of their fields.
+// One line `name  value` for each entry. A list of records becomes a table with the field names on
+// top.
 std::vector<std::string> description_lines(lua_State* L, int index, const DescriptionKind& kind) {
     push_described(L, index);
     const int table = lua_gettop(L);

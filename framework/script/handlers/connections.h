@@ -1,5 +1,6 @@
 #pragma once
-// What scripts hold of watchers, handlers and timers: `connection:stop()`, `connection:active()`.
+// Connections of scripts to watchers, handlers and timers: `connection:stop()`,
+// `connection:active()`.
 
 #include <cstdint>
 #include <unordered_map>
@@ -17,13 +18,13 @@ class Connections {
     Connections() = default;
     ~Connections();
 
-    /// Keeps the connection and pushes what a script holds of it.
+    /// Stores the connection and pushes a script object for it.
     void push(lua_State* L, property::Connection connection);
-    /// Keeps the connection; no script can stop it.
+    /// Stores a connection that no script can stop.
     void keep(property::Connection connection);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
-    /// Ends all of them: the game is loaded anew.
+    /// Ends all connections, because another game is loaded.
     void clear();
 
   private:
@@ -34,7 +35,7 @@ class Connections {
     std::size_t prune_at_ = 256;
 };
 
-/// Pushes a connection that stands for a timer.
+/// Pushes a connection for a timer.
 void push_timer_connection(lua_State* L, std::uint64_t timer);
 void open_connections(lua_State* L, Machine& machine);
 

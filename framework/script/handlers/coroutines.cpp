@@ -12,7 +12,7 @@ namespace fettle::script {
 
 namespace {
 
-// What `go` returns, which runs the thread.
+// Sets `thread` as the running thread during `go`, and returns the result of `go`.
 template <class Go>
 int switch_to(lua_State* L, lua_State* thread, Go go) {
     Machine& machine = machine_of(L);
@@ -24,13 +24,15 @@ int switch_to(lua_State* L, lua_State* thread, Go go) {
     return status;
 }
 
-// Runs the thread; the status of lua_resume, results or error object on its stack.
+// Runs the thread. Returns the status of lua_resume; results or the error object are on the
+// thread's stack.
 int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
     Machine& machine = machine_of(L);
     const int status =
         switch_to(L, thread, [&] { return lua_resume(thread, L, arguments, &results); });
     if (status > LUA_YIELD && machine.budget.stopping()) {
-        // Its hooks may be off for good; nothing of it may run again, not even __close.
+        // The thread was stopped and its hook may not be called any more, so nothing of it may run
+        // again, not even __close.
         push_registry(L, machine.lua.killed);
         lua_pushthread(thread);
         lua_xmove(thread, L, 1);
@@ -48,7 +50,7 @@ lua_State* thread_at(lua_State* L, int index, const char* what) {
     return thread;
 }
 
-// Why the thread cannot be resumed, or nullptr.
+// The reason why the thread cannot be resumed, or nullptr.
 const char* not_resumable(lua_State* L, lua_State* thread) {
     if (machine_of(L).timers.waiting(thread)) return "cannot resume a coroutine that waits";
     if (thread == L || lua_status(thread) == LUA_OK) {
@@ -151,7 +153,7 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
     add_missing_position(thread, thread, 0);
     machine.errors.thread_error = describe_error(machine, thread, 0, thread, -1);
     lua_xmove(thread, L, 1);
-    // Raised as described, so that the outer handler knows it again.
+    // The same text as in the description, so that the outer message handler recognizes the error.
     if (lua_type(L, -1) == LUA_TSTRING) {
         const std::string& message = machine.errors.thread_error->message;
         push_text(L, message);

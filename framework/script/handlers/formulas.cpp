@@ -25,13 +25,13 @@ using property::Tree;
 
 namespace {
 
-// User values: 1 the function, 2 its text, 3 why the text is not all of it.
+// User values: 1 the function, 2 its text, 3 the reason why the text alone cannot be saved.
 struct FormulaBox {
     Tag tag;
 };
 
-// A formula keeps a count of instructions, like a console command, and whatever it raises becomes
-// the error of its property: it is not reported to the game.
+// The function of a formula. It has a limit of instructions, like a console command. Its errors
+// become the error of the property and are not reported to the game.
 class ScriptFormula {
   public:
     ScriptFormula(Machine& machine, std::shared_ptr<FunctionRef> function)
@@ -107,7 +107,7 @@ std::string user_text(lua_State* L, int index, int user_value) {
     return text;
 }
 
-// A text of several lines tells which of them is meant; "formula" is the name of the chunk.
+// A one-line text needs no line number; "formula" is only the name of the chunk.
 std::string what_is_wrong(std::string message) {
     if (message.starts_with("formula:1: "))
         message.erase(0, 11);
@@ -141,7 +141,7 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
                 wrong = string_at(L, -1);
                 return;
             }
-            // The text of a function makes the function, and nothing of it runs by that.
+            // If the text is that of a function, running the chunk only creates this function.
             if (is_function_text(source)) {
                 lua_pushvalue(L, -1);
                 lua_call(L, 0, 1);

@@ -1,6 +1,6 @@
 #pragma once
-// Formulas of scripts: `obj.prop = formula(function() return ... end)`, in the console `obj.prop is
-// ...`.
+// Formulas of scripts: `obj.prop = formula(function() return ... end)`, or `obj.prop is ...` in the
+// console.
 
 #include <string>
 #include <string_view>
@@ -14,22 +14,22 @@ namespace fettle::script {
 
 struct Machine;
 
-/// What `formula(fn)` returned stands at `index`.
+/// Whether the value at `index` is a result of `formula(fn)`.
 bool is_formula(lua_State* L, int index);
-/// Makes what `formula(fn)` returned, at `index`, the value of a property; adds the property where
-/// there is none.
+/// Sets the result of `formula(fn)` at `index` as the formula of a property. Adds the property if
+/// it does not exist.
 void define_formula(lua_State* L, Machine& machine, int index, property::Handle instance,
                     std::string_view name);
-/// Wraps the function on top of the stack; replaces it on the stack.
+/// Replaces the function on top of the stack by a formula object.
 void push_formula(lua_State* L, const FunctionSource& source);
-/// The formula a text stands for: an expression, or a function that returns the value. Throws
-/// Error(formula) with what is wrong with it.
+/// Compiles the text of a formula: an expression, or a function that returns the value. Throws
+/// Error(formula) with the reason if it is not valid.
 property::Formula compile_formula(Machine& machine, const std::string& source);
 /// Pushes the function of a property's formula, or nil.
 void push_formula_function(lua_State* L, const property::Tree& tree, property::Handle instance,
                            const property::Property& property);
 
-/// `formula` among the globals on top.
+/// Adds `formula` to the globals on top.
 void open_formulas(lua_State* L);
 
 }  // namespace fettle::script

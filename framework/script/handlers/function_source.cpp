@@ -14,13 +14,13 @@ namespace fettle::script {
 
 namespace {
 
-/// Finds the functions of a chunk: words, strings and comments are all that needs to be told apart.
+/// Finds the functions in the text of a chunk. It distinguishes only words, strings and comments.
 class FunctionFinder {
   public:
     FunctionFinder(std::string_view text, int first_line, int last_line)
         : text_(text), first_line_(first_line), last_line_(last_line) {}
 
-    /// Texts of the functions that begin and end on those lines, without their names.
+    /// The texts of the functions that begin on the first and end on the last line, without names.
     std::vector<std::string> run() {
         if (text_.starts_with('#')) skip_to(text_.find('\n'));
         while (at_ < text_.size() && line_ <= last_line_) {
@@ -56,7 +56,7 @@ class FunctionFinder {
                                         text_.begin() + static_cast<std::ptrdiff_t>(next), '\n'));
         at_ = next;
     }
-    /// Of `[==[`, the number of equal signs; npos when it is no such thing.
+    /// Number of equal signs of a bracket `[==[`; npos if there is no such bracket.
     std::size_t long_bracket(std::size_t at) const {
         std::size_t i = at + 1;
         while (i < text_.size() && text_[i] == '=') ++i;
@@ -111,18 +111,18 @@ int append_piece(lua_State*, const void* piece, std::size_t size, void* out) {
     return 0;
 }
 
-/// The function on top, as bytes that do not depend on where its text stands.
+/// The bytecode of the function on top. It does not depend on the position of the text.
 std::string compiled(lua_State* L) {
     std::string bytes;
     lua_dump(L, append_piece, &bytes, 1);
     return bytes;
 }
 
-// How a function names the environment depends on how many other variables of their surroundings
-// the functions around it use.
+// The bytecode contains the index of the environment among the variables of the enclosing
+// functions. This index is not known, so up to this number of preceding variables are tried.
 constexpr int most_variables_around = 16;
 
-/// Whether `text`, on its line, compiles to the same as the function whose bytes are given.
+/// Whether `text`, at its line, compiles to these bytes.
 bool compiles_to(lua_State* L, const std::string& text, int line, const std::string& bytes) {
     const std::string above(static_cast<std::size_t>(std::max(line - 1, 0)), '\n');
     std::string variables;
@@ -146,7 +146,8 @@ bool compiles_to(lua_State* L, const std::string& text, int line, const std::str
     return false;
 }
 
-/// What the function uses of the functions around it, as the reason why it cannot be saved.
+/// The names of the outer local variables that the function uses, as a reason why it cannot be
+/// saved.
 std::string variables_around(lua_State* L, Machine& machine, int index, const std::string& where) {
     std::string names;
     int count = 0;

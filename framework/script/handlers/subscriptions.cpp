@@ -22,7 +22,7 @@ using property::Existence;
 using property::Occurrence;
 using property::WatchOptions;
 
-// --- What handlers are told
+// --- Arguments of handlers
 
 namespace {
 
@@ -55,7 +55,7 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
     lua_rawset(L, -3);
 }
 
-/// Of the record on top of the stack, which the handler below it was called with.
+/// Reads the answers from the record on top of the stack, which was the argument of the handler.
 void take_answer(lua_State* L, property::Question& question) {
     const auto& fields = question.event().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -83,11 +83,11 @@ void push_existence(lua_State* L, const Existence& existence) {
     seal_record(L, machine_of(L));
 }
 
-// --- Subscribing
+// --- Connecting
 
 namespace {
 
-// The function at `index`, or an error.
+// Keeps the function at `index`. Raises an error for another type.
 std::shared_ptr<FunctionRef> function_at(lua_State* L, int index, const char* what) {
     check_function(L, index, what);
     lua_pushvalue(L, index);
@@ -162,7 +162,8 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
             try {
                 take_answer(M, *asked);
             } catch (const Error& refused) {
-                // No line of the script runs: the place is that of the handler.
+                // No line of the script is running, so the message gets the position of the
+                // handler.
                 function->push(M);
                 throw Error(refused.kind(), definition(M) + refused.what());
             }
@@ -210,14 +211,14 @@ int subscribe_property(lua_State* L) {
 
 namespace {
 
-// watch("world.*.velocity", fn)
+// Implements watch("world.*.velocity", fn).
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
     lua_settop(L, 2);
     const std::string pattern =
         check_text(L, 1, "watch: needs a pattern such as \"world.*.velocity\"");
     if (pattern.find('*') == std::string::npos) {
-        // Without a wildcard it names one thing; a slip in it must not go unnoticed.
+        // Without a wildcard, the path must exist, so that a spelling error is reported.
         const property::Place place = property::resolve(machine.tree, pattern);
         auto handler = change_handler(machine, function_at(L, 2, "watch"));
         machine.connections.push(

@@ -1,6 +1,5 @@
 #pragma once
-// Functions of a script that the tree calls at barriers: `watch` and `on`, and the connections that
-// end them.
+// Functions of a script that the tree calls at barriers: `watch`, `on` and their connections.
 
 #include <cstdint>
 #include <functional>
@@ -17,21 +16,21 @@ namespace fettle::script {
 
 struct Machine;
 
-// Methods of instances and classes.
+// Methods of instances and classes: `watch` and `on`.
 int subscribe_property(lua_State* L);
 int subscribe_event(lua_State* L);
 
-/// Pushes the record handlers of events get.
+/// Pushes the record that is the argument of an event handler.
 void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
-/// What a handler left in the record, which is on top of the stack, of an event that asks.
+/// Reads a handler's answers to a question from the record on top of the stack.
 void take_answer(lua_State* L, property::Question& question);
 void push_existence(lua_State* L, const property::Existence& existence);
-/// A handler for `on` over a whole class.
+/// Connects the handler on top of the stack to an event of an instance or of a whole class.
 property::Connection connect_event(lua_State* L, Machine& machine, property::Handle instance,
                                    const property::Class& of, const std::string& name,
                                    bool whole_class);
 
-/// `watch` among the globals on top.
+/// Adds `watch` to the globals on top.
 void open_watch(lua_State* L);
 
 }  // namespace fettle::script

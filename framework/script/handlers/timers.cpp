@@ -19,18 +19,19 @@ namespace fettle::script {
 
 namespace {
 
-// Sums of steps are not exact; what is due within this of a step's end is due in it. Seconds.
+// s; sums of steps have rounding errors, so timers that are due this soon after a step's end count
+// as due.
 constexpr double tolerance = 1e-9;
-// A shorter interval would fire many hundred times a step.
+// s; a shorter interval would call the function many hundred times in a step.
 constexpr double shortest_interval = 1e-4;
-constexpr std::int64_t weight_of_timer = 300;  // bytes, about
+constexpr std::int64_t weight_of_timer = 300;  // bytes, estimated
 
 }  // namespace
 
 void Timers::note(Change change) {
     if (!noting_ || changes_.all) return;
     changes_.list.push_back(std::move(change));
-    // The changes were not taken for long, or the whole queue is shorter than its changes.
+    // The changes were not taken for a long time, or they are larger than the whole queue.
     if (changes_.list.size() > 64 + 2 * queue_.size()) {
         changes_.all = true;
         changes_.list.clear();
@@ -90,7 +91,7 @@ void Timers::clear() {
 bool Timers::run() {
     bool ok = true;
     const double end = now;
-    // A new timer that is due at once waits for the next step; otherwise the loop might never end.
+    // A new timer that is already due waits for the next step; otherwise this loop might never end.
     const std::uint64_t newest = next_id_;
     for (auto entry = queue_.begin();
          entry != queue_.end() && entry->first.first <= end + tolerance;) {
@@ -102,7 +103,8 @@ bool Timers::run() {
         const Timer timer = entry->second;
         erase(entry);
         if (timer.interval >= 0) {
-            // From the moment it was due, so that intervals do not drift; 0 is every step.
+            // The interval starts when the timer was due, so that intervals do not drift. 0 means
+            // every step.
             const double next = timer.interval > 0 ? due + timer.interval : end + 2 * tolerance;
             insert({next, id}, timer);
         }
@@ -134,7 +136,7 @@ void Timers::restore(const Queue& image, double later) {
 }
 
 namespace {
-// A node of a map, and what the system keeps beside it.
+// Size of a map node with an estimate of the allocator's overhead.
 constexpr std::size_t of_timer = sizeof(Timers::Queue::value_type) + 48;
 }  // namespace
 
@@ -179,7 +181,7 @@ int Timers::take_thread() {
     return luaL_ref(machine_.lua.main, LUA_REGISTRYINDEX);
 }
 
-// Functions run as coroutines, so that they can wait.
+// Runs a function as a coroutine, so that it can wait.
 bool Timers::fire(const Timer& timer) {
     return protected_run(machine_, timer.function ? "timer" : "coroutine", [&](lua_State* L) {
         if (!timer.function) {
@@ -195,7 +197,7 @@ bool Timers::fire(const Timer& timer) {
         lua_State* thread = lua_tothread(L, -1);
         timer.function->push(L);
         lua_xmove(L, thread, 1);
-        // A thread that waits or failed is left to the collector; one that finished is used again.
+        // A thread that waits or failed is left to the garbage collector; a finished one is reused.
         try {
             resume_thread(L, thread, 0);
         } catch (...) {

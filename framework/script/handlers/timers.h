@@ -1,6 +1,5 @@
 #pragma once
-// Things due at a moment of simulation time: functions given to `after` and `every`, and coroutines
-// in `wait`.
+// Timers in simulation time: functions given to `after` and `every`, and coroutines in `wait`.
 
 #include <cstdint>
 #include <map>
@@ -23,33 +22,35 @@ class Timers {
 
     double now = 0;  // simulation time, seconds
 
-    /// The function on top of `L`, taken. `interval` below 0: once. Returns the timer's number.
+    /// Adds the function on top of `L` and pops it. `interval` below 0: called once. Returns the
+    /// timer's number.
     std::uint64_t add(lua_State* L, double due, double interval);
-    /// `L` itself, resumed at `due`.
+    /// Resumes the coroutine `L` at `due`.
     void wait(lua_State* L, double due);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const { return due_.contains(id); }
     bool waiting(lua_State* thread) const { return waiting_.contains(thread); }
-    /// Runs everything due by now, in order of time, then of creation. False when one raised.
+    /// Runs all timers that are due, in order of time, then of creation. Returns false if one
+    /// raised an error.
     bool run();
     void clear();
     std::size_t size() const { return queue_.size(); }
 
-    // Snapshots. Functions are restored; a coroutine that waits is where it is now, and goes on
-    // waiting as long as it still had to.
+    // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
+    // remaining time.
     struct Timer {
         double interval = -1;
-        std::shared_ptr<FunctionRef> function;  // null: a thread that waits
+        std::shared_ptr<FunctionRef> function;  // null: a waiting thread
         int thread = LUA_NOREF;
     };
-    using Key = std::pair<double, std::uint64_t>;  // due, number
+    using Key = std::pair<double, std::uint64_t>;  // time at which it is due, number
     using Queue = std::map<Key, Timer>;
     struct Change {
         Key key;
-        std::optional<Timer> added;  // else removed
+        std::optional<Timer> added;  // nullopt: removed
     };
-    /// What has been added and removed since the last call, in order; the first call begins it.
-    /// `all`: so much that the whole queue is told instead.
+    /// Additions and removals since the last call, in order; the first call starts recording.
+    /// `all`: there were too many changes, so `queue` is the whole queue.
     struct Changes {
         bool all = false;
         Queue queue;
@@ -57,10 +58,10 @@ class Timers {
         bool empty() const { return !all && list.empty(); }
     };
     Queue image() const;
-    /// `later`: by how much simulation time jumps, seconds.
+    /// `later`: difference of simulation time, s.
     void restore(const Queue& image, double later);
     Changes take_changes();
-    /// Memory they take, about; functions count where they were added.
+    /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Queue& image);
     static std::size_t bytes_of(const Changes& changes);
     void redo(const Changes& changes);
@@ -79,11 +80,11 @@ class Timers {
     bool noting_ = false;
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
-    std::vector<int> idle_;  // threads that finished, ready for the next function
+    std::vector<int> idle_;  // finished threads, for reuse
     std::uint64_t next_id_ = 1;
 };
 
-/// `after every wait` into the table of globals on top.
+/// Adds `after`, `every` and `wait` to the globals on top.
 void open_timers(lua_State* L);
 
 }  // namespace fettle::script

@@ -1,4 +1,5 @@
-// The basic functions whose originals would let a script out, hang, or make runs differ.
+// Replacements of basic functions of Lua with which a script could leave the sandbox, hang, or
+// make runs differ.
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +75,11 @@ void print_line(Machine& machine, std::string text) {
     constexpr std::size_t most_lines = 2000;
     if (!machine.recording.active) {
         const property::Pinned pinned(machine.tree, "the function given to on_print");
-        if (const auto sink = machine.host.on_print) sink(text);  // it may be replaced meanwhile
+        // A copy, because the call may replace it.
+        if (const auto sink = machine.host.on_print) sink(text);
         return;
     }
-    // Console: a line a line, however many the text has.
+    // In the console, each line of the text is one line.
     std::size_t start = 0;
     do {
         const std::size_t end = text.find('\n', start);
@@ -118,7 +120,7 @@ int print(lua_State* L) {
 
 // --- pairs
 
-// Upvalues: table, sorted keys, position. Keys gone since are passed over.
+// Upvalues: table, sorted keys, position. Keys that were removed meanwhile are skipped.
 int next_sorted(lua_State* L) {
     for (;;) {
         const lua_Integer position = lua_tointeger(L, lua_upvalueindex(3)) + 1;
@@ -134,11 +136,12 @@ int next_sorted(lua_State* L) {
 
 struct Key {
     enum Kind : int { number, text, instance, other } kind = other;
-    double order = 0;          // of a number
-    std::int64_t integer = 0;  // where doubles are too coarse; of an instance, its handle
+    double order = 0;  // of a number
+    // An integer, for which a double is too coarse; the handle of an instance.
+    std::int64_t integer = 0;
     const char* chars = nullptr;
     std::size_t length = 0;
-    lua_Integer place = 0;  // in the table of keys
+    lua_Integer place = 0;  // index in the table of keys
 };
 
 bool before(const Key& a, const Key& b) {
@@ -149,19 +152,19 @@ bool before(const Key& a, const Key& b) {
         const int order = std::memcmp(a.chars, b.chars, std::min(a.length, b.length));
         return order != 0 ? order < 0 : a.length < b.length;
     }
-    return false;  // other keys stay as Lua gives them
+    return false;  // other keys keep Lua's order
 }
 
 int sorted_pairs(lua_State* L) {
     luaL_checkany(L, 1);
-    lua_settop(L, 1);  // more arguments are of no use, and the places below count on it
+    lua_settop(L, 1);  // the stack indices below require exactly one argument
     if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
         lua_pushvalue(L, 1);
         lua_call(L, 1, 3);
         return 3;
     }
     if (lua_type(L, 1) != LUA_TTABLE) refuse_type(L, 1, "pairs: needs a table");
-    lua_newtable(L);  // 2: keys as found, which also keeps the texts alive
+    lua_newtable(L);  // index 2: the keys in Lua's order; this also keeps the texts alive
     std::vector<Key> keys;
     for (lua_pushnil(L); lua_next(L, 1) != 0;) {
         lua_pop(L, 1);
@@ -175,7 +178,7 @@ int sorted_pairs(lua_State* L) {
             key.kind = Key::text;
             key.chars = lua_tolstring(L, -1, &key.length);
         } else if (const InstanceBox* box = instance_at(L, -1)) {
-            // Lua has them in the order of their addresses, which no replay repeats.
+            // Lua orders them by address, which differs between runs.
             key.kind = Key::instance;
             key.integer = std::int64_t{box->handle.index} << 32 | box->handle.generation;
         }
@@ -199,8 +202,8 @@ int sorted_pairs(lua_State* L) {
     return 3;
 }
 
-// Lua's own, upvalue 1, begins with what cannot have elements as well, and complains about it later
-// and elsewhere.
+// Lua's own function (upvalue 1) accepts values without elements and raises a confusing error
+// later.
 int ipairs(lua_State* L) {
     luaL_checkany(L, 1);
     const int type = lua_type(L, 1);
@@ -222,7 +225,7 @@ int set_metatable(lua_State* L) {
         throw Error(ErrorKind::rejected, "cannot change a protected metatable");
     if (lua_istable(L, 2)) {
         lua_pushliteral(L, "__gc");
-        // No budget reaches a finalizer, and when it runs depends on the collector's mood.
+        // A budget cannot stop a finalizer, and it is not deterministic when the collector runs it.
         if (lua_rawget(L, 2) != LUA_TNIL)
             throw Error(ErrorKind::rejected,
                         "setmetatable: finalizers (__gc) are not available; use <close> variables");
@@ -265,13 +268,13 @@ const char* read_piece(lua_State* L, void* data, std::size_t* size) {
         return nullptr;
     }
     if (lua_type(L, -1) != LUA_TSTRING) luaL_error(L, "reader function must return a string");
-    lua_replace(L, 5);  // keeps the piece while it is read
+    lua_replace(L, 5);  // keeps the piece alive while it is parsed
     const char* text = lua_tolstring(L, 5, size);
     machine_of(L).budget.charge(L, *size);
     return text;
 }
 
-// load(chunk [, name [, mode [, env]]]): text only, whatever the mode says.
+// load(chunk [, name [, mode [, env]]]). Accepts only source text, whatever the mode.
 int load_chunk(lua_State* L) {
     const bool own_environment = lua_gettop(L) >= 4;
     const bool text = lua_type(L, 1) == LUA_TSTRING;
@@ -304,7 +307,7 @@ int load_chunk(lua_State* L) {
 
 // --- pcall, xpcall
 
-// Upvalue: the script's handler. While a command is being stopped it is not asked.
+// Upvalue: the script's handler. It is not called while a command is being stopped.
 int call_handler(lua_State* L) {
     Machine& machine = machine_of(L);
     if (machine.budget.stopping()) return 1;
@@ -316,10 +319,11 @@ int call_handler(lua_State* L) {
     return 1;
 }
 
-// Raising an error costs as much as some hundred instructions.
+// Raising an error costs about as much as this number of instructions.
 constexpr std::uint64_t cost_of_error = 300;
 
-// Lua's own error says neither where nor which limit; it is on top of the stack.
+// Lua's error on top of the stack contains neither the place nor the limit. Replaces it by a better
+// one.
 void tell_refusal(lua_State* L, int status) {
     if (status != LUA_ERRMEM) return;
     if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
@@ -329,7 +333,8 @@ void tell_refusal(lua_State* L, int status) {
 }
 
 int finish_pcall(lua_State* L, int status, lua_KContext) {
-    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L) - 1;  // all but the handler
+    if (status == LUA_OK || status == LUA_YIELD)
+        return lua_gettop(L) - 1;  // all except the handler
     machine_of(L).budget.charge(L, cost_of_error);
     tell_refusal(L, status);
     lua_pushboolean(L, 0);
@@ -340,7 +345,7 @@ int finish_pcall(lua_State* L, int status, lua_KContext) {
 int protected_call(lua_State* L) {
     luaL_checkany(L, 1);
     lua_pushcfunction(L, placing_handler);
-    lua_pushboolean(L, 1);  // first result when all goes well
+    lua_pushboolean(L, 1);  // first result on success
     lua_rotate(L, 1, 2);
     const int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, 0, finish_pcall);
     return finish_pcall(L, status, 0);
@@ -355,7 +360,7 @@ int finish_xpcall(lua_State* L, int status, lua_KContext) {
         lua_insert(L, -2);
         return 2;
     }
-    lua_replace(L, 1);  // over the handler's place; results follow
+    lua_replace(L, 1);  // replaces the handler; the results follow
     return lua_gettop(L);
 }
 
@@ -366,7 +371,7 @@ int protected_call_with_handler(lua_State* L) {
     lua_pushvalue(L, 2);
     lua_pushcclosure(L, guarded<call_handler>, 1);  // handler
     lua_pushvalue(L, 1);                            // function
-    lua_rotate(L, 1, 2);  // handler, function, then both originals and the arguments
+    lua_rotate(L, 1, 2);  // order: handler, function, then both originals and the arguments
     lua_remove(L, 3);
     lua_remove(L, 3);
     const int status = lua_pcallk(L, arguments, LUA_MULTRET, 1, 0, finish_xpcall);

@@ -1,4 +1,5 @@
-// Global names: what the game assigns, the children of the root, classes; anything else is a slip.
+// Global names: variables of the game, children of the root, and classes. Any other name is an
+// error.
 
 #include <algorithm>
 
@@ -73,7 +74,8 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
 
 namespace {
 
-// Where several names are as near, one in the same letter case is meant.
+// Suggests the nearest name. Among equally near names, one with the same case of the first letter
+// is preferred.
 std::string suggest(Machine& machine, std::string_view name) {
     std::vector<std::string> names = global_names(machine);
     const auto capital = [](const std::string& text) {
@@ -102,7 +104,7 @@ int read_global(lua_State* L) {
     if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
     if (among(later_names(), name))
         throw Error(ErrorKind::unknown_name, std::string(name) + " is not available yet");
-    // A callback the game does not define is not worth an error: a game may ask for it.
+    // A missing callback is nil and not an error, because a game may test for it.
     if (among(callback_names(), name)) {
         lua_pushnil(L);
         return 1;
@@ -121,7 +123,7 @@ int write_global(lua_State* L) {
                 std::string(name) + ": is part of the tree; " +
                     (name == "game" ? std::string("it cannot be replaced")
                                     : "assign game." + std::string(name) + " to replace it"));
-        // `function keypressed(key)` would never be called.
+        // Fettle would never call a function with a misspelled name such as `keypressed`.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
             if (!among(callback_names(), name))
                 for (const std::string& callback : callback_names())

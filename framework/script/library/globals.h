@@ -1,5 +1,5 @@
 #pragma once
-// Global names of game and console.
+// Global names of the game and the console.
 
 #include <string>
 #include <string_view>
@@ -11,15 +11,15 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Everything a global name can stand for, sorted.
+/// All valid global names, sorted.
 std::vector<std::string> global_names(Machine& machine);
 /// Pushes the result of the last console command.
 void push_last_result(lua_State* L, Machine& machine);
-/// Pushes what a name means that the environment does not hold: `game`, its children, classes,
-/// `it`, `_`.
+/// Pushes the value of a name that is not in the environment: `game`, its children, classes, `it`,
+/// `_`.
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name);
 
-/// Makes the table of globals on top the environment of scripts.
+/// Makes the table on top the environment of all scripts.
 void open_globals(lua_State* L, Machine& machine);
 
 }  // namespace fettle::script

@@ -1,5 +1,5 @@
-// What people edited, and where values come from:
-//   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
+// History of edits and origin of values:
+// undo()  redo()  history()  edit(name, function)  who(path)  why(path)
 
 #include <fettle/property/path.h>
 

@@ -1,4 +1,4 @@
-// string.find, match, gmatch and gsub over PatternMatcher.
+// Implements string.find, match, gmatch and gsub with PatternMatcher.
 
 #include <algorithm>
 #include <cstring>
@@ -28,7 +28,7 @@ void pay(void* L, std::uint64_t steps) {
     machine_of(state).budget.charge(state, steps);
 }
 
-// Start position, from 0; may lie behind the end.
+// Start position, from 0; it may be greater than the length.
 std::size_t start_at(lua_State* L, int index, std::size_t length) {
     const lua_Integer start = luaL_optinteger(L, index, 1);
     if (start > 0) return static_cast<std::size_t>(start) - 1;
@@ -100,7 +100,7 @@ int match(lua_State* L) {
     return search(L, false);
 }
 
-// Upvalues: subject, pattern, next start, end of the last match (-1 before any).
+// Upvalues: subject, pattern, next start, end of the last match (-1 before the first).
 int next_match(lua_State* L) {
     const std::string_view subject = text_at(L, lua_upvalueindex(1));
     const std::string_view pattern = text_at(L, lua_upvalueindex(2));
@@ -109,7 +109,7 @@ int next_match(lua_State* L) {
     for (auto start = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(3)));
          start <= subject.size(); ++start) {
         const std::size_t end = matcher.match(start);
-        // An empty match right behind the last one is that one again.
+        // An empty match directly after the last match would find the same place again.
         if (end == PatternMatcher::failed || static_cast<lua_Integer>(end) == last) continue;
         lua_pushinteger(L, static_cast<lua_Integer>(end));
         lua_copy(L, -1, lua_upvalueindex(3));
@@ -131,7 +131,7 @@ int gmatch(lua_State* L) {
     return 1;
 }
 
-// %0 the whole match, %1 to %9 a capture, %% a percent sign.
+// Expands %0 to the whole match, %1 to %9 to a capture, and %% to a percent sign.
 void add_template(lua_State* L, std::string& out, std::string_view text,
                   const PatternMatcher& matcher, std::string_view subject, std::size_t start,
                   std::size_t end) {
@@ -159,7 +159,7 @@ void add_template(lua_State* L, std::string& out, std::string_view text,
     }
 }
 
-// What replaces one match; nil and false keep it.
+// Appends the replacement of one match; nil and false keep the match.
 void add_replacement(lua_State* L, std::string& out, const PatternMatcher& matcher,
                      std::string_view subject, std::size_t start, std::size_t end) {
     switch (lua_type(L, 3)) {
@@ -191,7 +191,7 @@ void add_replacement(lua_State* L, std::string& out, const PatternMatcher& match
     lua_pop(L, 1);
 }
 
-// The result grows outside Lua's memory until it is done: it is held to the same limit.
+// The result grows outside of Lua's memory until it is complete, so the same limit is checked here.
 void check_size(lua_State* L, const std::string& out) {
     const Arena& arena = machine_of(L).arena;
     if (out.size() > arena.limit() - std::min(arena.limit(), arena.bytes())) {

@@ -43,11 +43,11 @@ Painter& painter(lua_State* L) {
 bool& on_screen(lua_State* L) {
     push_registry(L, machine_of(L).pen.reference);
     bool& on = box_at<PenBox>(L, -1, Tag::pen)->on_screen;
-    lua_pop(L, 1);  // the registry keeps it
+    lua_pop(L, 1);  // the registry keeps the box alive
     return on;
 }
 
-// pen:circle(...) is as good as pen.circle(...).
+// pen:circle(...) works like pen.circle(...).
 void drop_self(lua_State* L) {
     if (box_at<PenBox>(L, 1, Tag::pen)) lua_remove(L, 1);
 }
@@ -75,7 +75,7 @@ void check_not_below_0(double value, const char* what, const char* of) {
                                                  ", which is 0 or more");
 }
 
-/// In pixels.
+/// Width in pixels.
 float width_or(lua_State* L, int index, const char* what, double otherwise) {
     const double value = number_or(L, index, what, otherwise);
     check_finite(value, what);
@@ -175,7 +175,7 @@ int text(lua_State* L) {
     drop_self(L);
     if (lua_gettop(L) < 2)
         throw Error(ErrorKind::wrong_type, "pen.text: needs a position and a text");
-    if (lua_type(L, 1) == LUA_TSTRING) {  // the other way round is as clear
+    if (lua_type(L, 1) == LUA_TSTRING) {  // both orders are accepted, since they are unambiguous
         lua_pushvalue(L, 1);
         lua_remove(L, 1);
         lua_insert(L, 2);
@@ -213,7 +213,7 @@ int screen(lua_State* L) {
 }
 
 int pen_index(lua_State* L) {
-    // What other libraries call it is too far away for the letters to tell.
+    // Names from other libraries differ too much for a suggestion by spelling.
     const std::string name = key_in_message(L, 2);
     if (name == "rect" || name == "rectangle")
         throw Error(ErrorKind::unknown_name, "pen has no " + name + " (did you mean \"box\"?)");

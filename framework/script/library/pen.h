@@ -1,5 +1,5 @@
 #pragma once
-// `pen`, what `draw(pen)` draws with.
+// The global `pen`, with which `draw(pen)` draws.
 
 #include <fettle/property/painter.h>
 
@@ -10,8 +10,8 @@ namespace fettle::script {
 struct Machine;
 
 struct Pen {
-    int reference = 0;                     // in the registry
-    property::Painter* painter = nullptr;  // while something is drawn
+    int reference = 0;                     // reference in the registry
+    property::Painter* painter = nullptr;  // null except while drawing
 };
 
 void open_pen(lua_State* L, Machine& machine);

@@ -40,8 +40,8 @@ double Random::unit() {
 std::int64_t Random::between(std::int64_t low, std::int64_t high) {
     const std::uint64_t span =
         static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
-    if (span == 0) return static_cast<std::int64_t>(next());  // all 2^64
-    // Values below this many would make the first ones likelier.
+    if (span == 0) return static_cast<std::int64_t>(next());  // the range of all 2^64 values
+    // Rejects values below this, because otherwise the first results would be more likely.
     const std::uint64_t uneven = (0 - span) % span;
     std::uint64_t value = next();
     while (value < uneven) value = next();
@@ -50,7 +50,8 @@ std::int64_t Random::between(std::int64_t low, std::int64_t high) {
 
 namespace {
 
-// random() in [0, 1); random(n) in 1..n; random(a, b): integers when both are, else any number.
+// Implements random() in [0, 1), random(n) in 1..n, and random(a, b): an integer if both are, else
+// any number.
 int random_number(lua_State* L) {
     Random& random = machine_of(L).random;
     const int given = lua_gettop(L);
@@ -63,7 +64,7 @@ int random_number(lua_State* L) {
     if ((given == 1 || lua_isinteger(L, 1)) && lua_isinteger(L, last)) {
         const lua_Integer low = given == 1 ? 1 : lua_tointeger(L, 1);
         const lua_Integer high = lua_tointeger(L, last);
-        if (given == 1 && high == 0) {  // as in Lua: any integer
+        if (given == 1 && high == 0) {  // as in Lua: random(0) is any integer
             lua_pushinteger(L, static_cast<lua_Integer>(random.next()));
             return 1;
         }
@@ -78,13 +79,13 @@ int random_number(lua_State* L) {
     if (!(low <= high) || std::isinf(low) || std::isinf(high))
         throw std::invalid_argument("random: needs two finite numbers in ascending order");
     const double share = random.unit();
-    // Twice the largest number is none.
+    // The difference of the bounds may overflow to infinity.
     lua_pushnumber(
         L, std::isinf(high - low) ? low * (1 - share) + high * share : low + (high - low) * share);
     return 1;
 }
 
-// As in Lua: whole numbers only.
+// Implements math.random, which takes only whole numbers, as in Lua.
 int math_random(lua_State* L) {
     for (int i = 1; i <= lua_gettop(L) && i <= 2; ++i) {
         int whole = 0;

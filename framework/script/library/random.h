@@ -1,6 +1,7 @@
 #pragma once
-// The game's random numbers: the same on every machine for the same seed. xoshiro256++ (Blackman
-// and Vigna 2019, "Scrambled linear pseudorandom number generators"), seeded through splitmix64.
+// The game's random numbers. The same seed gives the same numbers on every machine. xoshiro256++
+// (Blackman and Vigna 2019, "Scrambled linear pseudorandom number generators"), seeded with
+// splitmix64.
 
 #include <array>
 #include <cstdint>
@@ -14,9 +15,9 @@ class Random {
     explicit Random(std::uint64_t seed) { reseed(seed); }
     void reseed(std::uint64_t seed);
     std::uint64_t next();
-    /// 0 to 1, 1 excluded; 53 random bits.
+    /// In [0, 1); 53 random bits.
     double unit();
-    /// Both ends included; every integer equally likely.
+    /// Both bounds are included; all integers have the same probability.
     std::int64_t between(std::int64_t low, std::int64_t high);
 
     using State = std::array<std::uint64_t, 4>;
@@ -27,7 +28,7 @@ class Random {
     State state_{};
 };
 
-/// `random` among the globals on top, and in the table `math` there.
+/// Adds `random` to the globals on top, and to the table `math` in them.
 void open_random(lua_State* L);
 
 }  // namespace fettle::script

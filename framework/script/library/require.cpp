@@ -1,5 +1,5 @@
-// require("enemies.boss") runs enemies/boss.lua of the game's folder once and returns what it
-// returned. Text only, and never outside the folder.
+// require("enemies.boss") runs enemies/boss.lua in the game's folder once and returns its result.
+// It loads only source text, and only from this folder.
 
 #include <algorithm>
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file a module's name stands for, relative to the folder.
+// The file of a module, relative to the folder.
 std::string module_file(const std::string& name) {
     std::string file;
     for (const char c : name) {
@@ -76,13 +76,13 @@ int require(lua_State* L) {
     const std::string text = machine.sources.files.read(existing(machine, file, name));
     if (machine.sources.load(L, text, file) != LUA_OK) return lua_error(L);
     lua_pushvalue(L, 1);
-    lua_pushlightuserdata(L, &machine);  // stands for: being loaded
+    lua_pushlightuserdata(L, &machine);  // marks a module that is being loaded
     lua_rawset(L, 2);
     try {
         lua_pushvalue(L, 1);
         lua_call(L, 1, 1);
     } catch (...) {
-        // So that a mended file can be required again.
+        // Remove the mark, so that a corrected file can be required again.
         lua_pushvalue(L, 1);
         lua_pushnil(L);
         lua_rawset(L, 2);

@@ -1,4 +1,4 @@
-// The environment of games and console: names that are allowed, nothing else.
+// Makes the environment of games and the console, which contains only allowed names.
 
 #include <calls/errors.h>
 #include <library/sandbox.h>
@@ -8,7 +8,7 @@ namespace fettle::script {
 
 namespace {
 
-// Copies fields of the library table `from` (a global) into a new table.
+// Copies these fields of the global library `from` into a new table.
 void copy_library(lua_State* L, const char* from, std::initializer_list<const char*> names) {
     lua_getglobal(L, from);
     lua_newtable(L);
@@ -19,7 +19,7 @@ void copy_library(lua_State* L, const char* from, std::initializer_list<const ch
     lua_remove(L, -2);
 }
 
-// Into the environment on top.
+// Adds the allowed functions to the environment on top.
 void allow(lua_State* L) {
     for (const char* name : {"assert", "error", "next", "rawequal", "rawget", "rawlen", "rawset",
                              "select", "tonumber", "type"}) {
@@ -57,7 +57,7 @@ void allow(lua_State* L) {
     }
 }
 
-// Texts share one metatable; scripts must not reach it.
+// All texts share one metatable, which scripts must not get.
 void protect_texts(lua_State* L) {
     lua_pushliteral(L, "");
     lua_getmetatable(L, -1);

@@ -1,6 +1,6 @@
 #pragma once
-// What scripts may use of Lua's own library: an environment of allowed names, with the dangerous
-// ones left out or replaced.
+// The part of Lua's library that scripts may use: an environment of allowed names. Dangerous
+// functions are missing or replaced.
 
 #include <string>
 
@@ -10,10 +10,10 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Pushes the table of globals with what is allowed of Lua's own library.
+/// Pushes a table of globals with the allowed part of Lua's library.
 void open_sandbox(lua_State* L);
 
-// Each into the table of globals on top.
+// Each function adds its names to the table of globals on top.
 void open_base(lua_State* L);
 void open_table_guards(lua_State* L);
 void open_strings(lua_State* L);
@@ -24,12 +24,12 @@ void open_saves(lua_State* L);
 void open_tweaks(lua_State* L);
 void open_history(lua_State* L);
 
-/// A line of `print`: into the console's answer or to the host.
+/// Prints a line: into the result of a console command, or to the host.
 void print_line(Machine& machine, std::string text);
-/// In a replay: true, and tells that `what` writes nothing. No error, or the replay would go
-/// another way than the run did.
+/// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
+/// the replay would differ from the recorded run.
 bool tell_of_replay(Machine& machine, const std::string& what);
-/// Text of any value without calling anything but a script's own __tostring.
+/// Pushes the text of any value. The only script function that it calls is a `__tostring`.
 void push_tostring(lua_State* L, int index);
 
 }  // namespace fettle::script

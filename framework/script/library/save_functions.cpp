@@ -46,8 +46,8 @@ int delete_save(lua_State* L) {
     return 0;
 }
 
-// A list of tables: slot, step, time (as os.time tells it), picture (whether it has one), problem
-// (nil when it can be loaded).
+// A list of tables with slot, step, time (as os.time), picture (whether there is one) and problem
+// (nil if the save can be loaded).
 int saves(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::vector<SaveInfo> all = saves_of(machine, "saves").list();

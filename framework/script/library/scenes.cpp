@@ -1,8 +1,7 @@
-// `scene`: files of instances, for scripts.
-//   scene.load(file [, parent [, name]])   the instance that was loaded; detached without a parent
-//   scene.save(file, instance)
-// Files lie in the game's folder; what is not there is looked for among Fettle's own assets, which
-// are read only.
+// The global `scene`: files of instances.
+// scene.load(file [, parent [, name]])   returns the loaded instance; detached without a parent
+// scene.save(file, instance)
+// Files are in the game's folder. Files that are not there are read from Fettle's own assets.
 
 #include <filesystem>
 
@@ -53,7 +52,7 @@ int load(lua_State* L) {
     }
     const fs::path named = (own ? machine.sources.folder : machine.options.assets) / file;
     const std::string text = machine.sources.files.read(named);
-    // The same whatever folder a later run, which keeps tweaks of this one, is started in.
+    // A canonical path, because a later run with tweaks of this run may start in another folder.
     const fs::path path = fs::weakly_canonical(named);
     std::vector<std::string> warnings;
     std::vector<property::SceneInstance> instances;

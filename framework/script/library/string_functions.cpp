@@ -1,4 +1,5 @@
-// string.format and string.rep: the originals show addresses, or can loop for ever over nothing.
+// Replaces string.format and string.rep: the originals show addresses, or may loop forever over an
+// empty text.
 
 #include <cctype>
 
@@ -11,7 +12,7 @@ namespace fettle::script {
 
 namespace {
 
-// Upvalue 1: the original. Arguments of %s become text our way first.
+// Upvalue 1: the original. Arguments of %s are converted with our `tostring` first.
 int format(lua_State* L) {
     std::size_t length = 0;
     const char* text = luaL_checklstring(L, 1, &length);

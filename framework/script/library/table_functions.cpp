@@ -1,5 +1,5 @@
-// The table library. A length can be claimed by a metamethod and elements come from one, so each
-// function charges for its loop before it starts. On a list of a property, a change is one change.
+// The table library. A metamethod may return any length and elements, so each function charges the
+// budget before its loop. Changing a list of a property is one change.
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ namespace fettle::script {
 
 namespace {
 
-// A loop longer than this is a slip or an attack, also in a game.
+// A longer loop is an error, even without a budget.
 constexpr lua_Integer longest_loop = 200'000'000;
 
 void charge(lua_State* L, const char* what, lua_Integer from, lua_Integer to) {
@@ -24,8 +24,8 @@ void charge(lua_State* L, const char* what, lua_Integer from, lua_Integer to) {
     machine_of(L).budget.charge(L, count);
 }
 
-// What has elements; else an error as Lua's own functions raise it, before anything is done with
-// it.
+// Accepts values with elements. For others, raises the same error as Lua's own functions, before
+// any change.
 void check_list(lua_State* L) {
     if (lua_type(L, 1) == LUA_TTABLE || list_at(L, 1) != nullptr) return;
     if (luaL_getmetafield(L, 1, "__index") == LUA_TNIL || lua_type(L, 1) == LUA_TSTRING)
@@ -99,7 +99,7 @@ int unpack(lua_State* L) {
     return call_original(L);
 }
 
-// n log n, roughly.
+// The cost is about n log n.
 int sort(lua_State* L) {
     check_list(L);
     const lua_Integer length = luaL_len(L, 1);

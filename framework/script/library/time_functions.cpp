@@ -1,5 +1,5 @@
-// snapshot()  restore(s)  rewind(seconds): all three act at the next barrier between steps, in the
-// order they were called. The tree is the state; variables of Lua are not part of it.
+// snapshot(), restore(s), rewind(seconds). All three act at the next barrier between steps, in the
+// order of the calls. They affect the tree, but not Lua variables.
 
 #include <cmath>
 #include <memory>
@@ -22,13 +22,13 @@ using property::Snapshot;
 
 namespace {
 
-// A snapshot holds a whole game; snapshots that a script does not release must not fill the memory.
+// A snapshot contains a whole game, so the number that scripts may hold is limited.
 constexpr std::size_t most_snapshots = 64;
 
-// Each costs as much as some steps: the limit keeps the barrier short.
+// Each restore or rewind costs as much as several steps, so a barrier makes at most this number.
 constexpr std::size_t most_travels = 100;
 
-/// At the next barrier, one after the other.
+/// Calls `go` at the next barrier, after earlier calls.
 void travel(Machine& machine, const char* what, std::function<void()> go) {
     if (machine.snapshots.travels >= most_travels)
         throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(most_travels) +
@@ -42,7 +42,7 @@ void travel(Machine& machine, const char* what, std::function<void()> go) {
     ++machine.snapshots.travels;
 }
 
-/// For so many more, as large as the last was.
+/// Throws if there is no memory for `more` snapshots of the last size.
 void require_room(const Machine& machine, std::size_t more) {
     if (machine.snapshots.bytes + more * machine.snapshots.last_size <=
         machine.options.memory_limit)
@@ -65,7 +65,7 @@ struct HeldSnapshot {
         --machine->snapshots.count;
         machine->snapshots.bytes -= bytes;
     }
-    /// At the barrier.
+    /// Takes the snapshot, at the barrier.
     void take() {
         require_room(*machine, 1);
         snapshot = machine->tree.snapshot();
@@ -131,7 +131,8 @@ int rewind(lua_State* L) {
     if (!machine.host.on_rewind)
         throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
     travel(machine, "rewind", [&machine, seconds] {
-        if (const auto go = machine.host.on_rewind) go(seconds);  // it may end the runtime
+        // A copy, because the call may end the runtime.
+        if (const auto go = machine.host.on_rewind) go(seconds);
     });
     return 0;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// `snapshot restore rewind`: time as scripts and the console travel it.
+// The global functions `snapshot`, `restore` and `rewind`.
 
 #include <cstddef>
 
@@ -7,15 +7,15 @@
 
 namespace fettle::script {
 
-/// What scripts hold of the past, and how often they go back to it.
+/// The snapshots that scripts hold, and the pending restores and rewinds.
 struct HeldSnapshots {
     std::size_t count = 0;
-    std::size_t bytes = 0;      // these take
-    std::size_t last_size = 0;  // of the last one
-    std::size_t travels = 0;    // restores and rewinds that wait for the next barrier
+    std::size_t bytes = 0;      // of these snapshots
+    std::size_t last_size = 0;  // size of the last snapshot, bytes
+    std::size_t travels = 0;    // restores and rewinds that are pending until the next barrier
 };
 
-/// Into the table of globals on top.
+/// Adds the functions to the table of globals on top.
 void open_time(lua_State* L);
 
 }  // namespace fettle::script

@@ -1,5 +1,5 @@
-// What people tweaked:
-//   tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
+// Tweaks of people:
+// tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
 
 #include <ctime>
 #include <filesystem>

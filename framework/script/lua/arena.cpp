@@ -15,7 +15,7 @@ void* Arena::take(std::size_t size) {
     }
     const std::size_t rounded = list * granule;
     if (fresh_left_ < rounded) {
-        // What is left of the old chunk still serves smaller blocks.
+        // The rest of the old chunk is used for smaller blocks.
         if (fresh_left_ >= granule) {
             give(fresh_, fresh_left_ / granule * granule);
             fresh_left_ = 0;
@@ -47,7 +47,7 @@ bool Arena::refuse(std::size_t growth, std::size_t size) {
     return tell_refusal(size, false);
 }
 
-// Lua answers a refusal with a full collection and asks once more for the same; only the second
+// After a refusal, Lua makes a full collection and requests the same size again. Only the second
 // refusal is final.
 bool Arena::tell_refusal(std::size_t size, bool by_system) {
     const bool final = refused_ == size;
@@ -58,7 +58,7 @@ bool Arena::tell_refusal(std::size_t size, bool by_system) {
 
 void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t new_size) {
     auto& arena = *static_cast<Arena*>(user);
-    // The common cases first: a new small object, a small one swept.
+    // The common cases first: allocating and freeing a small object.
     if (!block) {
         if (new_size - 1 < small && arena.bytes_ + new_size <= arena.limit_) {
             Free*& head = arena.lists_[list_of(new_size)];
@@ -69,7 +69,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
                 return taken;
             }
         }
-        old_size = 0;  // Lua then passes the kind of object, not a size
+        old_size = 0;  // for a new object, Lua passes its kind instead of a size
     } else if (new_size == 0 && old_size <= small) {
         arena.give_small(block, old_size);
         arena.bytes_ -= old_size;
@@ -94,7 +94,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     } else {
         result = arena.take(new_size);
         if (!result) {
-            // Lua relies on shrinking never to fail.
+            // Lua requires that shrinking never fails.
             if (block && new_size <= old_size) return block;
             arena.tell_refusal(new_size, true);
             return nullptr;
@@ -106,7 +106,8 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     }
     arena.bytes_ += new_size;
     arena.bytes_ -= old_size;
-    if (new_size > old_size) arena.refused_ = 0;  // a collection may shrink tables meanwhile
+    // Not if a table shrinks, which a collection may do between the two requests.
+    if (new_size > old_size) arena.refused_ = 0;
     return result;
 }
 

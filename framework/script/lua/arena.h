@@ -1,7 +1,7 @@
 #pragma once
-// Where Lua's memory comes from. Small blocks (vectors, proxies, closures, short texts) come from
-// free lists of their size, which makes the garbage of `ball.velocity` cheap; every byte is counted
-// and a limit refuses more.
+// The memory allocator of Lua. Small blocks (vectors, proxies, closures, short texts) come from
+// free lists by size, which makes temporary objects such as the result of `ball.velocity` cheap.
+// All bytes are counted, and requests above a limit are refused.
 
 #include <array>
 #include <cstddef>
@@ -16,21 +16,22 @@ class Arena {
     explicit Arena(std::size_t limit) : limit_(limit) {}
     Arena(const Arena&) = delete;
 
-    /// In the form Lua wants: `user` is the arena. Returns nullptr when the limit refuses.
+    /// Allocator function of Lua; `user` is the arena. Returns nullptr if the limit is reached.
     static void* allocate(void* user, void* block, std::size_t old_size, std::size_t new_size);
 
     std::size_t bytes() const { return bytes_; }
     std::size_t limit() const { return limit_; }
     void set_limit(std::size_t limit) { limit_ = limit; }
 
-    /// A refusal, by the limit or by the system. A full collection may avert one that is not final;
-    /// parts of Lua ask once and give up, though.
+    /// A refused request. `by_system`: there was no memory; otherwise the limit was reached. After
+    /// a refusal that is not `final`, Lua may make a full collection and try again, but parts of
+    /// Lua do not.
     struct Refusal {
         std::size_t size = 0;
         bool by_system = false;
         bool final = false;
     };
-    /// Told of every refusal and of every large block.
+    /// Called for every refusal and for every large block.
     std::function<void(const Refusal& refusal)> on_refusal;
     std::function<void(std::size_t size)> on_large;
 
@@ -62,7 +63,7 @@ class Arena {
     std::size_t fresh_left_ = 0;
     std::size_t bytes_ = 0;
     std::size_t limit_;
-    std::size_t refused_ = 0;  // size refused last, until something else is granted
+    std::size_t refused_ = 0;  // size of the last refused request; 0 after a success
 };
 
 }  // namespace fettle::script

@@ -17,7 +17,7 @@ namespace fettle::script {
 
 namespace {
 
-// The tree tells of its growth each time it is so many bytes heavier.
+// The tree reports its growth after each this many bytes.
 constexpr std::int64_t growth_slice = 256 * 1024;
 
 std::size_t added(std::size_t now, std::size_t before) {
@@ -75,13 +75,13 @@ void Budget::hook(lua_State* L, lua_Debug*) {
     Account& now = budget.now_;
     budget.stop_if_interrupted(L);
     if (!now.counting && !now.stopping) {
-        // A coroutine that outlived the command it was made in, or a call that takes long.
+        // A coroutine that outlives its command, or a call that takes long.
         lua_sethook(L, nullptr, 0, 0);
         guard(L, [&] { machine.watchdog.look(L); });
         if (!now.stopping) return;
     }
     if (!now.stopping && lua_gethookcount(L) != interval) {
-        // One inside of this one was stopped.
+        // A nested budget stopped its script and left the hook at every instruction.
         lua_sethook(L, hook, LUA_MASKCOUNT, interval);
         return;
     }
@@ -171,7 +171,7 @@ std::string Budget::out_of_memory(const Refused& refused) {
                                          std::to_string(refused.limit >> 20) + " MB");
 }
 
-/// Takes no memory.
+/// Describes a refusal without allocating memory.
 Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
     const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
     Refused refused = {.what = refusal,
@@ -188,8 +188,9 @@ Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
     return refused;
 }
 
-// Lua's own error says neither where nor why, and calls no handler that could find out. Where the
-// limit is not that of the whole game, nothing goes on: what runs could catch the error for ever.
+// Lua's own error contains neither place nor reason and calls no message handler. If the limit is
+// not that of the whole game, the script is stopped for good: otherwise it could catch the error
+// forever.
 void Budget::memory_refused(const Arena::Refusal& refusal) {
     if (now_.stopping) return;
     refused_ = refused_here(refusal);
@@ -209,7 +210,8 @@ std::string Budget::take_refusal() {
     return place + out_of_memory(refused);
 }
 
-// What instances and their like take is taken from what Lua may use, so that it is one limit.
+// Memory of instances and watchers is subtracted from Lua's limit, so that both have one common
+// limit.
 void Budget::notice_growth() {
     if (!now_.active || now_.stopping) return;
     Arena& arena = machine_.arena;

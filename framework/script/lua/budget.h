@@ -1,8 +1,8 @@
 #pragma once
-// What one console command may use: Lua instructions, and memory of Lua and of the tree. A command
-// that runs over is stopped for good: the error is raised again at every instruction until no
-// script is left running, so neither pcall nor an error handler nor a coroutine keeps it. A run
-// that is to end stops its scripts in the same way, whatever they are.
+// Limits of one console command: Lua instructions, and memory of Lua and the tree. A command that
+// exceeds a limit is stopped for good: the error is raised again at every instruction until no
+// script is running, so that pcall, error handlers and coroutines cannot continue. All scripts of a
+// run that is to end are stopped in the same way.
 
 #include <chrono>
 #include <csignal>
@@ -17,10 +17,10 @@ namespace fettle::script {
 struct Machine;
 
 struct Limits {
-    std::uint64_t instructions = 0;  // 0: as many as it takes, however long that is
-    std::size_t memory = 0;          // bytes that it may add
-    const char* who = "a command";   // that may, for messages
-    std::string raised_by{};         // path of a property; "": of none
+    std::uint64_t instructions = 0;  // 0: no limit, also of time
+    std::size_t memory = 0;          // bytes that may be added
+    const char* who = "a command";   // name of the limited code, for messages
+    std::string raised_by{};         // path of the property that raises the limit; "": none
 };
 
 class Budget {
@@ -30,13 +30,13 @@ class Budget {
   private:
     struct Account {
         bool active = false;
-        bool counting = false;  // instructions and time
+        bool counting = false;  // whether instructions and time are limited
         bool stopping = false;
         bool out_of_room = false;
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
         std::chrono::steady_clock::time_point deadline;
-        // What there was when it began: `made` is told by the difference.
+        // Values at the beginning; differences to them are what was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
         const char* who = "";
         std::string raised_by;
@@ -47,7 +47,7 @@ class Budget {
     };
 
   public:
-    /// In force while it lives; one inside of another counts by itself.
+    /// The limits apply while it exists. A nested scope counts separately.
     class Scope {
       public:
         Scope(Budget& budget, const Limits& limits);
@@ -59,9 +59,9 @@ class Budget {
         Account outer_;
     };
 
-    /// Stops the script that runs, and every other until `go_on`. A signal handler may call it.
+    /// Stops the running script and all others until `go_on`. A signal handler may call it.
     void interrupt() noexcept;
-    /// For when no script runs any more.
+    /// Allows scripts again. To be called when no script runs.
     void go_on();
     bool interrupted() const { return interrupted_ != 0; }
     void stop_if_interrupted(lua_State* L) {
@@ -71,41 +71,42 @@ class Budget {
 
     bool counting() const { return now_.counting; }
     bool stopping() const { return now_.stopping; }
-    /// Whether it stops because the tree, or Lua, came to take too much memory.
+    /// Whether it is stopping because the tree or Lua used too much memory.
     bool out_of_room() const { return now_.stopping && now_.out_of_room; }
-    /// Why and where: "console:3: stopped ...".
+    /// Reason with position: "console:3: stopped ...".
     const std::string& reason() const { return now_.reason; }
     const std::string& file() const { return now_.file; }
     int line() const { return now_.line; }
 
-    /// Work done in C++ on behalf of a script, in instructions. Raises when that is too much.
+    /// Charges work that C++ does for a script, in instructions. Raises an error if the limit is
+    /// exceeded.
     void charge(lua_State* L, std::uint64_t instructions);
-    /// Work noticed where nothing can be raised; the next instruction is the last.
+    /// The same where no error may be raised; the script is stopped at its next instruction.
     void charge_quietly(std::uint64_t instructions);
-    /// Memory ran out.
+    /// To be called when Lua gets no more memory.
     void memory_refused(const Arena::Refusal& refusal);
-    /// "not enough memory: ..." with the limit that was met.
+    /// "not enough memory: ..." with the exceeded limit.
     std::string out_of_memory(const Arena::Refusal& refusal) const {
         return out_of_memory(refused_here(refusal));
     }
-    /// What is to be said of the latest refusal that stopped nothing: where, and which limit. ""
-    /// when there was none.
+    /// The message for the latest refusal that did not stop the script: its place and the limit; ""
+    /// if there was none.
     std::string take_refusal();
-    /// A coroutine is about to run: it counts too.
+    /// To be called before a coroutine runs, so that its instructions count, too.
     void enter(lua_State* thread);
-    /// Raises when the command is being stopped.
+    /// Raises the error if the command is being stopped.
     void check(lua_State* L);
-    /// Stops what runs for another reason, at its next instruction at the latest; the reason is
-    /// told with the script's position in front.
+    /// Stops the running script for another reason, at its next instruction at the latest. The
+    /// message is the script's position and `why`.
     void stop(lua_State* L, const std::string& why);
-    /// The host's call has come back: what was stopped without a budget is over.
+    /// To be called at the end of a call by the host: a stop without a budget ends there.
     void call_ended();
-    /// The hook looks at what `running` does at its next instruction. A signal handler may call it.
+    /// Sets the hook for the next instruction of `running`. A signal handler may call it.
     static void arm(lua_State* running) noexcept;
 
   private:
     static constexpr int interval = 250;
-    // A single instruction can take long (comparing two texts of 60 MB): time is limited as well.
+    // One instruction can take long (comparing two texts of 60 MB), so time is limited as well.
     static constexpr std::chrono::seconds longest{5};
     static void hook(lua_State* L, lua_Debug* frame);
     struct Refused;
@@ -119,9 +120,9 @@ class Budget {
     Machine& machine_;
     Account now_;
     volatile std::sig_atomic_t interrupted_ = 0;
-    /// Noted where there is no memory for a text.
+    /// A refusal, with fixed-size members because there is no memory for a text.
     struct Refused {
-        Arena::Refusal what{};  // size 0: there was none
+        Arena::Refusal what{};  // size 0: no refusal
         std::size_t limit = 0;
         const char* who = "";
         char file[LUA_IDSIZE] = {};

@@ -1,5 +1,5 @@
 #pragma once
-// The global variables of the game and the console. Numbers are references in Lua's registry.
+// The global variables of the game and the console. The numbers are references in Lua's registry.
 
 #include <string>
 #include <vector>
@@ -10,11 +10,12 @@ namespace fettle::script {
 
 struct Environment {
     int table = 0;
-    int declared = 0;                   // names of globals ever assigned
-    int loaded = 0;                     // modules by name
-    int last_result = 0;                // `_` is element 1: a reference itself must never be nil
-    std::vector<std::string> assigned;  // globals that the game and the console made
-    property::Handle it;                // what is selected
+    int declared = 0;  // names of all globals that were ever assigned
+    int loaded = 0;    // loaded modules by name
+    // Table with the value of `_` at index 1, because the reference itself must not be nil.
+    int last_result = 0;
+    std::vector<std::string> assigned;  // globals assigned by the game and the console
+    property::Handle it;                // the selected instance
 };
 
 }  // namespace fettle::script

@@ -1,7 +1,7 @@
 #pragma once
-// Between C++ and Lua: an exception of ours becomes an error of Lua, with the script's position,
-// before it could cross a frame of Lua. Lua's own errors are exceptions too in its C++ build; they
-// pass through untouched, and destructors run.
+// Converts C++ exceptions to Lua errors with the script's position, before they cross a frame of
+// Lua. Lua's own errors are also exceptions in its C++ build; they pass unchanged, and destructors
+// run.
 
 #include <exception>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace fettle::script {
 
-/// "main.lua:12: " of the innermost script function running, or "".
+/// "main.lua:12: ", the position in the innermost running script function; "" if there is none.
 std::string position(lua_State* L);
-/// Where the function on top of the stack was defined: "main.lua:3: ".
+/// "main.lua:3: ", the place where the function on top of the stack is defined.
 std::string definition(lua_State* L);
-/// Raises `message` with its position in front.
+/// Raises `message` after the script's position.
 [[noreturn]] void raise(lua_State* L, const std::string& message);
 [[noreturn]] void raise_text(lua_State* L, const char* message);
-/// The same with what the exception tells people.
+/// The same with the text of an exception.
 [[noreturn]] void raise_exception(lua_State* L, const std::exception& error);
 
-/// Gives what `body` returns.
+/// Returns the result of `body`; raises its exceptions as Lua errors.
 template <class Body>
 auto guard(lua_State* L, const Body& body) {
     try {
@@ -35,20 +35,20 @@ int guarded(lua_State* L) {
     return guard(L, [L] { return function(L); });
 }
 
-/// Throws while a formula runs or a function is asked something (`property::Inquiry`), naming that
-/// and the function that was called.
+/// Throws while a formula or a question runs (`property::Inquiry`). The message names it and the
+/// called function.
 void require_changeable(lua_State* L);
-/// The same, for formulas alone.
+/// The same only for formulas.
 void require_no_formula(lua_State* L);
 
-/// The function of Lua's own library in upvalue 1, as if a script had called it directly: its
-/// errors tell the script's line, and which argument is wrong.
+/// Calls the function of Lua's library in upvalue 1 as if a script had called it directly, so that
+/// its errors contain the script's line and the wrong argument.
 inline int call_original(lua_State* L) {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
-/// Adds `function` to the table on top, with the one of that name of Lua's own `library` as its
-/// upvalue.
+/// Adds `function` to the table on top. Its upvalue is the function of that name in Lua's own
+/// `library`.
 template <int (*function)(lua_State*)>
 void wrap_pure(lua_State* L, const char* library, const char* name) {
     lua_getglobal(L, library);
@@ -58,16 +58,16 @@ void wrap_pure(lua_State* L, const char* library, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// A function that changes something. A formula gives a value and changes nothing, so it cannot
-/// call it; nor can a function that is asked in the middle of a step or of a search.
+/// A function that changes something. It cannot be called in a formula, which must change nothing,
+/// or in a question in the middle of a step or of a search.
 template <int (*function)(lua_State*)>
 int effect(lua_State* L) {
     require_changeable(L);
     return function(L);
 }
 
-/// A function that answers something else whenever it is called: the value of a formula would
-/// depend on how often it was asked for.
+/// A function whose result differs from call to call. It cannot be called in a formula, whose value
+/// would then depend on the number of evaluations.
 template <int (*function)(lua_State*)>
 int varying(lua_State* L) {
     require_no_formula(L);
@@ -80,12 +80,13 @@ void add_varying(lua_State* L, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// What errors call a function, whatever a script calls it.
+/// Stores the name of a function for error messages.
 void note_name(lua_State* L, lua_CFunction function, const std::string& name);
-/// Those of the table on top, the environment of scripts, and of its libraries: "scene.save".
+/// Stores the names of the functions in the table on top, which is the environment of scripts, and
+/// in its libraries: "scene.save".
 void note_names(lua_State* L);
 
-/// Adds `function`, which changes something, under `name` to the table on top.
+/// Adds `function`, which changes something, to the table on top.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
     note_name(L, guarded<effect<function>>, name);
@@ -93,16 +94,16 @@ void add_function(lua_State* L, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// The same for a function that gives a value and changes nothing, or changes it by the tree, which
-/// sees to formulas itself: formulas can call it.
+/// The same for a function that formulas may call: it changes nothing, or only through the tree,
+/// which checks for formulas itself.
 template <int (*function)(lua_State*)>
 void add_pure(lua_State* L, const char* name) {
     lua_pushcfunction(L, guarded<function>);
     lua_setfield(L, -2, name);
 }
 
-/// The table on top is the metatable of a kind of values: errors call them by that name, and
-/// scripts see it instead of the table.
+/// Names the metatable on top: error messages use this name, and scripts get it instead of the
+/// metatable.
 inline void name_metatable(lua_State* L, const char* name) {
     for (const char* field : {"__name", "__metatable"}) {
         lua_pushstring(L, name);

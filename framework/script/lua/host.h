@@ -1,5 +1,5 @@
 #pragma once
-// What the host is told and asked, and what it learns from the scripts.
+// Functions of the host, and values that scripts set for the host.
 
 #include <functional>
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace fettle::script {
 
-/// A function may put another in its own place while it runs: call a copy.
+/// A function may replace itself while it runs, so call a copy.
 struct Host {
     std::function<void(const ScriptError&)> on_error;
     std::function<void(std::string_view)> on_print;
     std::function<void(std::string_view)> on_note;
     std::function<void(std::string_view)> on_command;
-    std::function<std::size_t()> command_memory;  // bytes; empty: as the options say
-    std::string memory_property;                  // path of the property that says so
-    std::function<void(double)> on_rewind;        // by seconds; empty: there is no timeline
+    std::function<std::size_t()> command_memory;  // bytes; empty: as in the options
+    std::string memory_property;                  // path of the property with this limit
+    std::function<void(double)> on_rewind;        // empty: there is no timeline
     std::optional<int> quit_status;
 };
 

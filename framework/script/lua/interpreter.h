@@ -1,5 +1,5 @@
 #pragma once
-// A state of Lua and its threads.
+// A Lua state and its threads.
 
 #include <memory>
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace fettle::script {
 
-/// Per cent: a collection begins when Lua has so much of the memory that the last one left.
+/// Per cent: a collection begins when Lua's memory reaches this share of what the last one left.
 inline constexpr int collector_pause = 400;
 
 struct Interpreter {
     lua_State* main = nullptr;
-    lua_State* running = nullptr;       // thread that runs now; exact, since we make every switch
-    std::shared_ptr<lua_State*> alive;  // what outlives Lua looks here: nullptr once it is closed
+    lua_State* running = nullptr;       // running thread; all switches go through our functions
+    std::shared_ptr<lua_State*> alive;  // contains nullptr once Lua is closed
     int killed = 0;                     // weak table in the registry: coroutines stopped for good
-    std::unordered_map<lua_CFunction, std::string> function_names;  // for errors
+    std::unordered_map<lua_CFunction, std::string> function_names;  // for error messages
 };
 
 }  // namespace fettle::script

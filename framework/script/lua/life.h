@@ -1,5 +1,5 @@
 #pragma once
-// How long a runtime lives: as long as its host keeps it, and as long as a script of it runs.
+// The lifetime of a runtime: it lasts until the host destroys it and no script of it runs.
 
 #include <memory>
 #include <utility>
@@ -12,13 +12,12 @@ struct Life {
     std::weak_ptr<const property::Tree*> tree;  // expired: the tree was destroyed
     bool in_tree = true;                        // false: the runtime has left its tree
     int uses = 0;                               // entries into Lua that have not returned
-    std::shared_ptr<void> orphan;               // the runtime itself, once its host destroyed it
+    std::shared_ptr<void> orphan;               // keeps a runtime alive that the host destroyed
 
-    /// Whether there is a tree, and the runtime belongs to it.
+    /// Whether the tree exists and the runtime belongs to it.
     bool has_tree() const { return in_tree && !tree.expired(); }
 
-    /// While it lives, scripts run, and what they call may destroy the runtime: all of it stays as
-    /// long.
+    /// Keeps the runtime alive during a call into it, because the call may destroy it.
     class Use {
       public:
         explicit Use(Life& life) : life_(life) { ++life_.uses; }

@@ -1,8 +1,8 @@
 #pragma once
-// Lua's headers. This library is the only place that includes them.
+// Includes Lua's headers. No other file includes them.
 //
-// Not lua.hpp, which declares everything `extern "C"`: Lua's C++ build has names in C++ (Debian
-// 13), and where it was given names in C its headers say so themselves (Debian 12).
+// lua.hpp is not used, because it declares everything `extern "C"`. Lua's C++ build has C++ names
+// on Debian 13; on Debian 12 it has C names, and its headers declare them so.
 
 #include <lauxlib.h>
 #include <lua.h>

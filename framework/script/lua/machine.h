@@ -1,7 +1,7 @@
 #pragma once
-// The parts of a runtime, each declared in the room where its idea lives. A function that Lua calls
-// is given its lua_State and nothing else: it finds the parts it needs here. This header knows none
-// of them, so a source includes the header of every part that it uses, and knows no other.
+// References to all parts of a runtime. A function that Lua calls gets only its lua_State; here it
+// finds the parts that it needs. This header includes none of them, so each source includes the
+// headers of the parts that it uses, and no others.
 
 #include <lua/lua_api.h>
 #include <lua/tree_names.h>

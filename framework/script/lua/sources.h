@@ -1,5 +1,5 @@
 #pragma once
-// Files of a game, and the texts that were compiled.
+// The files of a game, and the texts of compiled chunks.
 
 #include <filesystem>
 #include <string>
@@ -14,18 +14,18 @@ namespace fettle::script {
 
 struct Sources {
     property::GameFiles& files;
-    std::filesystem::path folder;                        // of the game; empty: there is none
-    std::unordered_map<std::string, std::string> texts;  // by the name of the chunk
+    std::filesystem::path folder;                        // of the game; empty if there is none
+    std::unordered_map<std::string, std::string> texts;  // by name of the chunk
 
-    /// Compiles a text and keeps it for error messages under `name`. A status of Lua; the function
-    /// or the message is on top.
+    /// Compiles a text and stores it for error messages under `name`. Returns a status of Lua; the
+    /// function or the message is on top.
     int load(lua_State* L, const std::string& text, const std::string& name);
-    /// A line of a chunk, counted from 1; "" when it is not known.
+    /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;
 };
 
-/// Files below the folder whose names end so, relative to it, for nearest spellings: not more than
-/// some thousand.
+/// Files below the folder with this extension, as relative paths, for suggestions; at most a few
+/// thousand.
 std::vector<std::string> files_below(const std::filesystem::path& folder, const char* extension);
 
 }  // namespace fettle::script

@@ -1,5 +1,5 @@
 #pragma once
-// Texts and tables on Lua's stack.
+// Functions for texts and tables on Lua's stack.
 
 #include <string>
 #include <string_view>
@@ -16,7 +16,8 @@ inline void push_text(lua_State* L, std::string_view text) {
     lua_pushlstring(L, text.data(), text.size());
 }
 
-/// The text at `index`, which is one; it may hold zero bytes. It lives as long as Lua's.
+/// The value at `index`, which must be a text; it may contain zero bytes. Valid as long as the Lua
+/// value.
 inline std::string_view view_at(lua_State* L, int index) {
     std::size_t size = 0;
     const char* chars = lua_tolstring(L, index, &size);
@@ -27,7 +28,7 @@ inline std::string string_at(lua_State* L, int index) {
     return std::string(view_at(L, index));
 }
 
-// A field of the table on top.
+// Sets a field of the table on top.
 inline void put(lua_State* L, const char* field, std::string_view text) {
     push_text(L, text);
     lua_setfield(L, -2, field);
@@ -41,7 +42,7 @@ inline void put(lua_State* L, const char* field, lua_Integer number) {
     lua_setfield(L, -2, field);
 }
 
-/// Pushes a table that does not keep its keys ("k") or its values ("v") alive.
+/// Pushes a weak table, which does not keep its keys ("k") or its values ("v") alive.
 inline void push_weak_table(lua_State* L, const char* mode) {
     lua_newtable(L);
     lua_newtable(L);

@@ -1,5 +1,5 @@
 #pragma once
-// Names of the property tree that nearly every source here uses.
+// Names of the property tree that nearly all sources of this library use.
 
 #include <fettle/property/error.h>
 #include <fettle/property/tree.h>

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::chrono::milliseconds tick{100};
 
-// Ignored by default, and rarely used by programs.
+// This signal is ignored by default, and few programs use it.
 constexpr int signal_number = SIGURG;
 
-// The machine that is in a call on this thread, for the handler of the signal.
+// The machine that this thread is calling, for the signal handler.
 thread_local Machine* volatile in_call = nullptr;
 
 void on_signal(int) {
@@ -32,7 +32,7 @@ void on_signal(int) {
 
 }  // namespace
 
-/// Looks at the watchdog's counters from a thread of its own.
+/// The thread that reads the watchdog's counters.
 struct Watchdog::Thread {
     explicit Thread(Watchdog& of)
         : watchdog(of), patience(of.patience_), runner([this] { run(); }) {}
@@ -45,8 +45,8 @@ struct Watchdog::Thread {
         runner.join();
     }
 
-    // Time in which this thread did not run (the computer slept, a debugger stopped it) does not
-    // count.
+    // Counts ticks and not clock time, so that time in which this thread did not run (the computer
+    // slept, a debugger stopped it) does not count.
     void run() {
         std::uint64_t seen = 0;
         double lasted = 0;
@@ -69,7 +69,7 @@ struct Watchdog::Thread {
     std::mutex mutex;
     std::condition_variable wake;
     bool ends = false;
-    std::thread runner;  // last: it uses the others
+    std::thread runner;  // must be last, because it uses the other members
 };
 
 Watchdog::Watchdog(Machine& machine) : machine_(machine) {}
@@ -93,7 +93,7 @@ void Watchdog::start() {
     try {
         thread_ = std::make_unique<Thread>(*this);
     } catch (const std::system_error&) {
-        patience_ = 0;  // the system has no thread to give: calls are not limited
+        patience_ = 0;  // the system cannot create a thread, so calls are not limited
     }
 }
 
@@ -115,8 +115,8 @@ void Watchdog::end_outermost() {
     machine_.budget.call_ended();
 }
 
-// What is asked may run Lua as well (a console): on a thread of its own, since no hook runs on one
-// that is inside a hook.
+// The function may run Lua as well (in a console). It does so on another Lua thread, because hooks
+// are off in a thread that is inside a hook.
 void Watchdog::ask(lua_State* L) {
     due_.store(false, std::memory_order_relaxed);
     if (asking_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
@@ -145,10 +145,10 @@ void Watchdog::ask(lua_State* L) {
                 watchdog.asking_ = false;
             }
         } aside(machine_, *this, L);
-        const auto go_on = go_on_;  // it may put another in its place
+        const auto go_on = go_on_;  // a copy, because the call may replace it
         goes_on = go_on(L, lasted);
     }
-    // After the runtime was destroyed, the call could no longer be ended.
+    // If the runtime was destroyed meanwhile, the call could not be ended later.
     if (goes_on && machine_.life.orphan == nullptr) return;
     char text[80];
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",

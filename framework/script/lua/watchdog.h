@@ -23,12 +23,12 @@ class Watchdog {
     ~Watchdog();
     Watchdog(const Watchdog&) = delete;
 
-    /// Decides whether a long call may go on; the thread is in that call.
+    /// Decides whether a long call may go on. The Lua thread is the one of that call.
     using Question = std::function<bool(lua_State*, double seconds)>;
-    /// As `Runtime::limit_calls`.
+    /// See `Runtime::limit_calls`.
     void limit(double seconds, Question go_on);
 
-    /// A call of the host; one inside of another belongs to it.
+    /// A call of the host; nested calls belong to it.
     class Call {
       public:
         explicit Call(Watchdog& watchdog) : watchdog_(watchdog) { watchdog_.begin(); }
@@ -41,7 +41,8 @@ class Watchdog {
 
     /// Whether the last call was stopped.
     bool stopped() const { return stopped_; }
-    /// Asks about the call if it is due; stops it when it may not go on. Cheap when it is not.
+    /// If the call has taken too long, asks whether it may go on, and stops it if not. Cheap
+    /// otherwise.
     void look(lua_State* L) {
         if (due_.load(std::memory_order_relaxed)) [[unlikely]]
             ask(L);
@@ -67,16 +68,16 @@ class Watchdog {
     }
 
     Machine& machine_;
-    double patience_ = 0;       // s; 0: calls last as long as they like
-    Machine* outer_ = nullptr;  // in whose call on this thread this one began
+    double patience_ = 0;       // s; 0: calls are not limited
+    Machine* outer_ = nullptr;  // machine of the outer call on this thread
     int depth_ = 0;
-    bool watched_ = false;  // the outermost call
+    bool watched_ = false;  // whether the outermost call is limited
     bool asking_ = false;
     bool stopped_ = false;
-    std::atomic<std::uint64_t> serial_{0};  // odd while a call is under way
+    std::atomic<std::uint64_t> serial_{0};  // odd during a call
     std::atomic<pthread_t> host_{};         // the thread of the latest call
     std::atomic<bool> due_{false};
-    std::atomic<double> seconds_{0};  // that the call has lasted
+    std::atomic<double> seconds_{0};  // duration of the call, s
     Question go_on_;
     std::unique_ptr<Thread> thread_;
 };

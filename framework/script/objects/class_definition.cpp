@@ -1,4 +1,4 @@
-// `Ball = class("Ball", Body) { ... }` defines a class.
+// Defines classes: `Ball = class("Ball", Body) { ... }`.
 
 #include <utility>
 
@@ -20,7 +20,7 @@ namespace fettle::script {
 
 namespace {
 
-// The default that `name = value` in a class gives; the value is on top of the stack.
+// The default from `name = value` in a class; the value is on top of the stack.
 Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
     if (is_formula(L, -1))
         throw Error(ErrorKind::wrong_type,
@@ -31,7 +31,7 @@ Value default_of(lua_State* L, const std::string& class_name, const std::string&
     return to_value(L, -1, [&] { return class_name + "." + name; });
 }
 
-// The property that `name = value` in a class declares; the value is on top of the stack.
+// The property from `name = value` in a class; the value is on top of the stack.
 Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
     Property property;
     property.name = name;
@@ -77,8 +77,8 @@ std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int
     return docs;
 }
 
-// Near misses of what the framework declares are slips; what the game declares itself it may name
-// as it likes.
+// Refuses names that are almost equal to a declared name of the framework. Names that the game
+// itself declares may be similar.
 void refuse_slips(const ScriptClasses& classes, const Class& base, const std::string& class_name,
                   const std::string& name) {
     if (base.method(name))
@@ -97,7 +97,7 @@ void refuse_slips(const ScriptClasses& classes, const Class& base, const std::st
     for (const property::Method* method : base.methods()) refuse(method->name);
 }
 
-// What stands in a constructor as a child is nothing in a class.
+// Refuses entries without a name: a class table has no children, unlike that of a constructor.
 void refuse_elements(lua_State* L, const std::string& class_name) {
     for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
         if (lua_type(L, -2) != LUA_TSTRING)
@@ -130,7 +130,7 @@ int not_defined_yet(lua_State* L) {
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
-    lua_remove(L, 1);  // what class(...) returned
+    lua_remove(L, 1);  // the object that class(...) returned
     ScriptClasses::Definition definition;
     definition.name = string_at(L, lua_upvalueindex(1));
     definition.base = class_object_at(L, lua_upvalueindex(2));
@@ -147,7 +147,7 @@ int define_class(lua_State* L) {
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
         } else if (const Property* inherited = definition.base->property(key)) {
-            // The same property with another default; the rest stays as inherited.
+            // An inherited property gets another default; everything else stays the same.
             Property again;
             again.name = key;
             again.type = inherited->type;
@@ -195,8 +195,8 @@ int class_function(lua_State* L) {
     if (!base->creatable())
         throw Error(ErrorKind::bad_structure, name + ": no class can derive from " + base->name() +
                                                   "; " + why_not_creatable(machine.tree, *base));
-    // The result can be called, and its error tells a caller that uses it as the class what is
-    // missing.
+    // The result is callable. If a script uses it like a class, its error explains that the table
+    // is missing.
     lua_newuserdatauv(L, 0, 0);
     lua_newtable(L);
     lua_pushvalue(L, 1);

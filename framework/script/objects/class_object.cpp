@@ -1,4 +1,4 @@
-// Class objects: `Body { ... }` constructs, `function Ball:step(dt)` adds a function.
+// Class objects: `Body { ... }` constructs an instance; `function Ball:step(dt)` adds a function.
 
 #include <algorithm>
 #include <functional>
@@ -23,7 +23,7 @@
 namespace fettle::script {
 
 namespace {
-constexpr std::size_t most_kinds = 8;  // that a message names
+constexpr std::size_t most_kinds = 8;  // number of kinds that a message lists
 }  // namespace
 
 std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
@@ -67,14 +67,14 @@ bool is_orphan(lua_State* L, const property::Tree& tree, int index) {
            !tree.parent(box->handle);
 }
 
-// Pushes key `name` of the table at 2.
+// Pushes the field `name` of the table at 2.
 int push_key(lua_State* L, const std::string& name) {
     push_text(L, name);
     return lua_rawget(L, 2);
 }
 
-/// An instance that is being made. Unless it is finished it never was, and the children it was
-/// given are as they were before.
+/// An instance under construction. Unless `finish` is called, the destructor deletes it and moves
+/// its children back to their former places.
 class Construction {
   public:
     Construction(Machine& machine, const Class& to_make)
@@ -86,7 +86,7 @@ class Construction {
     }
     Construction(const Construction&) = delete;
 
-    /// Before `child` gets its place below.
+    /// To be called before `child` is moved into the new instance.
     void adopts(Handle child) { ways_back_.push_back(machine_.tree.way_back(child)); }
     void finish() { finished_ = true; }
 
@@ -127,10 +127,10 @@ void set_declared(lua_State* L, Machine& machine, Handle made, const Property& p
     machine.tree.set(made, property, value);
 }
 
-// Named children come first, so that unnamed ones are numbered around them; then unnamed ones; then
-// properties, which may depend on what hangs below. Names in order, so that runs are the same;
-// declared properties in the order of their declaration, since what one may be can depend on those
-// before it (whether a chain is closed on its points).
+// Order: named children, so that the numbers of unnamed ones avoid their names; then unnamed
+// children; then properties, which may depend on children. Names are sorted, so that runs are the
+// same. Declared properties are set in the order of declaration, since the valid values of one may
+// depend on earlier ones (whether a chain is closed depends on its points).
 void fill(lua_State* L, Machine& machine, Construction& now) {
     const Class& of = now.of;
     std::vector<std::pair<std::size_t, const Property*>> declared;
@@ -168,7 +168,7 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
     }
 }
 
-// "(detached ball).mass: ..." reads better as "Ball.mass: ..." while it is being made.
+// Replaces "(detached ball).mass: ..." by "Ball.mass: ..." in errors of a constructor.
 std::string named_by_class(const std::string& message, const std::string& path, const Class& of) {
     const std::size_t at = message.find(path);
     if (at != std::string::npos) {
@@ -178,7 +178,7 @@ std::string named_by_class(const std::string& message, const std::string& path, 
     return message.starts_with(of.name()) ? message : of.name() + ": " + message;
 }
 
-/// What happens meanwhile is not noted for the console.
+/// Turns off the recording of changes for the console while it exists.
 class Unrecorded {
   public:
     explicit Unrecorded(Recording& recording)
@@ -201,7 +201,7 @@ int construct(lua_State* L) {
     if (lua_gettop(L) >= 2 && !lua_istable(L, 2))
         refuse_type(L, 2, of->name() + ": needs a table, as in " + of->name() + " { }");
     lua_settop(L, 3);
-    // Else the children would be echoed one by one.
+    // Without this, the console would echo each child separately.
     const Unrecorded quiet(machine.recording);
     Construction now(machine, *of);
     try {

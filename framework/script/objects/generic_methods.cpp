@@ -20,7 +20,7 @@ namespace fettle::script {
 
 namespace {
 
-// A class given by name or as itself; nullptr where nothing is given.
+// The class at `index`, given as an object or by name; nullptr for nil or none.
 const Class* class_at(lua_State* L, const property::Tree& tree, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return nullptr;
     if (const Class* found = class_object_at(L, index)) return found;
@@ -87,7 +87,7 @@ int alive(lua_State* L) {
     return 1;
 }
 
-// What was deleted is still told apart: an event may name it.
+// A deleted instance still has its class, because an event may contain it.
 int is_a(lua_State* L) {
     Machine& machine = machine_of(L);
     const auto* box = instance_at(L, 1);
@@ -202,16 +202,17 @@ void require_creatable(const property::Tree& tree, Handle original) {
 Handle copy_of(property::Tree& tree, Handle original, Handle parent) {
     const Class& of = tree.class_of(original);
     const std::string name = tree.name(original);
-    // What the copy has made by itself, as a world makes its statistics, is the copy of that.
+    // A child that the copy's class has created itself (the statistics of a world) is used as the
+    // copy.
     const Handle own = tree.child(parent, name);
     if (own && &tree.class_of(own) == &of) return own;
     require_creatable(tree, original);
     return tree.create(of, parent, name);
 }
 
-// Parents first, siblings in their order; without recursion, however deep the tree is.
+// Copies parents first and siblings in order; without recursion, so the depth is not limited.
 void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
-    std::vector<std::pair<Handle, Handle>> open;  // what is to be copied, and below what
+    std::vector<std::pair<Handle, Handle>> open;  // instances to copy, each with its new parent
     const auto below = [&](Handle original, Handle made) {
         copies.add(original, made);
         const std::vector<Handle> children = tree.children(original);
@@ -226,8 +227,8 @@ void copy_below(property::Tree& tree, Handle top, Handle copy, Copies& copies) {
     }
 }
 
-// References inside the copied instances lead to the copies; references to deleted instances become
-// nil.
+// References to copied instances become references to the copies; references to deleted instances
+// become nil.
 Value redirected(const property::Tree& tree, const Value& value, const Copies& copies) {
     if (value.is(Type::reference)) {
         if (!tree.alive(value.reference())) return Handle{};
@@ -242,7 +243,7 @@ Value redirected(const property::Tree& tree, const Value& value, const Copies& c
     return value;
 }
 
-/// The copies with what they are copied from: children before their parents, siblings in order.
+/// Pairs of original and copy: children before their parents, siblings in order.
 std::vector<std::pair<Handle, Handle>> children_first(const property::Tree& tree,
                                                       const Copies& copies) {
     std::vector<std::pair<Handle, Handle>> list, open;
@@ -258,13 +259,13 @@ std::vector<std::pair<Handle, Handle>> children_first(const property::Tree& tree
     return list;
 }
 
-// A parent gets its values after its children: a body whose centre of mass moves changes its
-// velocity.
+// A parent gets its values after its children, because moving the center of mass of a body changes
+// its velocity.
 void copy_values(property::Tree& tree, const Copies& copies) {
     for (const auto& [from, to] : children_first(tree, copies)) {
         for (const Property* property : tree.properties(from)) {
             if (property->read_only || !tree.overridden(from, *property)) continue;
-            // Of a formula its value; of one in error the last good one.
+            // Copies the value of a formula; if the formula has an error, its last valid value.
             (void)tree.problem(from, *property);
             const Value value = redirected(tree, tree.peek(from, *property), copies);
             if (property->binding.kind == property::BindingKind::ad_hoc)

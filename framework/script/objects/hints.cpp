@@ -19,7 +19,7 @@ namespace fettle::script {
 
 namespace {
 
-// "position" of "position = vec(x, y)".
+// The name in a text such as "position = vec(x, y)".
 std::string_view name_in(std::string_view way_to_write) {
     return way_to_write.substr(0, way_to_write.find(' '));
 }
@@ -28,7 +28,7 @@ std::string did_you_mean(std::string_view what) {
     return " (did you mean " + std::string(what) + "?)";
 }
 
-/// The callback or event of the known ones that a function of that name is meant for; "": none.
+/// The known callback or event that `name` probably means; "" if there is none.
 std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
     for (const std::string_view synonym : callback_synonyms(name))
         if (among(known, synonym)) return std::string(synonym);
@@ -38,7 +38,7 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
 }  // namespace
 
 void Hints::tell(const std::string& about, const std::string& note) {
-    constexpr std::size_t most = 100;  // of a game that is full of them the first are enough
+    constexpr std::size_t most = 100;  // a limit for games with very many of them
     if (told_.size() < most && told_.insert(about).second && machine_.host.on_note)
         machine_.host.on_note(note);
 }
@@ -50,21 +50,21 @@ void Hints::forget() {
 
 // --- Properties
 
-/// What was meant, as it would be written; "" when the name may mean anything.
+/// The declared property that `name` probably means, as it would be written; "" if it is unclear.
 std::string Hints::meaning(const Class& of, std::string_view name) const {
     for (const std::string_view way : property_synonyms(name))
         if (of.property(name_in(way)) != nullptr) return std::string(way);
-    std::string snake;  // angularVelocity
+    std::string snake;  // angularVelocity becomes angular_velocity
     for (const char c : name) {
         if (c >= 'A' && c <= 'Z' && !snake.empty()) snake += '_';
         snake += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
     }
     if (snake != name && of.property(snake) != nullptr) return snake;
-    // Shorter names are near too many others.
+    // Shorter names are similar to too many others.
     return name.size() < 7 ? std::string() : property::nearest(name, of.member_names());
 }
 
-/// A child that has what was meant: "its Circle has radius".
+/// A hint at a child that has the property: "its Circle has radius".
 std::string Hints::child_with(Handle instance, std::string_view name) const {
     std::vector<std::string_view> names = {name};
     for (const std::string_view way : property_synonyms(name)) names.push_back(name_in(way));
@@ -83,9 +83,9 @@ void Hints::property_added(Handle instance, std::string_view name) {
     const Class& of = machine_.tree.class_of(instance);
     const Class* native = &of;
     while (machine_.classes.scripted(*native)) native = native->base();
-    // A plain node has whatever its game wants.
+    // A plain Object has no expected properties.
     if (native == &machine_.tree.object_class()) return;
-    // A game may add the same to thousands.
+    // A game may add the same property to thousands of instances.
     const std::uint64_t both = std::uint64_t{of.id()} << 32 | property::Symbol::find(name).id();
     if (!looked_at_.insert(both).second) return;
     std::string hint;
@@ -102,8 +102,7 @@ void Hints::property_added(Handle instance, std::string_view name) {
 
 // --- Functions
 
-/// Whether the name stands anywhere in the game's sources but where a function of that name is
-/// defined.
+/// Whether the name occurs anywhere in the game's sources except in a definition of this function.
 bool Hints::is_called(const std::string& name) const {
     for (const auto& [chunk, text] : machine_.sources.texts) {
         if (chunk == "console") continue;
@@ -112,7 +111,7 @@ bool Hints::is_called(const std::string& name) const {
             const std::size_t end = at + name.size();
             if ((at > 0 && is_word(text[at - 1])) || (end < text.size() && is_word(text[end])))
                 continue;
-            // Back over "Enemy:" to the word "function".
+            // Skip "Enemy:" backwards to the word "function".
             std::size_t start = at;
             while (start > 0 &&
                    (is_word(text[start - 1]) || text[start - 1] == '.' || text[start - 1] == ':'))

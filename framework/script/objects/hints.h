@@ -1,6 +1,6 @@
 #pragma once
-// Notes for users of other engines: code that is no error, since a script may add any properties
-// and functions, but has no effect and was surely meant to have one. Each note is given once.
+// Notes for users of other engines. Scripts may add any properties and functions, so such code is
+// not an error, but it has no effect and was probably meant to have one. Each note is given once.
 
 #include <set>
 #include <string>
@@ -17,11 +17,12 @@ class Hints {
   public:
     explicit Hints(Machine& machine) : machine_(machine) {}
 
-    /// A property that its class does not declare was added to an instance.
+    /// To be called when a property that the class does not declare was added to an instance.
     void property_added(property::Handle instance, std::string_view name);
-    /// The game is loaded: functions that nothing calls and whose names say what they are for.
+    /// To be called when the game is loaded: notes functions that are never called although their
+    /// names look like callbacks.
     void game_loaded();
-    /// The game is loaded anew.
+    /// To be called when another game is loaded.
     void forget();
 
   private:

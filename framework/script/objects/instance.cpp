@@ -1,8 +1,7 @@
-// Reading and writing an instance from a script. The order in which a name is looked up: declared
-// property, method, function of a script's class, child, ad-hoc property. The class's dispatch
-// table has the first two. Numbers and vectors of declared properties are what every game reads and
-// writes most: they are tried first, and everything else goes the slow way, which does the same and
-// more.
+// Reading and writing of instances by scripts. A name is looked up in this order: declared
+// property, method, function of a script's class, child, ad hoc property. The first two are in the
+// dispatch table of the class. Numbers and vectors of declared properties are the most frequent, so
+// they are tried first; the general path handles all other cases.
 
 #include <cmath>
 
@@ -47,11 +46,13 @@ namespace {
 
 // --- Names
 
-// Names found once are remembered for the class; how they are remembered is what they are.
+// Looks up a name and stores the result in the class's dispatch table, if the name can be stored.
 const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, const void* key,
                       std::string_view name) {
-    static constexpr std::size_t longest_interned = 40;  // longer names of Lua have no one address
-    static constexpr std::size_t most_dynamic_names = 4096;  // a script may make up names forever
+    // Lua has no unique address for longer names.
+    static constexpr std::size_t longest_interned = 40;
+    // A limit, since a script may use any number of names.
+    static constexpr std::size_t most_dynamic_names = 4096;
     static thread_local Dispatch uncached;
     Dispatch found;
     found.key = key;
@@ -76,15 +77,15 @@ const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, co
     return members.add(found);
 }
 
-/// What the class of the instance has under the name at 2, which is a text.
+/// The entry of the class for the name at 2, which must be a text.
 const Dispatch& look_up(lua_State* L, Machine& machine, const InstanceBox& self) {
     const void* key = lua_topointer(L, 2);
     if (const Dispatch* known = self.members->find(key)) return *known;
     return learn(L, machine, *self.members, key, view_at(L, 2));
 }
 
-/// The property declared under the name at 2, for the short way; nullptr if there is none, if the
-/// name was not looked up yet, and while a console command's reads and writes are recorded.
+/// The declared property with the name at 2, for the fast path. Returns nullptr if there is none,
+/// if the name was not looked up before, or while a console command is recorded.
 const Property* known_property(lua_State* L, const InstanceBox& self) {
     if (self.members->recording.active) return nullptr;
     const Dispatch* found = self.members->find(lua_topointer(L, 2));
@@ -111,10 +112,10 @@ void require_name(lua_State* L, const property::Tree& tree, Handle instance) {
 
 // --- Reading
 
-/// A number or a vector, where the tree has it without a Value in between.
+/// Reads a number or a vector without creating a Value, if the tree supports it.
 bool read_typed(lua_State* L, const property::Tree& tree, Handle instance,
                 const Property& property) {
-    // `read` would do here as well, and reading a number would take a tenth longer ("Lua: get
+    // `read` would work here, too, but reading a number would take 10 % longer ("Lua: get
     // ball.mass" and "Lua: get ball.angular_velocity" of fettle-bench tree).
     if (property.shortcut.read == Property::Shortcut::Way::number) {
         const property::Row* row = tree.readable(instance);
@@ -143,7 +144,7 @@ int read_property(lua_State* L, Machine& machine, Handle instance, const Propert
     return 1;
 }
 
-/// What was deleted still tells what it was called and of which class it was.
+/// The name and class of a deleted instance can still be read.
 bool push_remains(lua_State* L, const property::Tree& tree, Handle instance) {
     if (tree.alive(instance) || lua_type(L, 2) != LUA_TSTRING) return false;
     const std::string_view key = view_at(L, 2);
@@ -157,7 +158,7 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     const Handle instance = self.handle;
     if (push_remains(L, machine.tree, instance)) return 1;
     const bool named = lua_type(L, 2) == LUA_TSTRING;
-    // A method tells itself what a deleted instance cannot do; `alive` can be asked.
+    // Methods check for a deleted instance themselves, and `alive` works on one.
     if (named && look_up(L, machine, self).is_function()) {
         push_registry(L, look_up(L, machine, self).reference);
         return 1;
@@ -184,7 +185,7 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
     unknown_name(machine, instance, name);
 }
 
-// Scripts cannot get at this function, nor at `instance_newindex`: Lua calls them with an instance.
+// Scripts cannot access this function or `instance_newindex`, so argument 1 is always an instance.
 int instance_index(lua_State* L) {
     const auto& self = *static_cast<const InstanceBox*>(lua_touserdata(L, 1));
     const Property* property = known_property(L, self);
@@ -194,8 +195,8 @@ int instance_index(lua_State* L) {
 
 // --- Writing
 
-/// A number to a number or a vector to a vector, where the tree takes it without a Value in
-/// between.
+/// Writes a number to a number or a vector to a vector without creating a Value, if the tree
+/// supports it.
 bool write_typed(lua_State* L, property::Tree& tree, Handle instance, const Property& property) {
     if (property.type == Type::number && lua_type(L, 3) == LUA_TNUMBER)
         return tree.write(instance, property, static_cast<double>(lua_tonumber(L, 3)));
@@ -244,7 +245,7 @@ int instance_length(lua_State* L) {
     return 1;
 }
 
-// Iteration visits a list made at its start: properties in the order of the class, ad-hoc ones,
+// Iterates over a list made at the start: properties in the order of the class, ad hoc properties,
 // then children.
 int next_member(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -256,7 +257,7 @@ int next_member(lua_State* L) {
         if (lua_rawgeti(L, lua_upvalueindex(1), index) == LUA_TNIL) return 1;
         const std::string name = string_at(L, -1);
         if (machine.tree.find(self, name) || machine.tree.child(self, name)) break;
-        lua_pop(L, 1);  // gone since
+        lua_pop(L, 1);  // it was removed meanwhile
     }
     lua_pushvalue(L, -1);
     lua_gettable(L, lua_upvalueindex(3));
@@ -285,8 +286,8 @@ int instance_pairs(lua_State* L) {
 }  // namespace
 
 void open_instance(lua_State* L, Machine& machine) {
-    // Roomier than it need be: Lua looks `__index` and `__newindex` up at each use of an instance,
-    // and in a full table they may stand behind others.
+    // The table is larger than necessary: Lua looks up `__index` and `__newindex` for each use of
+    // an instance, and a full table would need more probes.
     lua_createtable(L, 0, 256);
     add_pure<instance_index>(L, "__index");
     add_pure<instance_newindex>(L, "__newindex");

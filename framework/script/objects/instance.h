@@ -1,5 +1,5 @@
 #pragma once
-// What a script can do with an instance: read and write what it has by name.
+// Instances in scripts: reading and writing of members by name.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@ namespace fettle::script {
 struct Machine;
 
 void open_instance(lua_State* L, Machine& machine);
-/// The slow half of a write: children, ad-hoc properties, what must not be written. The value is at
-/// stack index 3.
+/// The general path of a write: children, ad hoc properties, and errors for names that cannot be
+/// written. The value is at stack index 3.
 void write_member(lua_State* L, Machine& machine, property::Handle instance,
                   const property::Class& of, std::string_view name);
-/// "world.ball.mass", whether there is such a name or not.
+/// "world.ball.mass", also for a name that does not exist.
 std::string path_of(const property::Tree& tree, property::Handle instance, std::string_view name);
-/// Every name that stands for something on the instance, for nearest spellings and completion.
+/// All names that the instance has, for suggestions and completion.
 std::vector<std::string> names_of(Machine& machine, property::Handle instance);
 
 }  // namespace fettle::script

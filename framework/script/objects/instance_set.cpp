@@ -117,7 +117,7 @@ int delete_all(lua_State* L) {
         if (const auto* box = instance_at(L, -1)) handles.push_back(box->handle);
         lua_pop(L, 1);
     }
-    // One may hang below another that goes first.
+    // An instance may be gone already, because its parent was deleted first.
     for (const Handle handle : handles)
         if (machine.tree.alive(handle)) destroy(machine, handle);
     return 0;
@@ -125,7 +125,7 @@ int delete_all(lua_State* L) {
 
 int set_index(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) {
-        lua_pushnil(L);  // past the end
+        lua_pushnil(L);  // no more elements
         return 1;
     }
     return push_method(L, "a set of instances");
@@ -150,7 +150,7 @@ int query(lua_State* L) {
         push_set(L, instances);
         return 1;
     }
-    // Values by path; `pairs` visits them in order.
+    // The table has values by path; `pairs` visits them in order.
     lua_createtable(L, 0, static_cast<int>(properties.size()));
     for (const auto& [handle, property] : properties) {
         if (const auto* formula = machine.tree.formula(handle, *property);

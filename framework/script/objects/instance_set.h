@@ -1,6 +1,6 @@
 #pragma once
-// A set of instances: what `find`, `all` and `children` return. A table 1..n with bulk :set, :add
-// and :each.
+// Sets of instances, which `find`, `all` and `children` return: a table 1..n with the methods :set,
+// :add and :each for all elements.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ struct Machine;
 void push_set(lua_State* L, const std::vector<property::Handle>& instances);
 bool is_set(lua_State* L, int index);
 void open_sets(lua_State* L, Machine& machine);
-/// `query` among the globals on top.
+/// Adds `query` to the globals on top.
 void open_query(lua_State* L);
 
 }  // namespace fettle::script

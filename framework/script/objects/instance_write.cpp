@@ -1,4 +1,4 @@
-// Writing a name that the class does not declare: a child, an ad-hoc property, or a slip.
+// Writes names that the class does not declare: a child, an ad hoc property, or an error.
 
 #include <optional>
 
@@ -28,7 +28,7 @@ void refuse_near_miss(Machine& machine, Handle instance, const Class& of, std::s
                                                   "\"?)");
 }
 
-// The instance to adopt when the value at 3 is one that hangs nowhere, else null.
+// The detached instance at 3, which will become a child; a null handle for other values.
 Handle orphan_at(lua_State* L, const property::Tree& tree) {
     const auto* box = instance_at(L, 3);
     if (!box) return {};
@@ -60,7 +60,7 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     replace(machine, child, orphan);
 }
 
-/// A child replaces an ad-hoc property.
+/// Replaces an ad hoc property by a child.
 void write_over(Machine& machine, Handle instance, const Property& property, Handle orphan) {
     const std::string name = property.name;
     const property::Formula* const formula = machine.tree.formula(instance, property);
@@ -70,14 +70,14 @@ void write_over(Machine& machine, Handle instance, const Property& property, Han
     clear_property(machine, instance, property);
     try {
         place(machine, orphan, instance, name, false);
-    } catch (...) {  // it got none: everything stays
+    } catch (...) {  // the child could not be placed, so restore the property
         machine.tree.set_or_add(instance, name, value);
         if (computed) machine.tree.set_formula(instance, name, *computed);
         throw;
     }
 }
 
-/// What other engines call a property, or a key, is too far from its name for the letters to tell.
+/// Names from other engines differ too much for a suggestion by spelling, so synonyms are used.
 void set_or_add(property::Tree& tree, Handle instance, std::string_view name, const Value& value) {
     try {
         tree.set_or_add(instance, name, value);

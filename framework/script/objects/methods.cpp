@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t most_parameters = 8;
 
-/// A function is meant for `accept`, wherever it stands.
+/// Throws for a function at the wrong position: only the parameter `accept` takes one.
 void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
     if (lua_type(L, index) != LUA_TFUNCTION) return;
     for (std::size_t i = 0; i < method.parameters.size(); ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Methods that classes declare, as functions of Lua.
+// Declared methods of classes as Lua functions.
 
 #include <fettle/property/class.h>
 
@@ -9,7 +9,7 @@ namespace fettle::script {
 
 struct Machine;
 
-/// Registry reference of the function that calls `method`; made on first use.
+/// Registry reference of the Lua function that calls `method`; it is made on first use.
 int method_reference(lua_State* L, Machine& machine, const property::Method& method);
 
 }  // namespace fettle::script

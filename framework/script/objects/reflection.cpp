@@ -30,7 +30,7 @@ const DescriptionKind method_kind{
     {"name", "doc", "signature", "parameters", "returns", "many", "pure", "owner"}};
 const DescriptionKind event_kind{"a description of an event", {"name", "doc", "fields", "owner"}};
 
-// --- Into the table on top
+// --- Fields of the table on top
 
 void put_class(lua_State* L, Machine& machine, const char* field, const Class* of) {
     if (of == nullptr) return;
@@ -50,7 +50,7 @@ void put_words(lua_State* L, Machine& machine, const char* field,
     lua_setfield(L, -2, field);
 }
 
-// A list of what `push` pushes for each element, by number and by name.
+// Pushes a list with the result of `push` for each element, by number and by name.
 template <class Elements, class Push>
 void push_list(lua_State* L, Machine& machine, const Elements& elements, Push push) {
     luaL_checkstack(L, 8, "descriptions");
@@ -68,7 +68,7 @@ void push_list(lua_State* L, Machine& machine, const Elements& elements, Push pu
 
 // --- Descriptions
 
-// What a value is, alike for properties, parameters and results.
+// Adds the facts on a type that properties, parameters and results have in common.
 template <class Described>
 void put_type(lua_State* L, Machine& machine, const Described& described) {
     put(L, "name", described.name);

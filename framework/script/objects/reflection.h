@@ -1,7 +1,7 @@
 #pragma once
-// What classes have, as scripts see it: `classes`, `Body.properties`, `Body.methods`,
-// `Body.events`, `ball:describe()`.
-//   for _, p in ipairs(Body.properties) do print(p.name, p.type, p.unit) end
+// Descriptions of classes for scripts: `classes`, `Body.properties`, `Body.methods`, `Body.events`,
+// `ball:describe()`.
+// for _, p in ipairs(Body.properties) do print(p.name, p.type, p.unit) end
 
 #include <string>
 #include <string_view>
@@ -17,13 +17,13 @@ struct Machine;
 
 /// Pushes the list of all classes, in order of definition.
 void push_classes(lua_State* L, Machine& machine);
-/// Names that every class object has for its own description.
+/// Names of the fields that describe a class.
 const std::vector<std::string>& class_fields();
-/// Pushes one of them; false for any other name.
+/// Pushes one of these fields; returns false for any other name.
 bool push_class_field(lua_State* L, Machine& machine, const property::Class& of,
                       std::string_view name);
-/// `:describe()` lists the properties of an instance, those added to it too; `:describe(name)` is
-/// the description of one property, method or event.
+/// `:describe()` lists the properties of an instance, including ad hoc properties;
+/// `:describe(name)` describes one property, method or event.
 int describe_instance(lua_State* L);
 
 }  // namespace fettle::script

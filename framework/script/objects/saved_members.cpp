@@ -46,7 +46,7 @@ void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
     for (const Handle instance : adopted) {
         if (!known_.insert(bits_of(instance)).second) continue;
         members_.push_back(instance);
-        // An instance that has a place by now was told then that it is ready.
+        // `ready` of a placed instance was already called before the snapshot.
         if (machine_.tree.alive(instance) &&
             !machine_.tree.is_below(instance, machine_.tree.root()))
             waiting_.push_back({instance, true});

@@ -29,7 +29,7 @@ bool is_callback(std::string_view name) {
 
 // --- Functions
 
-// The tables of functions from the class up, nearest first.
+// The tables of functions of the class and its bases, nearest first.
 const std::vector<int>& ScriptClasses::chain(const Class& of) {
     if (const auto found = chains_.find(&of); found != chains_.end()) return found->second;
     std::vector<int> tables;
@@ -119,8 +119,8 @@ void ScriptClasses::set_function(lua_State* L, const Class& of, const std::strin
     if (is_event && !is_callback(name)) connect(of, name);
 }
 
-// One handler for each class and event; the function is looked up when the event comes, so that a
-// redefinition takes effect and a derived class's function replaces the base's.
+// Connects one handler for each class and event. The function is looked up when the event occurs,
+// so that a redefinition takes effect and a derived class's function replaces the base's.
 void ScriptClasses::connect(const Class& of, const std::string& name) {
     Info& own = info(of);
     if (among(own.connected, name)) return;
@@ -175,9 +175,11 @@ bool ScriptClasses::scripted(const Class& of) const {
     return found != infos_.end() && found->second.scripted;
 }
 
-// Also instances that no constructor of ours made (a scene file, a module) belong to the class.
+// Instances that no constructor of a script made (by a scene file or a module) get the class's
+// callbacks, too.
 void ScriptClasses::observe(const Class& of) {
-    if (of.base() && scripted(*of.base())) return;  // its observer sees these too
+    // The observer of the base includes these instances.
+    if (of.base() && scripted(*of.base())) return;
     machine_.connections.keep(
         machine_.tree.watch_created(of, [this](const property::Existence& existence) {
             if (machine_.tree.alive(existence.instance)) adopt(existence.instance, false);
@@ -197,7 +199,7 @@ void ScriptClasses::adopt(Handle instance, bool announce) {
     members_.push_back(instance);
     waiting_.push_back({instance, announce});
     if (noting_) adopted_.push_back(instance);
-    if (adopted_.size() > 65536) adopted_.clear();  // nothing takes them any more
+    if (adopted_.size() > 65536) adopted_.clear();  // they are not taken any more
 }
 
 namespace {
@@ -229,7 +231,7 @@ const Class& ScriptClasses::define(Definition definition) {
                             "it live on, so that needs a restart of the game");
         Info& own = info(*existing);
         own.defaults.clear();
-        // In the order in which all values are set that are set together.
+        // In the order in which properties are set together.
         for (const Property* declared : existing->properties())
             for (const Property& property : definition.properties)
                 if (property.name == declared->name &&
@@ -255,7 +257,7 @@ const Class& ScriptClasses::define(Definition definition) {
 Handle ScriptClasses::create(const Class& of) {
     const Handle made = machine_.tree.create(of);
     machine_.unplaced.handles.push_back(made);
-    // Base first, so that a derived class has the last word.
+    // Defaults of the base first, so that those of derived classes override them.
     std::vector<const Class*> up;
     for (const Class* c = &of; c; c = c->base())
         if (scripted(*c)) up.push_back(c);
@@ -293,7 +295,7 @@ void ScriptClasses::explain_integer(const Property& property, const Value& value
 
 bool ScriptClasses::deliver_ready() {
     if (waiting_.empty()) return true;
-    // What waits for a place has none as long as nothing moved.
+    // An unplaced instance can become ready only after a change of the tree's structure.
     const auto now = std::pair(machine_.tree.structure(), waiting_.size());
     if (std::exchange(looked_at_, now) == now) return true;
     struct Due {
@@ -339,7 +341,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
     calling_ = true;
     std::size_t kept = 0;
     bool stopped = false;
-    // Whatever the functions create joins at the next call.
+    // Instances that are created meanwhile are called next time.
     const std::size_t count = members_.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Handle instance = members_[i];

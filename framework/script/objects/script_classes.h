@@ -1,6 +1,6 @@
 #pragma once
-// Classes in scripts: every class of the tree is an object that constructs when called; `class`
-// makes new ones, whose functions are methods, callbacks and handlers of events.
+// Classes in scripts. Every class of the tree is an object that constructs an instance when called.
+// `class` defines new classes, whose functions are methods, callbacks and event handlers.
 
 #include <functional>
 #include <memory>
@@ -22,50 +22,49 @@ class ScriptClasses {
   public:
     explicit ScriptClasses(Machine& machine) : machine_(machine) {}
 
-    /// Pushes the one object of the class.
+    /// Pushes the object of a class; each class has exactly one.
     void push(lua_State* L, const property::Class& of);
-    /// Pushes the function a script gave the class (or one of its bases) under a name; the name on
-    /// the stack is given by its index.
+    /// Pushes the function that a script defined for the class or one of its bases; returns false
+    /// if there is none. `name` is the stack index of the name.
     bool push_function(lua_State* L, const property::Class& of, int name);
     bool push_function(lua_State* L, const property::Class& of, std::string_view name);
     bool has_function(const property::Class& of, std::string_view name);
     void add_function_names(const property::Class& of, std::vector<std::string>& names);
-    /// Of the class itself.
+    /// Names of functions of the class itself, without its bases.
     std::vector<std::string> own_functions(const property::Class& of) const;
-    /// The function on top of the stack becomes the class's own; taken.
+    /// Pops the function on top of the stack and adds it to the class.
     void set_function(lua_State* L, const property::Class& of, const std::string& name);
 
     struct Definition {
         std::string name;
         const property::Class* base = nullptr;
         std::string doc;
-        std::vector<property::Property> properties;  // inherited names: another default
+        std::vector<property::Property> properties;  // an inherited name sets another default
     };
-    /// Makes the class, or on reloading takes the one that is there when its properties are the
-    /// same.
+    /// Defines a class. On reload, returns the existing class if its properties are the same.
     const property::Class& define(Definition definition);
     bool scripted(const property::Class& of) const;
 
-    /// A new detached instance, with the defaults that the scripts' classes redeclare.
+    /// Creates a detached instance with the defaults of the scripts' classes.
     property::Handle create(const property::Class& of);
-    /// Throws for 2.5 assigned to a property that a class declared as `lives = 3`, saying so.
+    /// Throws if a number such as 2.5 is assigned to a property that a class declared as `lives =
+    /// 3`; the message explains that this made it an integer.
     void explain_integer(const property::Property& property, const property::Value& value) const;
 
-    /// Tells everything that found its place since: calls `ready` of scripts' classes and emits the
-    /// event; children first.
+    /// For each instance that was placed since the last call, children first: calls `ready` of
+    /// scripts' classes and emits the event.
     bool deliver_ready();
     bool step(double dt);
-    /// Calls `draw(pen)` of everything placed; the pen is a reference in the registry.
+    /// Calls `draw(pen)` of all placed instances; `pen` is a reference in the registry.
     bool draw(int pen);
-    // Snapshots: the order in which instances are stepped, and the instances that are not ready
-    // yet.
+    // Snapshots contain the order in which instances are stepped, and those that are not ready yet.
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
-    /// Members since the last call, in order; the first call begins it.
+    /// Instances that were added since the last call, in order; the first call starts recording.
     std::vector<property::Handle> take_adopted();
     void redo_adopted(const std::vector<property::Handle>& adopted);
 
-    /// Functions go, classes stay: the game is loaded anew.
+    /// Removes all functions and keeps the classes, because another game is loaded.
     void forget_functions();
 
   private:
@@ -75,7 +74,7 @@ class ScriptClasses {
         bool scripted = false;
         std::vector<std::string> function_names;
         std::vector<std::string> connected;  // events with a handler for this class
-        // Of a class defined again with other defaults than the tree knows.
+        // Defaults that differ from those in the tree, because the class was defined again.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
     };
 
@@ -85,7 +84,7 @@ class ScriptClasses {
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
     void adopt(property::Handle instance, bool announce);
-    /// Calls the function of that name of everything placed; `push` adds its argument.
+    /// Calls the function of that name of all placed instances; `push` adds its argument.
     template <class Push>
     bool call_all(const char* name, Push push);
 
@@ -95,16 +94,17 @@ class ScriptClasses {
     bool any_functions_ = false;
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
-    std::size_t prune_at_ = 1024;              // deleted ones are looked for then
-    bool calling_ = false;                     // `members_` is being walked
-    std::vector<property::Handle> adopted_;    // for `take_adopted`, while it is used
+    std::size_t prune_at_ = 1024;              // size at which deleted members are removed
+    bool calling_ = false;                     // during an iteration over `members_`
+    std::vector<property::Handle> adopted_;    // for `take_adopted`, once it is used
     bool noting_ = false;
     struct Waiting {
         property::Handle instance;
-        bool announce;  // no other code emits its `ready`
+        bool announce;  // true: no other code emits its `ready`
     };
-    std::pair<std::uint64_t, std::size_t> looked_at_;  // structure of the tree, size of the next
-    std::vector<Waiting> waiting_;                     // made, and not told yet that they are ready
+    // Structure of the tree and size of `waiting_` at the last check.
+    std::pair<std::uint64_t, std::size_t> looked_at_;
+    std::vector<Waiting> waiting_;  // instances whose `ready` was not called yet
 };
 
 }  // namespace fettle::script

@@ -59,7 +59,7 @@ void collect_unplaced(Machine& machine) {
     if (unplaced.size() >= limit) {
         lua_State* L = machine.lua.main;
         lua_gc(L, LUA_GCCOLLECT);
-        // What the tree or a script refers to stays, and so does what that refers to.
+        // Instances that the tree or a script refers to stay, and so do those that they refer to.
         std::vector<Handle> reachable = {machine.tree.root()};
         std::unordered_set<std::uint64_t> rest;
         for (const Handle handle : unplaced)

@@ -1,7 +1,7 @@
 #pragma once
-// Instances that a script made and never gave a place. Whether a script still holds one, only the
-// collector knows; so that runs are the same, it is asked at fixed moments (the beginning of a
-// step, once enough of them have gathered), never whenever it happens to run.
+// Instances that a script created and never placed. Only Lua's garbage collector can determine
+// whether a script still holds one. A full collection is made at fixed moments (at the beginning of
+// a step, if there are enough such instances), so that runs are the same.
 
 #include <vector>
 
@@ -13,10 +13,10 @@ struct Machine;
 
 struct Unplaced {
     std::vector<property::Handle> handles;
-    std::size_t limit = 64;  // so many make a collection worth its time
+    std::size_t limit = 64;  // number of instances for which a collection is worth its time
 };
 
-/// Destroys those that nothing refers to.
+/// Destroys unplaced instances to which nothing refers.
 void collect_unplaced(Machine& machine);
 
 }  // namespace fettle::script

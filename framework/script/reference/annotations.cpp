@@ -1,4 +1,4 @@
-// LuaCATS annotations: what lua-language-server needs to complete and check a game.
+// LuaCATS annotations, with which lua-language-server completes and checks a game.
 
 #include <algorithm>
 #include <array>
@@ -139,7 +139,7 @@ class Annotations {
         for (const std::string& field : more) line("---@field " + field);
     }
 
-    // What an event tells besides its own fields.
+    // The fields that every event has besides its own.
     static std::vector<std::string> told_always(const Event& event) {
         std::vector<std::string> fields = {"instance " + event.owner->name() +
                                            " To whom it happened."};
@@ -172,7 +172,7 @@ class Annotations {
         class_object(of);
     }
 
-    // The instances and the class itself have different members, hence different types.
+    // The annotation type of the instances; the class object has other members and another type.
     static std::string variable(const Class& of) { return "fettle_" + of.name(); }
 
     void class_object(const Class& of) {
@@ -219,7 +219,7 @@ class Annotations {
                          handlers(of));
     }
 
-    // What every instance can do; classes answer `on` and `watch` as well.
+    // Methods that every instance has; class objects also have `on` and `watch`.
     void object_methods() {
         const Class& object = tree_.object_class();
         for (const GlobalDoc& each : instance_docs())

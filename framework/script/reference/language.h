@@ -1,10 +1,11 @@
 #pragma once
-// What a game can use besides classes: global functions, callbacks, the kinds of values. Help,
-// completion, editor annotations and the reference are made from these descriptors.
+// Descriptions of the language besides classes: global functions, callbacks, kinds of values. Help,
+// completion, editor annotations and the reference are made from them.
 //
-// A signature is written as an editor's annotations have it, one a line where there are several:
-//   "after(seconds: number, action: fun()): Connection"
-//   "color(name: string): color\ncolor(r: number, g: number, b: number, a?: number): color"
+// A signature has the form of LuaCATS annotations; several signatures are separated by line ends:
+// "after(seconds: number, action: fun()): Connection"
+// "color(name: string): color
+// color(r: number, g: number, b: number, a?: number): color"
 
 #include <string>
 #include <string_view>
@@ -20,27 +21,27 @@ struct GlobalDoc {
 
 /// Functions of Fettle, sorted by name.
 const std::vector<GlobalDoc>& global_docs();
-/// Functions of Lua's own library as scripts have them, sorted by name.
+/// Functions of Lua's own library that scripts may use, sorted by name.
 const std::vector<GlobalDoc>& library_docs();
-/// Globals that are no functions: `game`, `classes`, `it` ...; the signature is the type.
+/// Globals that are not functions: `game`, `classes`, `it` ...; the signature is the type.
 const std::vector<GlobalDoc>& variable_docs();
-/// Functions of a game that the host calls, in the order in which a game meets them.
+/// Functions of a game that the host calls, in the order in which a game needs them.
 const std::vector<GlobalDoc>& callback_docs();
 const std::vector<std::string>& callback_names();
-/// Names of the language that have their place but no implementation yet.
+/// Reserved names without an implementation yet.
 const std::vector<std::string>& later_names();
 /// Functions of a class made with class(...) that the host calls.
 const std::vector<GlobalDoc>& class_callback_docs();
 /// Methods that every instance has, sorted by name.
 const std::vector<GlobalDoc>& instance_docs();
 const std::vector<std::string>& generic_names();
-/// A global of any of the kinds above; nullptr when there is none.
+/// A global of any of these kinds; nullptr if there is none.
 const GlobalDoc* global_doc(std::string_view name);
 
-/// As lists show it: without types, and a variable by its name.
+/// The entry as shown in lists: a function without types, a variable by its name.
 std::string shown_name(const GlobalDoc& doc);
 
-/// A member of a value: `vec.x`, `connection:stop()`. Its signature is a type where it is a field.
+/// A member of a value: `vec.x`, `connection:stop()`. For a field, the signature is its type.
 struct MemberDoc {
     const char* name;
     const char* signature;
@@ -48,13 +49,13 @@ struct MemberDoc {
     bool is_function() const;
 };
 
-/// A kind of value that is no class of the tree.
+/// A kind of value that is not a class of the tree.
 struct TypeDoc {
     const char* name;
     const char* doc;
     std::vector<MemberDoc> members;
     std::vector<const char*> operators{};  // "add(vec): vec"
-    bool by_dot = false;                   // functions are called with a dot, as pen.circle(...)
+    bool by_dot = false;                   // functions are called with a dot: pen.circle(...)
 };
 
 const std::vector<TypeDoc>& type_docs();

@@ -1,4 +1,4 @@
-// What every instance can do.
+// Descriptions of the methods that every instance has.
 
 #include <reference/language.h>
 

@@ -1,4 +1,4 @@
-// Lua's own functions, as far as scripts have them.
+// Descriptions of the functions of Lua's library that scripts may use.
 
 #include <reference/language.h>
 

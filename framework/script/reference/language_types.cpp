@@ -1,4 +1,4 @@
-// The kinds of values that scripts meet besides instances.
+// Descriptions of the kinds of values other than instances.
 
 #include <reference/language.h>
 

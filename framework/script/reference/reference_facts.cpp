@@ -234,7 +234,8 @@ std::vector<std::pair<std::string, const Class*>> fixed_children(const property:
         for (const Handle child : tree.children(handle)) {
             const std::string name = tree.name(child);
             const Class& made = tree.class_of(child);
-            // What can be created is a game's own, but for the world that every game has.
+            // Instances of creatable classes belong to the game, except for the world that every
+            // game has.
             const bool own = made.creatable() && (handle != tree.root() || name != "world");
             if (of.property(name) == nullptr && !own) children.emplace_back(name, &made);
         }

@@ -1,4 +1,4 @@
-// Pages of the reference in Markdown.
+// Writes the pages of the reference in Markdown.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* written_by = "*Written by `fettle docs` from the descriptors.*\n";
 
-// In a cell of a table, a bar would begin the next one.
+// Escapes bars, which separate the cells of a table.
 std::string cell(const std::string& text) {
     std::string out;
     for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);

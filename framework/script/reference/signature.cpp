@@ -14,7 +14,7 @@ int depth_change(char c) {
                                                           : 0;
 }
 
-/// Place of the bracket that closes the one at `open`.
+/// Position of the bracket that closes the one at `open`.
 std::size_t closing(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {

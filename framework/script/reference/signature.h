@@ -1,5 +1,5 @@
 #pragma once
-// Signatures of functions as they are written in descriptors: `quit(status?: integer)`.
+// Parses signatures of functions in descriptors: `quit(status?: integer)`.
 
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 namespace fettle::script {
 
 struct Parameter {
-    std::string name;  // "..." for the rest
+    std::string name;  // "..." for variable arguments
     std::string type;
     bool optional = false;
 };
@@ -19,15 +19,16 @@ struct Signature {
     std::vector<std::string> returns;  // types
 };
 
-/// Each line of `text`. Throws std::invalid_argument, naming the text, for one that is malformed.
+/// Parses each line of `text`. Throws std::invalid_argument, which contains the text, if one is
+/// malformed.
 std::vector<Signature> parse_signatures(std::string_view text);
-/// As it was written, without a parameter `self`.
+/// The signature with types, without a parameter `self`.
 std::string typed(const Signature& signature);
-/// Without types, and `self`, for lists: `quit([status])`.
+/// The signature without types and without `self`, for lists: `quit([status])`.
 std::string plain(const Signature& signature);
-/// All of `text` without types, joined with " or ".
+/// All signatures in `text` without types, joined with " or ".
 std::string plain_signatures(std::string_view text);
-/// Where the list `a, b<c, d>, fun(e, f)` is to be cut: parts between commas outside of brackets.
+/// Splits `a, b<c, d>, fun(e, f)` at the commas outside of brackets.
 std::vector<std::string> split_list(std::string_view text);
 
 }  // namespace fettle::script

@@ -52,7 +52,7 @@ int new_table(lua_State* L) {
     return luaL_ref(L, LUA_REGISTRYINDEX);
 }
 
-/// The environment of games and console; it becomes the state's globals.
+/// Makes the environment of games and the console; it becomes the state's globals.
 void open_environment(lua_State* L, Machine& machine) {
     open_sandbox(L);
     open_coroutines(L);
@@ -95,14 +95,14 @@ int open_all(lua_State* L) {
     open_descriptions(L, machine);
     open_pen(L, machine);
     open_environment(L, machine);
-    // Games make many short-lived vectors over a small heap: with the default pause of 200 % most
-    // of their cost is marking that heap again and again.
+    // Games make many short-lived vectors in a small heap. With the default pause of 200 %, most of
+    // their cost would be repeated marking of that heap.
     lua_gc(L, LUA_GCINC, collector_pause, 0, 0);
     lua_settop(L, 0);
     return 0;
 }
 
-/// Before anything is made.
+/// Throws if the tree has a runtime, before any part is made.
 property::Tree& without_runtime(property::Tree& tree) {
     for (const property::SnapshotPart* part : tree.parts())
         if (part->part_name() == RuntimePart::name)

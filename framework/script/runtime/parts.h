@@ -1,5 +1,5 @@
 #pragma once
-// Makes the parts of a runtime and puts them together.
+// All parts of a runtime.
 
 #include <fettle/script/runtime.h>
 
@@ -29,13 +29,13 @@
 
 namespace fettle::script {
 
-/// Everything else knows of them what `Machine` tells.
+/// Other code accesses these parts only through `Machine`.
 struct Parts {
     Parts(property::Tree& tree, Options runtime_options);
     ~Parts();
     Parts(const Parts&) = delete;
 
-    /// Ends what the scripts have in the tree, and leaves it, if there still is one.
+    /// Removes the scripts' watchers, handlers and parts from the tree, if the tree still exists.
     void leave();
     /// The same, and closes Lua.
     void end();

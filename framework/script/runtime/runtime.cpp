@@ -30,7 +30,7 @@ namespace fettle::script {
 
 struct Runtime::State : Parts {
     using Parts::Parts;
-    std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the runtime itself
+    std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the Runtime object
 };
 
 namespace {
@@ -87,7 +87,7 @@ std::weak_ptr<const void> Runtime::lifetime() const {
     return state_->lifetime;
 }
 
-/// For what runs scripts.
+/// For functions that run scripts; throws if the tree was destroyed.
 Machine& Runtime::live() const {
     require_tree(state_->machine);
     return state_->machine;
@@ -97,7 +97,7 @@ Machine& Runtime::live() const {
 
 namespace {
 
-// Nothing of an earlier game calls back any more; the tree stays as it is.
+// Removes all callbacks of an earlier game; the tree stays as it is.
 void forget_game(Machine& machine) {
     machine.timers.clear();
     machine.connections.clear();
@@ -109,7 +109,7 @@ void forget_game(Machine& machine) {
         lua_newtable(L);
         lua_rawseti(L, LUA_REGISTRYINDEX, reference);
     }
-    // Globals the game assigned go; those of the language stay.
+    // Globals of the game are removed; those of the language stay.
     lua_rawgeti(L, LUA_REGISTRYINDEX, machine.globals.table);
     for (const std::string& name : machine.globals.assigned) {
         push_text(L, name);
@@ -139,7 +139,7 @@ bool call_global(Machine& machine, std::string_view name, std::span<const Value>
     });
 }
 
-/// What was made before is ready first.
+/// Calls `ready` of waiting instances before and after the callback.
 bool call_ready(Machine& machine, std::string_view name, std::span<const Value> arguments) {
     const bool ready = machine.classes.deliver_ready();
     const bool ok = call_global(machine, name, arguments);
@@ -227,7 +227,8 @@ bool Runtime::step(double now, double dt) {
 Evaluation Runtime::evaluate(std::string_view command) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    if (const auto sink = machine.host.on_command) sink(command);  // it may be replaced meanwhile
+    // A copy, because the call may replace it.
+    if (const auto sink = machine.host.on_command) sink(command);
     require_tree(machine);
     return script::evaluate(machine, command);
 }
@@ -246,12 +247,12 @@ Handle Runtime::it() const {
     return state_->globals.it;
 }
 
-// --- Towards the host
+// --- Callbacks of the host
 
 void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
     require_seconds("limit_calls: seconds", seconds);
     if (!go_on) return state_->watchdog.limit(seconds, {});
-    // What runs may outlive this runtime, but not its parts.
+    // The running function may outlive this object, but not the parts.
     const auto ask = [&machine = state_->machine, go_on = std::move(go_on)](lua_State* L,
                                                                             double s) {
         return go_on({.where = describe_place(machine, L), .seconds = s});

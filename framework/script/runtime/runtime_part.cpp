@@ -13,7 +13,7 @@ namespace fettle::script {
 
 namespace {
 
-/// What is kept for others begins with how many bytes that is.
+/// Base of all memory images; it contains their size.
 struct Held {
     std::size_t bytes = 0;
 };
@@ -47,13 +47,13 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
                                            const property::Memory& memory) {
     Random::State random{};
     for (std::uint64_t& word : random) word = from.get<std::uint64_t>();
-    // The generator would stay at nothing but zeros.
+    // The generator would return only zeros with this state.
     from.require(std::any_of(random.begin(), random.end(), [](auto word) { return word != 0; }),
                  "random numbers that are none");
     const auto now = from.get<double>();
     from.require(now >= 0 && now < 1e15, "a time that is none");
     auto unplaced = from.list<Handle>();
-    // The root hangs nowhere either, and is not to be collected.
+    // The root has no parent either, but must not be collected.
     std::erase(unplaced, machine_.tree.root());
     const auto limit = from.get<std::uint64_t>();
     const std::function<void()> put_classes = machine_.classes.restore(from);

@@ -1,6 +1,6 @@
 #pragma once
-// What of a runtime belongs to a snapshot: the random numbers to come, timers, who is stepped. The
-// game's own variables and its running coroutines do not: they stay as they are.
+// The part of a runtime in a snapshot: state of the random numbers, timers, and instances that are
+// stepped. Variables of the game and running coroutines are not included and stay as they are.
 
 #include <fettle/property/snapshot.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Texts for a screen of fixed width.
+// Formats texts for a screen of fixed width.
 
 #include <string>
 #include <string_view>
@@ -11,16 +11,17 @@ namespace fettle::script {
 
 inline constexpr std::size_t line_width = 100;  // characters of a value on one line
 
-/// What came from a float in memory reads as it was written: 0.1, not 0.10000000149011612.
+/// The precision with which a value stored as float is shown as written: 0.1, not
+/// 0.10000000149011612.
 property::Precision shortest_precision(double number);
 property::Precision shortest_precision(const property::Vec2& vec);
-/// A number as people write it: floats of native memory short, integral floats with ".0".
+/// A number for people: values of floats in short form, integral floats with ".0".
 std::string number_for_people(double number);
-/// Columns of text, padded to their widest cell; the last is not.
+/// Joins the cells of each row. Cells are padded to the width of their column, except in the last.
 std::vector<std::string> columns(const std::vector<std::vector<std::string>>& rows);
-/// How many characters a terminal shows of UTF-8 text.
+/// Number of characters that a terminal shows for UTF-8 text.
 std::size_t shown_width(std::string_view text);
-/// `text` cut to about `width` characters, whole UTF-8 sequences only, with "…" where cut.
+/// `text` cut to about `width` characters, never inside a UTF-8 sequence, with "…" at the cut.
 std::string cut(std::string_view text, std::size_t width);
 
 }  // namespace fettle::script

@@ -13,14 +13,15 @@ namespace {
 
 using Positions = std::vector<std::size_t>;
 
-/// `count` bytes from `first` on.
+/// The positions of `count` bytes from `first` on.
 Positions run(std::size_t first, std::size_t count) {
     Positions positions(count);
     std::iota(positions.begin(), positions.end(), first);
     return positions;
 }
 
-/// Each letter continues the last word or begins a later one. `found` holds the letters before.
+/// Whether each remaining letter continues the current word or begins a later one. `found`:
+/// positions of the letters so far.
 bool matches_words(std::string_view typed, std::string_view name, Positions& found) {
     if (found.size() == typed.size()) return true;
     const char wanted = typed[found.size()];
@@ -33,7 +34,7 @@ bool matches_words(std::string_view typed, std::string_view name, Positions& fou
     return false;
 }
 
-/// The letters in order; empty where one is missing.
+/// Positions of the letters in order; empty if one is missing.
 Positions in_order(std::string_view typed, std::string_view name) {
     Positions found;
     for (const char letter : typed) {

@@ -59,7 +59,7 @@ void PatternMatcher::step(std::uint64_t n) {
     unpaid_ = 0;
 }
 
-// Behind one pattern item: a character, an escape, or a set in brackets.
+// Index after one pattern item: a character, an escape, or a set in brackets.
 std::size_t PatternMatcher::item_end(std::size_t p) const {
     const char first = pattern_[p++];
     if (first == '%') {
@@ -68,7 +68,7 @@ std::size_t PatternMatcher::item_end(std::size_t p) const {
     }
     if (first != '[') return p;
     if (p < pattern_.size() && pattern_[p] == '^') ++p;
-    do {  // a bracket right at the start stands for itself
+    do {  // a bracket directly after the beginning is an ordinary character
         if (p >= pattern_.size()) throw std::invalid_argument("malformed pattern (missing ']')");
         if (pattern_[p++] == '%') {
             if (p >= pattern_.size())
@@ -79,7 +79,7 @@ std::size_t PatternMatcher::item_end(std::size_t p) const {
     return p + 1;
 }
 
-// The set from '[' at `p` to its ']' at `end - 1`.
+// Whether the set between '[' at `p` and ']' at `end - 1` contains the character.
 bool PatternMatcher::set_contains(unsigned char c, std::size_t p, std::size_t end) const {
     const std::size_t last = end - 1;
     bool inside = true;
@@ -142,7 +142,7 @@ std::size_t PatternMatcher::shortest(std::size_t s, std::size_t p, std::size_t e
     }
 }
 
-// %bxy: from x to the y that balances it.
+// Matches %bxy: from x to the y that balances it.
 std::size_t PatternMatcher::balanced(std::size_t s, std::size_t p) const {
     if (p + 1 >= pattern_.size())
         throw std::invalid_argument("malformed pattern (missing arguments to '%b')");
@@ -196,7 +196,7 @@ std::size_t PatternMatcher::match(std::size_t start, std::size_t pattern_start) 
     count_ = 0;
     depth_ = 0;
     const std::size_t end = run(start, pattern_start);
-    // A try that fails at once costs as well: there may be as many as characters.
+    // A try that fails at once is also charged: there may be one for each character.
     step();
     return end;
 }

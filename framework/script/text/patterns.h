@@ -1,6 +1,6 @@
 #pragma once
-// Lua's patterns (reference manual 5.4, section 6.4.1), matched with a count of steps: backtracking
-// can be exponential, and no hook runs inside a function of C.
+// Matches Lua's patterns (reference manual 5.4, section 6.4.1) and counts steps: backtracking can
+// take exponential time, and Lua's hooks are not called inside of a C function.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ class PatternMatcher {
         enum Kind : std::uint8_t { open, closed, place } kind = open;
     };
 
-    /// `pay(context, steps)` is called now and then; it may throw.
+    /// `pay(context, steps)` is called from time to time; it may throw.
     PatternMatcher(std::string_view subject, std::string_view pattern,
                    void (*pay)(void* context, std::uint64_t steps), void* context)
         : subject_(subject), pattern_(pattern), pay_(pay), context_(context) {}

@@ -8,7 +8,7 @@ namespace fettle::script {
 namespace {
 
 struct Synonym {
-    std::string_view words;  // separated by blanks, in small letters and without underscores
+    std::string_view words;  // separated by blanks, in lower case without underscores
     std::vector<std::string_view> meant;
 };
 
@@ -82,7 +82,7 @@ const std::vector<Synonym>& callbacks() {
     return table;
 }
 
-// "OnCollisionEnter2D" and "_physics_process" as the tables have them.
+// The form of "OnCollisionEnter2D" and "_physics_process" in the tables.
 std::string plain(std::string_view name) {
     std::string text;
     for (const char c : name)

@@ -1,5 +1,5 @@
 #pragma once
-// Letters, words and blanks of a text.
+// Functions for letters, words and blanks.
 
 #include <algorithm>
 #include <cctype>
@@ -9,24 +9,23 @@
 
 namespace fettle::script {
 
-/// Whether a name may contain it: a letter, a digit or an underscore.
+/// Whether a name may contain the character: a letter, a digit or an underscore.
 inline bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// With small letters in place of capital ones.
+/// The text in lower case.
 inline std::string lower(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
 
-/// Whether a list of names has that one.
 inline bool among(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Without the blanks at its beginning and its end.
+/// The text without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
     while (!text.empty() && blank(text.front())) text.remove_prefix(1);
@@ -34,7 +33,7 @@ inline std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// On one line: each run of white space becomes a space, none at the ends.
+/// The text on one line: each run of white space becomes one space; none at the ends.
 inline std::string one_line(std::string_view text) {
     std::string out;
     for (const char c : trimmed(text)) {

@@ -1,4 +1,4 @@
-// color("tomato"), color("#ff8800"), color(r, g, b, a).
+// The type of colors: color("tomato"), color("#ff8800"), color(r, g, b, a).
 
 #include <fettle/property/spelling.h>
 

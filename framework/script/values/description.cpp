@@ -35,7 +35,7 @@ std::vector<std::string> names_in(lua_State* L, int table) {
     return names;
 }
 
-// Vectors and colors can be changed in place: each read gets a copy.
+// Replaces a vector or color on top by a copy, because these values can be changed in place.
 void copy_of_value(lua_State* L) {
     if (const auto* vec = vec_at(L, -1)) {
         push_vec(L, {vec->x, vec->y});
@@ -77,8 +77,8 @@ int description_length(lua_State* L) {
     return 1;
 }
 
-// Upvalues: position, fields of a record. A list is walked by number, a record in the order in
-// which it is documented.
+// Upvalues: position, fields of a record. Iterates over a list by number, and over a record in the
+// documented order of its fields.
 int next_entry(lua_State* L) {
     const DescriptionKind& kind = self(L);
     for (;;) {

@@ -1,5 +1,5 @@
-// Lists that are the value of a property: reading an element reads the property, writing one
-// replaces the whole list in one change, writing one past the end appends.
+// Lists that are the value of a property. Reading an element reads the property; writing one
+// replaces the whole list in one change; writing one past the end appends.
 
 #include <algorithm>
 
@@ -44,7 +44,7 @@ Origin element_of(const ListBox& box, std::size_t index) {
     return origin;
 }
 
-// The value of element `index`, with its place where places go that deep.
+// Pushes element `index`, with its origin unless it is nested too deep.
 void push_element(lua_State* L, const ListBox& box, const Value& element, std::size_t index) {
     if (box.origin.depth >= Origin::deepest && !element.is(Type::list))
         push_value(L, element);
@@ -83,7 +83,7 @@ int list_newindex(lua_State* L) {
                                                  ": has elements 1 to " + std::to_string(size) +
                                                  "; " + std::to_string(size + 1) + " appends");
     const bool removes = lua_isnil(L, 3);
-    if (removes && index != size)  // only the last one can go without leaving a gap
+    if (removes && index != size)  // removing any other element would leave a gap
         throw Error(ErrorKind::out_of_range,
                     origin_path(machine.tree, box.origin) + "[" + std::to_string(index) +
                         "]: only the last element can be removed so; use table.remove");
@@ -119,7 +119,7 @@ int list_tostring(lua_State* L) {
     return 1;
 }
 
-// Iteration visits the elements as they were at its start. Upvalues: table of them, position.
+// Iterates over a copy of the elements made at the start. Upvalues: table with the copy, position.
 int next_element(lua_State* L) {
     const lua_Integer index = lua_tointeger(L, lua_upvalueindex(2)) + 1;
     lua_pushinteger(L, index);

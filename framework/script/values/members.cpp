@@ -6,7 +6,7 @@
 namespace fettle::script {
 
 const Dispatch& DispatchTable::add(const Dispatch& entry) {
-    constexpr std::size_t places_a_name = 8;  // so many that hardly two names have the same
+    constexpr std::size_t places_a_name = 8;  // low load, so that collisions are rare
     if (++count_ * places_a_name > size_) {
         const auto before = std::exchange(entries_, std::make_unique<Dispatch[]>(2 * size_));
         const std::size_t size = std::exchange(size_, 2 * size_);
@@ -24,7 +24,7 @@ DispatchTable& MemberTables::of(const property::Class& of) {
 }
 
 const property::Method* MemberTables::method_of(lua_State* L, int index) const {
-    // The function that calls a method has it as its upvalue.
+    // A function that calls a method has the method as its upvalue.
     if (lua_iscfunction(L, index) == 0 || lua_getupvalue(L, index, 1) == nullptr) return nullptr;
     const auto found = methods.find(static_cast<const property::Method*>(lua_touserdata(L, -1)));
     lua_pop(L, 1);

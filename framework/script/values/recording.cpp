@@ -6,7 +6,7 @@
 namespace fettle::script {
 
 Recording::Edit* Recording::add(Handle of) {
-    constexpr std::size_t most = 1000;  // of a command that edits many more cells
+    constexpr std::size_t most = 1000;  // a limit for commands that edit very many cells
     if (edits.size() >= most) {
         ++dropped;
         return nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// What one console command read, wrote and printed, for its answer.
+// Records what one console command reads, writes and prints, for its result.
 
 #include <string>
 #include <vector>
@@ -17,19 +17,19 @@ struct Recording {
         property::Precision precision{};
         property::Value before;
         property::Value after;
-        bool replaced = false;  // there was a formula
+        bool replaced = false;  // the property had a formula
         std::string note;       // instead of values: "new Body", "deleted"
     };
-    bool active = false;  // what happens is noted, so all goes the long way
+    bool active = false;  // while true, all reads and writes take the general path and are recorded
     property::Writer writer = property::Writer::script;  // the writer while a script runs
     std::vector<Edit> edits;
-    const property::Property* last_read = nullptr;  // property read last, for its unit
+    const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
     std::size_t dropped = 0;                        // lines and edits beyond the limit
 
-    /// What was noted of a property, to be added to; nullptr beyond the limit.
+    /// The record of a property, which the caller fills in; nullptr beyond the limit.
     Edit* edit_of(property::Handle of, property::Symbol written);
-    /// Something else that was done, if what happens is noted.
+    /// Records another action, if recording is active.
     void note(property::Handle of, std::string path, std::string text);
 
   private:

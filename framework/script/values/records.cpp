@@ -14,7 +14,7 @@ using property::Result;
 
 namespace {
 
-/// Of the fields of the record at 1 that have a value.
+/// Names of the fields with a value in the record at 1.
 std::vector<std::string> field_names(lua_State* L) {
     std::vector<std::string> names;
     for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
@@ -40,7 +40,7 @@ int read_record(lua_State* L) {
     return 1;
 }
 
-/// A field that the record does not have is a note of the script's own, but for a slip of the pen.
+/// A script may add fields to a record, but not one with a name that is almost equal to a field's.
 int write_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::string name = string_at(L, 2);
@@ -79,7 +79,7 @@ void push_record(lua_State* L, const Record& record) {
         const bool nobody =
             given && record.values[i].is(Type::reference) && !record.values[i].reference();
         if (!given || nobody || record.values[i].is_nil()) {
-            // A field without a value reads as nil, without an error.
+            // Fields in this table read as nil and do not raise an error.
             push_registry(L, machine.boxes.record);
             lua_getfield(L, -1, "nil_fields");
             lua_pushvalue(L, -3);

@@ -1,6 +1,6 @@
 #pragma once
-// Records: tables whose fields are checked, so that reading one that is not there is an error. What
-// methods return and what handlers are told.
+// Records: results of methods and arguments of handlers. They are tables, but reading a field that
+// does not exist is an error.
 
 #include <fettle/property/class.h>
 
@@ -10,7 +10,7 @@ namespace fettle::script {
 
 struct Machine;
 
-/// What a method of a descriptor returned.
+/// Pushes the result of a method.
 void push_result(lua_State* L, const property::Result& result);
 void push_record(lua_State* L, const property::Record& record);
 /// Makes the table on top a record.

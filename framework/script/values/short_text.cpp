@@ -77,7 +77,7 @@ std::string instance_text(const property::Tree& tree, Handle handle) {
     }
 }
 
-// A list by its length, a record by its name.
+// The text of a description: a list by its elements, a record by its name.
 std::string description_text(lua_State* L, int index, const DescriptionKind& kind) {
     push_described(L, index);
     std::string text;

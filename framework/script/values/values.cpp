@@ -57,7 +57,7 @@ void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& prop
     box->y = v.y();
     box->origin.instance = instance;
     box->origin.property = &property;
-    box->origin.depth = 0;  // the rest is read only when this says so, or without a property
+    box->origin.depth = 0;  // the other members are read only if depth > 0 or `property` is null
 }
 
 void push_color(lua_State* L, property::Color color) {
@@ -88,8 +88,7 @@ void push_instance(lua_State* L, Handle handle) {
         return;
     }
     lua_pop(L, 1);
-    // A handle of a deleted instance still gets a proxy: using it reports what deleted the
-    // instance.
+    // A deleted instance gets a proxy, too; errors of its use say how the instance was deleted.
     const Class& of =
         machine.tree.alive(handle) ? machine.tree.class_of(handle) : machine.tree.object_class();
     auto* box = new_box<InstanceBox>(L, sizeof(InstanceBox), machine.boxes.instance);
@@ -120,7 +119,7 @@ void refresh_classes(Machine& machine) {
         try {
             refresh_class(machine, *box);
         } catch (const std::bad_alloc&) {
-            box->members = &unknown;  // found out when it is used
+            box->members = &unknown;  // determined when it is used
         }
     }
     lua_pop(L, 1);
@@ -200,7 +199,7 @@ void push_value(lua_State* L, const Value& value, const Origin& origin) {
             break;
         }
         case Type::reference:
-            // What a property refers to may have been deleted since; that reads as nothing.
+            // A reference to a deleted instance reads as nil.
             if (machine_of(L).tree.alive(value.reference()))
                 push_instance(L, value.reference());
             else
@@ -335,7 +334,7 @@ int push_method(lua_State* L, const std::string& noun, std::vector<std::string> 
     if (lua_rawget(L, -2) != LUA_TNIL) return 1;
     lua_pop(L, 1);
     for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) fields.push_back(string_at(L, -2));
-    std::sort(fields.begin(), fields.end());  // Lua has them in no order
+    std::sort(fields.begin(), fields.end());  // Lua has no fixed order
     const std::string name = key_in_message(L, 2);
     throw Error(ErrorKind::unknown_name,
                 noun + " has no " + name + property::suggestion(name, fields));
@@ -399,7 +398,7 @@ double check_number(lua_State* L, int index, const char* what) {
 
 const Property& origin_property(const property::Tree& tree, const Origin& origin) {
     const Class& of = tree.class_of(origin.instance);
-    // In a saved game the instance may be of another class.
+    // After loading a saved game, the instance may have another class.
     if (origin.property && of.is_a(*origin.property->owner)) return *origin.property;
     const property::Symbol name = origin.property ? origin.property->symbol : origin.symbol;
     if (const Property* found = tree.find(origin.instance, name)) return *found;

@@ -1,4 +1,4 @@
-// vec(x, y): arithmetic and the methods of a vector in the plane.
+// The type vec(x, y): arithmetic and methods.
 
 #include <cmath>
 #include <cstring>
@@ -87,7 +87,7 @@ int vec_length(lua_State* L) {
     return 1;
 }
 
-// A vector without a direction stays what it is.
+// A zero or infinite vector is returned unchanged.
 int vec_normalized(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "normalized");
     const double length = std::hypot(v.x(), v.y());
@@ -141,7 +141,7 @@ int vec_index(lua_State* L) {
     throw Error(ErrorKind::unknown_name, "a vec has x and y, not element " + key_in_message(L, 2));
 }
 
-// The common case, a property that is a vec: the other component stays as it is now.
+// The common case, a property of type vec: the other component keeps its current value.
 void write_component(Machine& machine, VecBox& v, char component, double number) {
     const Property& property = origin_property(machine.tree, v.origin);
     const Value whole = machine.tree.get(v.origin.instance, property);
@@ -151,15 +151,15 @@ void write_component(Machine& machine, VecBox& v, char component, double number)
     Vec2 next = whole.vec2();
     (component == 'x' ? next.x() : next.y()) = number;
     write_property(machine, v.origin.instance, property, Value(next));
-    const Value now = machine.tree.get(v.origin.instance, property);  // as its memory holds it
+    const Value now = machine.tree.get(v.origin.instance, property);  // as stored, possibly rounded
     if (now.is(Type::vec2)) {
         v.x = now.vec2().x();
         v.y = now.vec2().y();
     }
 }
 
-// A component of a vec that was read from a property is written there; the rest of the property
-// stays as it is now.
+// Writing a component of a vector that was read from a property writes it to the property; the rest
+// of the property keeps its current value.
 int vec_newindex(lua_State* L) {
     auto* v = static_cast<VecBox*>(lua_touserdata(L, 1));
     const char* key = lua_type(L, 2) == LUA_TSTRING ? lua_tolstring(L, 2, nullptr) : "";

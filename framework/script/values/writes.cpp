@@ -15,7 +15,7 @@ using property::BindingKind;
 
 namespace {
 
-// Performs `write` and, during a console command, notes the property's value before and after.
+// Performs `write` and, during a console command, records the property's value before and after.
 template <class Write>
 void recorded(Machine& machine, Handle instance, const Property& property, Write write) {
     if (!machine.recording.active) {

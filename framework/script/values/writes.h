@@ -1,6 +1,5 @@
 #pragma once
-// Every write of a script to the tree goes through here, so that a console command can echo what it
-// changed.
+// All writes of scripts to the tree, so that a console command can echo its changes.
 
 #include <string>
 
@@ -12,18 +11,19 @@ struct Machine;
 
 void write_property(Machine& machine, property::Handle instance, const property::Property& property,
                     const property::Value& value);
-/// nil: the default again; nil itself where that is a value; an ad-hoc property goes away.
+/// Assigns nil: resets the property to its default, sets nil if it is nullable, or removes an ad
+/// hoc property.
 void clear_property(Machine& machine, property::Handle instance,
                     const property::Property& property);
-/// An ad-hoc property was added, with its first value.
+/// Records that an ad hoc property was added with its first value.
 void note_added(Machine& machine, property::Handle instance, std::string_view name);
-/// The formula is the value from now on; adds the property where there is none.
+/// Sets the formula of a property; adds the property if it does not exist.
 void write_formula(Machine& machine, property::Handle instance, std::string_view name,
                    property::Formula formula);
-/// Gives a detached instance its place.
+/// Gives a detached instance a parent and a name.
 void place(Machine& machine, property::Handle instance, property::Handle parent,
            std::string_view name, bool first_plain);
-/// Gives a detached instance the place and the name of another, which is deleted.
+/// Gives a detached instance the place and name of another instance, which is deleted.
 void replace(Machine& machine, property::Handle old, property::Handle by);
 void destroy(Machine& machine, property::Handle instance);
 

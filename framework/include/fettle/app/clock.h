@@ -81,8 +81,7 @@ class ClockPart : public property::SnapshotPart {
     Clock& clock_;
 };
 
-/// Puts the clock into the tree as `time`, with `time.timings`. The clock must outlive the tree's
-/// use.
+/// Adds the clock to the tree as `time`, with `time.timings`. It must outlive all use by the tree.
 property::Handle define_clock(property::Tree& tree, Clock& clock);
 
 }  // namespace fettle::app

@@ -19,7 +19,7 @@ class ErrorScreen : public Layer {
   public:
     struct Actions {
         std::function<void()> reload;             // R
-        std::function<void()> go_on;              // escape: the game goes on as without the error
+        std::function<void()> go_on;              // escape: continue the game
         std::function<void(std::string)> copy{};  // C: the whole text, for a clipboard
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
@@ -35,7 +35,7 @@ class ErrorScreen : public Layer {
     void show_running(const script::LongCall& call);
     /// True if the user wants to stop the script.
     bool stop_wanted() const { return stop_wanted_; }
-    /// The script has returned.
+    /// To be called when the script has returned.
     void came_back();
     const std::optional<script::ScriptError>& error() const { return error_; }
 

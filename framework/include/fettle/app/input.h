@@ -34,7 +34,7 @@ class Input {
     static constexpr int gamepad_count = 4;
     static constexpr int gamepad_buttons = 16;
 
-    /// Puts `input` into the tree. Tree and view must outlive its use.
+    /// Adds `input` to the tree. Tree and view must outlive this object.
     Input(property::Tree& tree, View& view);
     ~Input();
     Input(const Input&) = delete;

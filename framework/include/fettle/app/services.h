@@ -16,8 +16,8 @@ struct Audio {
     bool muted = false;
 };
 
-/// Owns the services' values and puts them into a tree, which must outlive it. Order: tree,
-/// modules, services, runtime.
+/// Owns the values of the services and adds them to a tree. The tree must outlive this object.
+/// Order of construction: tree, modules, services, runtime.
 class Services {
   public:
     explicit Services(property::Tree& tree);

@@ -30,7 +30,7 @@ struct ClipRectangle {
 
 class Surface {
   public:
-    using Texture = std::uint32_t;  // 0: none, plain color
+    using Texture = std::uint32_t;  // 0: no texture, plain color
 
     virtual ~Surface() = default;
     virtual float width() const = 0;  // pixels

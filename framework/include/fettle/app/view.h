@@ -12,7 +12,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-/// What is drawn over the picture; `view.show`.
+/// Overlays on the picture; `view.show`.
 struct Show {
     bool aabbs = false;
     bool contacts = false;
@@ -45,7 +45,7 @@ struct View {
     property::Vec2 to_world(const property::Vec2& pixels) const;
 };
 
-/// Puts the view into the tree as `view`, with `view.show`. The view must outlive the tree's use.
+/// Adds the view to the tree as `view`, with `view.show`. It must outlive all use by the tree.
 property::Handle define_view(property::Tree& tree, View& view);
 
 }  // namespace fettle::app

@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_module shows of itself: what its public headers declare between these two
-// marks, and nothing else. Everything is compiled with hidden visibility; a static library needs no
-// marks and has FETTLE_MODULE_STATIC defined.
+// Macros for the exported symbols of a shared libfettle_module. All code is compiled with hidden
+// visibility; only declarations between BEGIN and END in public headers are exported. A static
+// library defines FETTLE_MODULE_STATIC and needs no macros.
 
 #ifdef FETTLE_MODULE_STATIC
 #define FETTLE_MODULE_BEGIN
@@ -10,6 +10,6 @@
 #else
 #define FETTLE_MODULE_BEGIN _Pragma("GCC visibility push(default)")
 #define FETTLE_MODULE_END _Pragma("GCC visibility pop")
-// For structures that are only declared in public headers and defined inside the library.
+// For structures that public headers only declare and the library defines.
 #define FETTLE_MODULE_PRIVATE __attribute__((visibility("hidden")))
 #endif

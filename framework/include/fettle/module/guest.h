@@ -1,12 +1,11 @@
 #pragma once
-// Modules written in C++ as plug-ins: derive from Module as for a module that is linked in, and
-// write FETTLE_GUEST(Wind, "1.0") in one source file of a shared object that links Fettle::guest.
+// Plug-in modules in C++. Derive from Module as for a module that is linked in, and write
+// FETTLE_GUEST(Wind, "1.0") in one source file of a shared object that links Fettle::guest.
 //
 // The library has its own implementation of `property::Tree`, which forwards all calls through the
-// C interface, so that the shared object works with any program with the same interface, whatever
-// its compiler. It knows the classes that the module defines; of other classes it knows names and
-// bases, and their values and methods by name. Watching, formulas, history and drawing order are
-// done by the program.
+// C interface. So the shared object works with any program with the same interface, whatever its
+// compiler. It knows the classes that the module defines; of other classes it knows names, bases,
+// and values and methods by name. The program does watching, formulas, history and drawing order.
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #pragma once
 /* A game without a window for programs in C: a property tree, and modules that plug into it. The
- * functions that a module is given are the program's too: it creates, reads and writes through
- * `fettle_game_host`. examples/bare/bare.c is a whole program. */
+ * program uses the same table of functions as a module: it creates, reads and writes through
+ * `fettle_game_host`. examples/bare/bare.c is a complete program. */
 
 #include <fettle/module/abi.h>
 #include <fettle/module/export.h>
@@ -14,14 +14,15 @@ extern "C" {
 
 typedef struct fettle_game fettle_game;
 
-/* Null when there is no memory for it. */
+/* Null if there is not enough memory. */
 fettle_game* fettle_game_open(void);
 void fettle_game_close(fettle_game* game);
-/* Good until the game is closed. `define_class` refuses: a program has no classes, modules have. */
+/* Valid until the game is closed. `define_class` refuses: only modules define classes. */
 const fettle_host* fettle_game_host(fettle_game* game);
-/* Plugs in the module in a shared object. Why it cannot is told by the host's `last_error`. */
+/* Plugs in the module in a shared object. After a failure, `last_error` of the host has the reason.
+ */
 fettle_status fettle_game_load(fettle_game* game, const char* file);
-/* One fixed step: the modules in the order they were loaded in, then a barrier. */
+/* One fixed step: the modules in the order of loading, then a barrier. */
 fettle_status fettle_game_step(fettle_game* game, double seconds);
 
 #ifdef __cplusplus

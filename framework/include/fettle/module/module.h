@@ -1,6 +1,6 @@
 #pragma once
-// A module plugs native objects into the tree: it registers classes whose properties are bound to
-// its own memory, and the loop steps it.
+// The base class of modules. A module registers classes whose properties lie in its own memory; the
+// loop steps the module.
 
 #include <cstdint>
 #include <string_view>
@@ -14,8 +14,8 @@ FETTLE_MODULE_BEGIN
 namespace fettle::module {
 
 /// A module whose classes are saved natively (`property::Snapshots`) writes its rows in `save`,
-/// reads them in `restore`, and calls `tree.add_part(*this)` in `attach`. Other modules do nothing:
-/// their instances are saved value by value.
+/// reads them in `restore`, and calls `tree.add_part(*this)` in `attach`. Other modules need none
+/// of this: their instances are saved value by value.
 class Module : public property::SnapshotPart {
   public:
     ~Module() override;
@@ -25,8 +25,8 @@ class Module : public property::SnapshotPart {
     std::function<void()> restore(property::ByteReader&, const property::Memory&) override {
         return [] {};
     }
-    /// Registers its classes and creates its services (`game.world`). Called once; the module
-    /// outlives the tree's use of it.
+    /// Registers its classes and creates its services (`game.world`). Called once; the module must
+    /// outlive the tree.
     virtual void attach(property::Tree& tree) = 0;
     /// One fixed step of `dt` seconds. Writes the module's own memory only; no handler runs during
     /// it.

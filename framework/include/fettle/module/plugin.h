@@ -1,5 +1,5 @@
 #pragma once
-// Modules in shared objects. docs/guide/hosting.md shows how to write one, docs/design/modules.md
+// Modules in shared objects. docs/guide/hosting.md shows how to write one; docs/design/modules.md
 // has the rules of the C interface.
 
 #include <filesystem>
@@ -30,8 +30,7 @@ class LoadError : public std::runtime_error {
 struct Reloaded {
     std::size_t instances = 0;  // that still live
     std::size_t values = 0;     // that were set again on these instances
-    /// What has changed, one line each: a property that no longer exists, a value that its owner
-    /// now refuses.
+    /// The changes, one line each: a removed property, or a value that the new module refuses.
     std::vector<std::string> notes;
 };
 
@@ -80,7 +79,7 @@ class Plugin : public Module {
     std::unique_ptr<State> state_;
 };
 
-/// The modules of a game: each file and each name once.
+/// The modules of a game. Each file and each name occurs once.
 class Plugins {
   public:
     /// Throws LoadError, also if the file, or another with a module of the same name, is already

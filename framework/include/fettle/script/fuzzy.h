@@ -17,10 +17,10 @@ struct FuzzyMatch {
     std::vector<std::size_t> positions;  ///< bytes of the name that matched, ascending
 };
 
-/// How well `typed` fits `name`; none: it does not fit. From best to worst: the name itself, its
-/// beginning, the beginnings of its words ("av": angular_velocity), a part of it, letters in order,
-/// a typing error of one edit (which has no positions). Letter case counts only between equal
-/// beginnings. An empty text fits every name.
+/// How well `typed` fits `name`; nullopt if it does not. From best to worst: the name itself, its
+/// beginning, the beginnings of its words ("av": angular_velocity), a part of it, its letters in
+/// order, one typing error (without positions). Letter case counts only between equal beginnings.
+/// An empty text fits every name.
 std::optional<FuzzyMatch> fuzzy_match(std::string_view typed, std::string_view name);
 
 }  // namespace fettle::script

@@ -13,8 +13,8 @@ FETTLE_SCRIPT_BEGIN
 
 namespace fettle::script {
 
-/// One file of LuaCATS annotations (`---@meta`, as lua-language-server reads them). `tree`: with
-/// all modules and services attached; children of its root are globals.
+/// One file of LuaCATS annotations (`---@meta`) for lua-language-server. All modules and services
+/// must be attached to `tree`; the children of its root are globals.
 std::string annotations(const property::Tree& tree);
 
 struct ReferencePage {
@@ -22,7 +22,7 @@ struct ReferencePage {
     std::string text;  // Markdown
 };
 
-/// An index, one page a class, functions, callbacks and values.
+/// An index, one page for each class, and pages of functions, callbacks and values.
 std::vector<ReferencePage> reference_pages(const property::Tree& tree);
 
 }  // namespace fettle::script
