@@ -14,7 +14,7 @@ namespace fettle::program {
 namespace {
 
 /// Returns at most the first 60 bytes of an argument, in quotes, for a message.
-std::string shown(std::string_view text) {
+std::string quoted_start(std::string_view text) {
     constexpr std::size_t most = 60;
     std::string whole = on_one_line(text.substr(0, most));
     return "\"" + whole + (text.size() > most ? "...\"" : "\"");
@@ -31,15 +31,16 @@ std::uint64_t whole_number(const std::string& option, std::string_view text, std
         number <= most)
         return number;
     throw CLI::ValidationError(option, "expected a whole number from " + std::to_string(least) +
-                                           " to " + std::to_string(most) + ", got " + shown(text));
+                                           " to " + std::to_string(most) + ", got " +
+                                           quoted_start(text));
 }
 
-std::string given(const std::string& option, const std::string& text, const char* expected) {
+std::string checked_text(const std::string& option, const std::string& text, const char* expected) {
     if (!text.empty()) return text;
     throw CLI::ValidationError(option, std::string("expected ") + expected + ", got an empty text");
 }
 
-std::string why_no_command(const CLI::App& app, std::string_view first) {
+std::string command_problem(const CLI::App& app, std::string_view first) {
     if (first.starts_with('-')) return {};
     std::vector<std::string> names;
     const std::function<bool(const CLI::App*)> every;
@@ -49,20 +50,21 @@ std::string why_no_command(const CLI::App& app, std::string_view first) {
     }
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return shown(first) + " is no command; there are " + all + property::suggestion(first, names);
+    return quoted_start(first) + " is no command; there are " + all +
+           property::suggestion(first, names);
 }
 
-std::string why_left_over(const CLI::App& command) {
+std::string left_over_problem(const CLI::App& command) {
     const std::vector<std::string> left = command.remaining();
     if (left.empty()) return {};
     const std::string& first = left.front();
     if (!first.starts_with("-") || first.size() == 1)
-        return shown(first) + " is one argument too many";
+        return quoted_start(first) + " is one argument too many";
     const std::string name = first.substr(0, first.find('='));
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& each : option->get_lnames()) names.push_back("--" + each);
-    return shown(name) + " is no option of " + command.get_name() +
+    return quoted_start(name) + " is no option of " + command.get_name() +
            property::suggestion(name, names);
 }
 

@@ -17,14 +17,14 @@ std::uint64_t whole_number(const std::string& option, std::string_view text, std
                            std::uint64_t most);
 
 /// Returns `text`. Throws CLI::ValidationError if it is empty; `expected` describes a valid value.
-std::string given(const std::string& option, const std::string& text, const char* expected);
+std::string checked_text(const std::string& option, const std::string& text, const char* expected);
 
 /// Returns "" if the first argument is a command of the program or an option. Otherwise returns an
 /// error message with the nearest command.
-std::string why_no_command(const CLI::App& app, std::string_view first);
+std::string command_problem(const CLI::App& app, std::string_view first);
 
 /// Returns an error message for arguments that no option takes, with the nearest option of the
 /// command. Returns "" if there are none.
-std::string why_left_over(const CLI::App& command);
+std::string left_over_problem(const CLI::App& command);
 
 }  // namespace fettle::program

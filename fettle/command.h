@@ -1,5 +1,5 @@
 #pragma once
-// A subcommand of the program.
+// The type of a subcommand of the program.
 
 #include <functional>
 

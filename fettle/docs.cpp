@@ -62,21 +62,21 @@ Command add_docs(CLI::App& app) {
         .add_option_function<std::string>(
             "folder",
             [options](const std::string& folder) {
-                options->folder = given("folder", folder, "a folder");
+                options->folder = checked_text("folder", folder, "a folder");
             },
             "Where to; made when it is missing")
         ->required();
     command.add_option_function<std::string>(
         "game",
         [options](const std::string& game) {
-            options->game = given("game", game, "a folder with main.lua, or a .lua file");
+            options->game = checked_text("game", game, "a folder with main.lua, or a .lua file");
         },
         "A game whose own classes are to be described as well");
     command
         .add_option_function<std::string>(
             "--module",
             [options](const std::string& name) {
-                options->modules.push_back(given("--module", name, "a file or a name"));
+                options->modules.push_back(checked_text("--module", name, "a file or a name"));
             },
             "A module whose classes are, too: a shared object, or the name of an installed one "
             "(repeatable)")

@@ -1,5 +1,5 @@
 #pragma once
-// `fettle docs`: writes the reference and the annotations for editors.
+// The subcommand `fettle docs`, which writes the reference and the annotations for editors.
 
 #include <filesystem>
 #include <string>

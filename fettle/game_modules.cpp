@@ -79,7 +79,7 @@ fs::path module_file(const std::string& name, const fs::path& game) {
 struct GameModules::Plugged {
     module::Plugin* plugin = nullptr;
     fs::file_time_type changed{};
-    bool asked = false;   // a reload was requested
+    bool reload_requested = false;
     bool follow = false;  // reload when the file changes
     std::int64_t reloads = 0;
     std::string problem;  // of the last reload; "" if it succeeded
@@ -129,7 +129,8 @@ void GameModules::on_print(std::function<void(std::string_view)> sink) {
 
 void GameModules::define_service(property::Tree& tree) {
     using property::accessor;
-    const auto told = [&](const char* name, Type type, const char* doc, property::Binding binding) {
+    const auto make_property = [&](const char* name, Type type, const char* doc,
+                                   property::Binding binding) {
         return property::Property{
             .name = name, .type = type, .doc = doc, .binding = binding, .transient = true};
     };
@@ -138,30 +139,33 @@ void GameModules::define_service(property::Tree& tree) {
     one.doc = "A module in a shared object that the game has plugged in.";
     one.creatable = false;
     one.properties = {
-        told("file", Type::text, "Where it was loaded from.",
-             accessor(*this, [](GameModules& m,
-                                Row r) { return m.plugged_[r]->plugin->file().string(); })),
-        told("version", Type::text, "As the module gives it.",
-             accessor(*this,
-                      [](GameModules& m, Row r) { return m.plugged_[r]->plugin->version(); })),
-        told("reloads", Type::integer, "How often it has been taken in anew.",
-             accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->reloads; })),
-        told("problem", Type::text, "Why it was not, when that was tried last.",
-             accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->problem; })),
-        told("follow", Type::boolean, "Takes it in anew whenever its file has changed.",
-             accessor(
-                 *this, [](GameModules& m, Row r) { return m.plugged_[r]->follow; },
-                 [](GameModules& m, Row r, const Value& v) {
-                     m.plugged_[r]->follow = v.boolean();
-                 }))};
+        make_property(
+            "file", Type::text, "The file from which it was loaded.",
+            accessor(*this,
+                     [](GameModules& m, Row r) { return m.plugged_[r]->plugin->file().string(); })),
+        make_property("version", Type::text, "Its version, as given by the module.",
+                      accessor(*this, [](GameModules& m,
+                                         Row r) { return m.plugged_[r]->plugin->version(); })),
+        make_property(
+            "reloads", Type::integer, "Number of reloads.",
+            accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->reloads; })),
+        make_property(
+            "problem", Type::text, "Why the last reload failed; empty if it did not.",
+            accessor(*this, [](GameModules& m, Row r) { return m.plugged_[r]->problem; })),
+        make_property("follow", Type::boolean, "Whether it is reloaded when its file changes.",
+                      accessor(
+                          *this, [](GameModules& m, Row r) { return m.plugged_[r]->follow; },
+                          [](GameModules& m, Row r, const Value& v) {
+                              m.plugged_[r]->follow = v.boolean();
+                          }))};
     one.methods = {{.name = "reload",
                     .doc =
-                        "Takes it in anew when the next frame begins: the file as it is now. Its "
-                        "instances live on, and their values go over by name.",
+                        "Loads its file again when the next frame begins. Its instances stay, and "
+                        "their values are copied by name.",
                     .context = this,
                     .call = [](void* context, property::Tree&, property::Handle, Row row,
                                std::span<const Value>) -> property::Result {
-                        static_cast<GameModules*>(context)->plugged_[row]->asked = true;
+                        static_cast<GameModules*>(context)->plugged_[row]->reload_requested = true;
                         return Value();
                     }}};
     property::ClassDescriptor all_of_them;
@@ -188,14 +192,14 @@ void GameModules::renew() {
         if (plugged->follow && look) {
             std::error_code error;
             const auto changed = fs::last_write_time(plugged->plugin->file(), error);
-            if (!error && changed != plugged->changed) plugged->asked = true;
+            if (!error && changed != plugged->changed) plugged->reload_requested = true;
         }
-        if (plugged->asked) reload(*plugged);
+        if (plugged->reload_requested) reload(*plugged);
     }
 }
 
 void GameModules::reload(Plugged& plugged) {
-    plugged.asked = false;
+    plugged.reload_requested = false;
     std::error_code error;
     plugged.changed = fs::last_write_time(plugged.plugin->file(), error);
     const std::string name(plugged.plugin->name());

@@ -13,7 +13,7 @@ namespace {
 
 // Finds a file of Fettle itself: installed beside the program, or in the source folder of the
 // build.
-fs::path own(const fs::path& file) {
+fs::path find_own_file(const fs::path& file) {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (const fs::path& folder : {program / "../share/fettle", fs::path(FETTLE_SOURCE_DIR)})
@@ -24,14 +24,14 @@ fs::path own(const fs::path& file) {
 }  // namespace
 
 fs::path showcase() {
-    const fs::path main = own("scripts/showcase/main.lua");
+    const fs::path main = find_own_file("scripts/showcase/main.lua");
     if (main.empty())
         throw FileError("the showcase is missing from the installation; name a game to run");
     return main.parent_path();
 }
 
 fs::path assets() {
-    return own("assets");
+    return find_own_file("assets");
 }
 
 fs::path installed_modules() {
@@ -45,7 +45,7 @@ fs::path installed_modules() {
 namespace {
 
 /// Returns for example "a pipe" if `path` exists and is not a regular file; null otherwise.
-const char* odd_kind(const fs::path& path) {
+const char* kind_unless_regular(const fs::path& path) {
     std::error_code error;
     switch (fs::status(path, error).type()) {
         case fs::file_type::directory:
@@ -65,7 +65,7 @@ const char* odd_kind(const fs::path& path) {
 }  // namespace
 
 void require_file(const fs::path& file, const char* expected) {
-    if (const char* const kind = odd_kind(file))
+    if (const char* const kind = kind_unless_regular(file))
         throw FileError(file.string() + ": expected " + expected + ", found " + kind);
 }
 

@@ -18,7 +18,7 @@ namespace fettle::program {
 namespace {
 
 /// The error as one sentence, without CLI11's name of the kind of error.
-std::string words(const CLI::ParseError& error) {
+std::string message_of(const CLI::ParseError& error) {
     const std::string text = error.what();
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
         return text.substr(0, text.find(':')) + ": it takes one value, once";
@@ -39,19 +39,19 @@ int program(int argc, char** argv) {
     app.allow_extras();
     const Command commands[] = {add_run(app), add_docs(app)};
     if (argc < 2) return refuse("expected a command, as in fettle run");
-    if (const std::string wrong = why_no_command(app, argv[1]); !wrong.empty())
+    if (const std::string wrong = command_problem(app, argv[1]); !wrong.empty())
         return refuse(wrong);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // A request for help or the version.
         if (error.get_exit_code() == 0) return app.exit(error);
-        return refuse(words(error));
+        return refuse(message_of(error));
     }
-    if (const std::string wrong = why_left_over(app); !wrong.empty()) return refuse(wrong);
+    if (const std::string wrong = left_over_problem(app); !wrong.empty()) return refuse(wrong);
     for (const Command& command : commands) {
         if (!command.app->parsed()) continue;
-        if (const std::string wrong = why_left_over(*command.app); !wrong.empty())
+        if (const std::string wrong = left_over_problem(*command.app); !wrong.empty())
             return refuse(wrong);
         const int status = command.run();
         return all_printed() || status != success ? status : file_error;

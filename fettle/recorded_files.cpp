@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view of_fettle = "fettle:";  // prefix of the names of Fettle's own files
+constexpr std::string_view own_file_prefix =
+    "fettle:";  // prefix of the names of Fettle's own files
 
 fs::path whole_folder_of(const fs::path& game) {
     std::error_code error;
@@ -29,7 +30,7 @@ std::string name_below(const fs::path& file, const fs::path& folder) {
 }
 
 fs::path path_of(const std::string& name, const fs::path& game) {
-    if (name.starts_with(of_fettle)) return assets() / name.substr(of_fettle.size());
+    if (name.starts_with(own_file_prefix)) return assets() / name.substr(own_file_prefix.size());
     const fs::path path(name);
     return path.is_absolute() ? path : whole_folder_of(game) / path;
 }
@@ -40,7 +41,7 @@ app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::pat
     std::string name = name_below(finding.file, whole_folder_of(game));
     if (name.empty()) {
         name = name_below(finding.file, assets());
-        name = name.empty() ? finding.file.generic_string() : std::string(of_fettle) + name;
+        name = name.empty() ? finding.file.generic_string() : std::string(own_file_prefix) + name;
     }
     return {.name = std::move(name),
             .checksum = finding.checksum,
@@ -73,7 +74,8 @@ void require_recording_or_nothing(const fs::path& file) {
                         ": this file is no recording, and is not overwritten by one");
 }
 
-void go_back_to(const app::Recording& recording, const fs::path& game, property::GameFiles& files) {
+void use_recorded_content(const app::Recording& recording, const fs::path& game,
+                          property::GameFiles& files) {
     files.stay_in_memory();
     for (const app::RunFile& file : recording.files())
         if (file.overwritten) files.put(path_of(file.name, game), file.content);

@@ -25,7 +25,7 @@ void require_recording_or_nothing(const std::filesystem::path& file);
 
 /// Gives `files` the recorded content of the files that the run has overwritten. Later writes stay
 /// in memory; nothing is written to disk.
-void go_back_to(const app::Recording& recording, const std::filesystem::path& game,
-                property::GameFiles& files);
+void use_recorded_content(const app::Recording& recording, const std::filesystem::path& game,
+                          property::GameFiles& files);
 
 }  // namespace fettle::program

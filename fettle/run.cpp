@@ -219,7 +219,7 @@ class WindowRun {
 };
 
 /// Lists at most five entries.
-std::string listed(const std::vector<std::string>& all) {
+std::string join_first(const std::vector<std::string>& all) {
     constexpr std::size_t most = 5;
     std::string text;
     for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
@@ -238,7 +238,7 @@ int run_replay(RunOptions options) {
         return complain(file_error, options.replay.string() +
                                         ": was recorded of another game, or of another version "
                                         "of " +
-                                        options.game.string() + ": " + listed(changed));
+                                        options.game.string() + ": " + join_first(changed));
     options.modules = start.modules;
     options.seed = start.seed;
     options.evals = start.evals;
@@ -284,7 +284,7 @@ std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::st
 
 /// Parses the name of a picture file; its format must be one that can be written.
 std::filesystem::path parse_picture(const std::string& text) {
-    const std::filesystem::path file = given("--screenshot", text, "a file");
+    const std::filesystem::path file = checked_text("--screenshot", text, "a file");
     for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
         if (file.extension() == known) return file;
     throw CLI::ValidationError("--screenshot",
@@ -344,7 +344,7 @@ Command add_run(CLI::App& app) {
     };
     option("path", "A folder with main.lua, or one .lua file; without it, the showcase",
            [](RunOptions& to, const std::string& text) {
-               to.game = given("path", text, "a folder with main.lua, or a .lua file");
+               to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
            });
     command.add_flag("--headless", options->headless,
                      "No window; fixed steps as fast as they go; print() goes to stdout");
@@ -357,7 +357,7 @@ Command add_run(CLI::App& app) {
            });
     option("--eval", "Run this after main.lua is loaded (repeatable)",
            [](RunOptions& to, const std::string& text) {
-               to.evals.push_back(given("--eval", text, "a chunk of Lua"));
+               to.evals.push_back(checked_text("--eval", text, "a chunk of Lua"));
            })
         ->trigger_on_parse();
     option("--at",
@@ -375,7 +375,7 @@ Command add_run(CLI::App& app) {
     option("--module",
            "Plug in a module: a shared object, or the name of an installed one (repeatable)",
            [](RunOptions& to, const std::string& text) {
-               to.modules.push_back(given("--module", text, "a file or a name"));
+               to.modules.push_back(checked_text("--module", text, "a file or a name"));
            })
         ->trigger_on_parse();
     option("--budget",
@@ -393,11 +393,11 @@ Command add_run(CLI::App& app) {
            "Write there what comes into the run, to be replayed: not the computer's clock, no "
            "saved games",
            [](RunOptions& to, const std::string& text) {
-               to.record = given("--record", text, "a file");
+               to.record = checked_text("--record", text, "a file");
            });
     option("--replay", "Make a recorded run again; exit status 1 when it is not the same",
            [](RunOptions& to, const std::string& text) {
-               to.replay = given("--replay", text, "a file");
+               to.replay = checked_text("--replay", text, "a file");
            })
         ->excludes("--record")
         ->excludes("--console");

@@ -1,5 +1,5 @@
 #pragma once
-// `fettle run`: plays a game in a window, or headless.
+// The subcommand `fettle run`, which plays a game in a window or headless.
 
 #include <cstdint>
 #include <filesystem>

@@ -81,7 +81,7 @@ Session::~Session() {
 /// A recording notes the files that the run reads; a replay gets the recorded content instead.
 void Session::make_files() {
     files_.stay_below(folder_of(options_.game), assets());
-    if (replayed_ != nullptr) go_back_to(*replayed_, options_.game, files_);
+    if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
     if (options_.record.empty()) return;
     files_.take_note();
     for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);

@@ -10,8 +10,7 @@ namespace fettle::program {
 /// Returns the text with control characters and bytes that are not UTF-8 escaped as `\x1b`. Line
 /// ends and tabs are unchanged.
 std::string without_controls(std::string_view text);
-/// The same on one line: line ends become `
-/// `.
+/// The same on one line: line ends become `\n`.
 std::string on_one_line(std::string_view text);
 
 /// Writes "fettle: MESSAGE" as a line to stderr, after everything that was printed before.

@@ -1,4 +1,5 @@
 #pragma once
+// The version text of the program.
 
 #include <string>
 

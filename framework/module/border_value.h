@@ -38,8 +38,8 @@ class Outgoing {
     std::vector<std::vector<fettle_value>> arrays_;
 };
 
-/// Converts a received value. Throws Error(wrong_type) for an unknown type, a text or list that has
-/// a length and no memory, and lists nested more than 64 deep, such as a list that contains itself.
+/// Converts a received value. Throws Error(wrong_type) for an unknown type, a text or list with a
+/// length but no memory, and lists nested more than 64 deep, such as a list that contains itself.
 property::Value received(const fettle_value& value);
 std::vector<property::Value> received(const fettle_value* values, std::size_t count);
 /// `fields` must outlive the result.

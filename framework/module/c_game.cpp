@@ -1,3 +1,5 @@
+// The implementation of fettle/module/host.h: a game without a window for programs in C.
+
 #include <cstdio>
 #include <limits>
 #include <new>

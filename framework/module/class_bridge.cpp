@@ -67,7 +67,7 @@ Value get(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
     fettle_value value{};
     const Property& declared = *property.declared;
-    if (property.gone || property.native.get == nullptr) return declared.default_value;
+    if (property.removed || property.native.get == nullptr) return declared.default_value;
     try {
         property.host->require(property.native.get(property.native.context, row, &value),
                                "its getter");
@@ -80,7 +80,7 @@ Value get(void* context, Row row) {
 
 void set(void* context, Row row, const Value& value) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    if (property.gone || property.native.set == nullptr)
+    if (property.removed || property.native.set == nullptr)
         throw std::invalid_argument("the module, as it is now, does not let it be written");
     Outgoing outgoing;
     const fettle_value given = outgoing.put(value);
@@ -90,27 +90,27 @@ void set(void* context, Row row, const Value& value) {
 
 void reset(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    if (property.gone || property.native.reset == nullptr) return;
+    if (property.removed || property.native.reset == nullptr) return;
     property.host->require(property.native.reset(property.native.context, row),
                            property.declared->name);
 }
 
 bool overridden(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    return !property.gone && property.native.overridden != nullptr &&
+    return !property.removed && property.native.overridden != nullptr &&
            property.native.overridden(property.native.context, row) != 0;
 }
 
 void invalidate(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    if (!property.gone && property.native.invalidate != nullptr)
+    if (!property.removed && property.native.invalidate != nullptr)
         property.native.invalidate(property.native.context, row);
 }
 
 property::Result call(void* context, property::Tree&, Handle self, Row row,
                       std::span<const Value> arguments) {
     const auto& method = *static_cast<BridgedMethod*>(context);
-    if (method.gone || method.native.call == nullptr)
+    if (method.removed || method.native.call == nullptr)
         throw std::invalid_argument("the module, as it is now, does not have this method");
     Outgoing outgoing;
     fettle_result result{};
@@ -270,7 +270,7 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
 fettle_row BridgedClass::create(Handle self) {
     if (abandoned_)
         throw property::Error(property::ErrorKind::rejected,
-                              "the module of " + declared_->name() + " is not there any more");
+                              "the module of " + declared_->name() + " is not loaded any more");
     fettle_row row = 0;
     if (native_.create != nullptr) try {
             host_.require(native_.create(native_.context, sent(self), &row),
@@ -314,8 +314,8 @@ const BridgedProperty* BridgedClass::find(const Property& declared) const {
 void BridgedClass::abandon() {
     abandoned_ = true;
     native_ = {};
-    for (BridgedProperty& property : properties_) property.gone = true;
-    for (BridgedMethod& method : methods_) method.gone = true;
+    for (BridgedProperty& property : properties_) property.removed = true;
+    for (BridgedMethod& method : methods_) method.removed = true;
 }
 
 // --- Reload of a module
@@ -326,24 +326,26 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
     if (declared_->base() == nullptr || declared_->base()->name() != base)
         throw std::runtime_error("class " + name + " derives from " + base + " now, not from " +
                                  (declared_->base() ? declared_->base()->name() : "nothing") +
-                                 " as before: that takes a new start");
+                                 " as before: that needs a new start of the game");
     if ((native.flags & FETTLE_SAVED_NATIVELY) != (native_.flags & FETTLE_SAVED_NATIVELY))
-        throw std::runtime_error("rows of class " + name +
-                                 " are saved in another way than before: that takes a new start");
+        throw std::runtime_error(
+            "rows of class " + name +
+            " are saved in another way than before: that needs a new start of the game");
     const auto given = elements<fettle_property>(native.properties);
     for (BridgedProperty& kept : properties_) {
         const auto same = std::find_if(given.begin(), given.end(), [&](const fettle_property& p) {
             return kept.declared->name == view(p.name);
         });
-        kept.gone = same == given.end();
-        if (kept.gone) {
+        kept.removed = same == given.end();
+        if (kept.removed) {
             notes.push_back(name + "." + kept.declared->name + " is gone");
             continue;
         }
         if (same->type != static_cast<std::uint32_t>(kept.declared->type) ||
             same->binding != kept.native.binding || same->native != kept.native.native)
-            throw std::runtime_error(name + "." + kept.declared->name +
-                                     " has another type than before: that takes a new start");
+            throw std::runtime_error(
+                name + "." + kept.declared->name +
+                " has another type than before: that needs a new start of the game");
         kept.native = *same;
     }
     for (const fettle_property& property : given)
@@ -355,8 +357,8 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
         const auto same = std::find_if(calls.begin(), calls.end(), [&](const fettle_method& m) {
             return kept.declared->name == view(m.name);
         });
-        kept.gone = same == calls.end();
-        if (!kept.gone) kept.native = *same;
+        kept.removed = same == calls.end();
+        if (!kept.removed) kept.native = *same;
     }
     native_ = native;
     write_tags();

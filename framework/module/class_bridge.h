@@ -22,14 +22,14 @@ struct BridgedProperty {
     HostTable* host = nullptr;
     const property::Property* declared = nullptr;
     fettle_property native{};
-    bool gone = false;  // the current module does not have this property
+    bool removed = false;  // the current module does not have this property
 };
 
 struct BridgedMethod {
     HostTable* host = nullptr;
     const property::Method* declared = nullptr;
     fettle_method native{};
-    bool gone = false;
+    bool removed = false;
 };
 
 class BridgedClass {
@@ -60,7 +60,8 @@ class BridgedClass {
 
     /// Uses the functions of the new module from now on. A removed property reads as its default
     /// and refuses writes. `notes` gets a line for each added and removed member. Throws
-    /// std::runtime_error if a property has another type, or the class another base.
+    /// std::runtime_error if a property has another type, or the class another base or another way
+    /// of saving.
     void replace(const fettle_class& native, std::vector<std::string>& notes);
 
   private:

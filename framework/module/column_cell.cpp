@@ -103,12 +103,12 @@ void write(const BridgedProperty& p, std::byte* to, const Value& value) {
 
 Value get_cell(void* context, Row row) {
     const auto& p = *static_cast<BridgedProperty*>(context);
-    return p.gone ? p.declared->default_value : read(p, cell(p, row));
+    return p.removed ? p.declared->default_value : read(p, cell(p, row));
 }
 
 void set_cell(void* context, Row row, const Value& value) {
     const auto& p = *static_cast<BridgedProperty*>(context);
-    if (p.gone) throw std::invalid_argument("the module, as it is now, does not have it");
+    if (p.removed) throw std::invalid_argument("the module, as it is now, does not have it");
     write(p, cell(p, row), value);
 }
 

@@ -98,7 +98,7 @@ std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
     auto state = std::make_unique<State>();
     state->file = file;
     const ModuleCopy copy(file);
-    const std::string problem = tried([&](const auto& now) {
+    const std::string problem = run_trial([&](const auto& now) {
         now(while_opened);
         OpenModule opened = state->open_file(copy);
         (void)opened;
@@ -146,7 +146,7 @@ void Plugin::attach(property::Tree& tree) {
             s.classes.push_back(std::make_unique<BridgedClass>(s.host, native));
         };
     };
-    const std::string problem = tried([&](const auto& now) {
+    const std::string problem = run_trial([&](const auto& now) {
         prepare();
         now(while_attached);
         s.attach_native();

@@ -1,4 +1,5 @@
 #pragma once
+// The private state of a plug-in, and the phases of its trial.
 
 #include <memory>
 #include <string>

@@ -138,8 +138,9 @@ class Reload {
         s_.attach_native();
         for (const auto& c : s_.classes)
             if (std::find(seen.begin(), seen.end(), c.get()) == seen.end())
-                throw std::runtime_error("class " + c->declared().name() +
-                                         " is gone: that takes a new start");
+                throw std::runtime_error(
+                    "class " + c->declared().name() +
+                    " is missing in the new module: that needs a new start of the game");
     }
 
     void revive(Saved& saved) {
@@ -184,7 +185,7 @@ Reloaded Plugin::reload() {
     State& s = *state_;
     if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
     const ModuleCopy copy(s.file);
-    const std::string problem = tried([&](const std::function<void(std::string_view)>& now) {
+    const std::string problem = run_trial([&](const std::function<void(std::string_view)>& now) {
         Reload(s, copy).run(now);
         now(in_a_step);
         s.step_once();

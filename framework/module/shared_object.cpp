@@ -63,8 +63,8 @@ void require_shared_object(const fs::path& file) {
 
 constexpr std::string_view mark = ".fettle-";
 
-/// `.weather.fettle-123-4.so`. The copy lies beside the file, so the loader finds the same
-/// neighboring libraries.
+/// A new name such as `.weather.fettle-123-4.so` in `folder`. In the folder of the file itself, the
+/// loader finds the same neighboring libraries.
 fs::path fresh_name(const fs::path& file, const fs::path& folder) {
     static std::atomic<unsigned> count{0};
     return folder /
@@ -134,7 +134,7 @@ SharedObject::SharedObject(const ModuleCopy& copy) {
     constexpr std::string_view undefined = "undefined symbol: ";
     if (const std::size_t at = reason.find(undefined); at != std::string::npos)
         throw LoadError(file, "it needs the symbol " + reason.substr(at + undefined.size()) +
-                                  ", which nothing here has");
+                                  ", which no loaded library defines");
     throw LoadError(file, "expected a shared object for this machine: " + reason);
 }
 

@@ -30,10 +30,10 @@ void write_all(int to, std::string_view text) {
 
 /// The copy writes this last on success. Status 0 alone is no proof, since a module may call
 /// `exit(0)`.
-constexpr std::string_view to_its_end = "=\n";
+constexpr std::string_view success_line = "=\n";
 
 /// Runs `body` in the copy and writes to `to`: a line for each phase, "@in its own test", and at
-/// last "!" and an error message, or `to_its_end`.
+/// last "!" and an error message, or `success_line`.
 [[noreturn]] void run_copy(
     int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -45,7 +45,7 @@ constexpr std::string_view to_its_end = "=\n";
         signal(number, SIG_DFL);
     try {
         body([&](std::string_view phase) { write_all(to, "@" + std::string(phase) + "\n"); });
-        write_all(to, to_its_end);
+        write_all(to, success_line);
     } catch (...) {
         write_all(to, "!" + property::exception_text());
     }
@@ -87,8 +87,8 @@ bool ended(pid_t copy, Clock::time_point deadline, int& status) {
 
 }  // namespace
 
-std::string tried(const std::function<void(const std::function<void(std::string_view)>&)>& body,
-                  std::chrono::milliseconds limit) {
+std::string run_trial(const std::function<void(const std::function<void(std::string_view)>&)>& body,
+                      std::chrono::milliseconds limit) {
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe: ") + strerror(errno));
     const pid_t copy = fork();
@@ -109,7 +109,7 @@ std::string tried(const std::function<void(const std::function<void(std::string_
     int status = 0;
     // The pipe may close before the copy ends, because a module can close any file descriptor.
     const bool in_time = ended(copy, all_said ? deadline : Clock::now(), status) && all_said;
-    if (in_time && said.ends_with(to_its_end) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    if (in_time && said.ends_with(success_line) && WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return "";
     if (const std::size_t error = said.rfind("\n!"); error != std::string::npos)
         return said.substr(error + 2);

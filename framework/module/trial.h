@@ -12,7 +12,8 @@ namespace fettle::module {
 /// success. Otherwise returns what went wrong: the message of the exception, "crashed (Segmentation
 /// fault) in its own test", "ended the process with status 0 while it was opened", or that it took
 /// longer than `limit`.
-std::string tried(const std::function<void(const std::function<void(std::string_view)>& now)>& body,
-                  std::chrono::milliseconds limit = std::chrono::seconds(10));
+std::string run_trial(
+    const std::function<void(const std::function<void(std::string_view)>& now)>& body,
+    std::chrono::milliseconds limit = std::chrono::seconds(10));
 
 }  // namespace fettle::module

@@ -124,7 +124,7 @@ TEST_CASE("an outline is convex when it bulges everywhere and goes round once") 
     for (int i = 0; i < 20'000; ++i)
         circle.push_back({300 * std::cos(0.00031415927f * static_cast<float>(i)),
                           300 * std::sin(0.00031415927f * static_cast<float>(i))});
-    thin(circle);
+    remove_close_corners(circle);
     CHECK(circle.size() < 10'000);
     CHECK(is_convex(circle));
 }

@@ -25,22 +25,22 @@ void Canvas::begin(Color background) {
 }
 
 void Canvas::set_view(const View& view) {
-    settle();
+    draw_collected();
     view_ = view;
 }
 
 void Canvas::begin_screen() {
-    settle();
+    draw_collected();
     in_pixels_ = true;
 }
 
 void Canvas::end_screen() {
-    settle();
+    draw_collected();
     in_pixels_ = false;
 }
 
 void Canvas::flush() {
-    settle();
+    draw_collected();
     if (strip_.empty()) return;
     target_.setView(sf::View(sfml::rectangle(0, 0, width(), height())));
     draw(strip_, sf::PrimitiveType::TriangleStrip, atlas_.texture());

@@ -79,7 +79,7 @@ class Canvas : public property::Painter, public Surface {
     double pixels(double length) const;
     bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
 
-    // figures.cpp
+    // --- In figures.cpp
     /// Draws corners_, which must lie near the screen.
     void figure(float rounding, const property::Paint& paint);
     void large_figure(std::vector<property::Vec2> outline, const property::Paint& paint);
@@ -92,15 +92,15 @@ class Canvas : public property::Painter, public Surface {
     void draw_inside(Area::Rule rule, sf::Color color);  // of area_
     void draw_rim(const Rim& rim, std::span<const Bend> bends, bool closed);
 
-    // parts.cpp
-    bool joins(const property::Paint& paint);
-    void join();  // adds outline_ to joined_
+    // --- In parts.cpp
+    bool is_collected(const property::Paint& paint);
+    void collect();  // adds outline_ to joined_
     /// Draws the collected parts of one whole.
-    void settle();
+    void draw_collected();
     void draw_joined(const Rim& rim);
     void draw_parts();
 
-    // lettering.cpp
+    // --- In lettering.cpp
     bool lay_out(Line& line, float size, Face face);
     void draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Color color);
 

@@ -51,7 +51,7 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& paint) {
     const auto small = static_cast<float>(size);
     // A small circle with an opaque fill is drawn as one disc over another.
     if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0) {
-        settle();
+        draw_collected();
         const bool bordered = paint.border.a > 0 && paint.border_width > 0;
         if (bordered) draw_disc(narrow(middle), small, native(paint.border));
         const float inner = bordered ? small - paint.border_width : small;
@@ -94,7 +94,7 @@ void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Pain
     if (outside(bounds.lower - reach, bounds.upper + reach)) return;
     edge_ = Edge::touching;
     if (bounds.near() && radius <= large_radius) {
-        if (corners_.size() > 64) thin(corners_);
+        if (corners_.size() > 64) remove_close_corners(corners_);
         return figure(static_cast<float>(radius), paint);
     }
     std::vector<Vec2> outline;
@@ -105,7 +105,7 @@ void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Pain
 }
 
 void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
-    settle();
+    draw_collected();
     Vec2 start = exact(from), end = exact(to);
     if (!is_finite(start) || !is_finite(end) || !(width > 0) || !std::isfinite(width)) return;
     // A line thinner than a pixel is drawn one pixel wide and paler.
@@ -133,7 +133,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
 }
 
 void Canvas::point(const Vec2& position, Color color, float size) {
-    settle();
+    draw_collected();
     const Vec2 middle = exact(position);
     if (!is_finite(middle) || !(size > 0)) return;
     const float radius = std::min(0.5f * size, Atlas::largest_disc);
@@ -155,20 +155,20 @@ void Canvas::large_figure(std::vector<Vec2> outline, const Paint& paint) {
     if (outline.size() < 3) return;
     corners_.clear();
     for (const Vec2& point : outline) corners_.push_back(narrow(point));
-    thin(corners_);
+    remove_close_corners(corners_);
     figure(0, paint);
 }
 
 void Canvas::figure(float rounding, const Paint& paint) {
     if (corners_.size() < 3) rounding = std::max(rounding, 0.5f);
-    const bool parts = joins(paint);
+    const bool parts = is_collected(paint);
     const bool convex = is_convex(corners_);
     if (convex)
         outline_.set(corners_, rounding);
     else
         outline_.set_any(corners_);
     if (parts)
-        join();
+        collect();
     else if (convex)
         draw_outline(paint);
     else
@@ -207,7 +207,8 @@ void Canvas::draw_outline(const Paint& paint) {
         // A border thinner than a pixel is drawn one pixel wide and paler.
         const sf::Color border = native(paint.border, std::min(paint.border_width, 1.0f));
         const bool fades_outside = touching && opaque(border);
-        const float width = std::max(paint.border_width, 1.0f) - (fades_outside ? thinner : 0.0f);
+        const float width =
+            std::max(paint.border_width, 1.0f) - (fades_outside ? halo_correction : 0.0f);
         if (fades_outside) {
             halo(border);
             ring(0, border);

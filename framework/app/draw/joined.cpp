@@ -14,11 +14,11 @@ using Vector = sf::Vector2f;
 
 // px. At this distance outside of an edge another part is searched for; if there is one, the edge
 // has no border.
-constexpr float beyond = 0.35f;
+constexpr float probe_distance = 0.35f;
 // px. Overlap of parts that touch.
-constexpr float overlapping = 0.25f;
+constexpr float part_overlap = 0.25f;
 // px. Shorter stretches are merged with a neighbor.
-constexpr float shortest = 0.3f;
+constexpr float shortest_stretch = 0.3f;
 constexpr std::size_t most_work = 1u << 20;  // tests of one edge against another
 
 }  // namespace
@@ -29,7 +29,7 @@ void Joined::clear() {
 
 void Joined::add(std::span<const Vector> outline) {
     Part part;
-    set_round(part.corners, outline);
+    set_positive_outline(part.corners, outline);
     const std::size_t n = part.corners.size();
     if (n < 3) return;
     part.lower = part.upper = part.corners[0];
@@ -43,7 +43,7 @@ void Joined::add(std::span<const Vector> outline) {
 }
 
 float Joined::extent() const {
-    Vector lower{anywhere, anywhere}, upper{-anywhere, -anywhere};
+    Vector lower{unlimited, unlimited}, upper{-unlimited, -unlimited};
     for (const Part& part : parts_) {
         lower = {std::min(lower.x, part.lower.x), std::min(lower.y, part.lower.y)};
         upper = {std::max(upper.x, part.upper.x), std::max(upper.y, part.upper.y)};
@@ -67,9 +67,11 @@ void Joined::find_seams_of(Part& part) {
     part.first.assign(1, 0);
     for (std::size_t i = 0; i < part.size(); ++i) {
         const Vector from = part.corners[i], to = part.corners[(i + 1) % part.size()];
-        const Vector out = part.sides[i].normal * beyond;
-        const Vector lower{std::min(from.x, to.x) - beyond, std::min(from.y, to.y) - beyond};
-        const Vector upper{std::max(from.x, to.x) + beyond, std::max(from.y, to.y) + beyond};
+        const Vector out = part.sides[i].normal * probe_distance;
+        const Vector lower{std::min(from.x, to.x) - probe_distance,
+                           std::min(from.y, to.y) - probe_distance};
+        const Vector upper{std::max(from.x, to.x) + probe_distance,
+                           std::max(from.y, to.y) + probe_distance};
         covered_.clear();
         for (const Part& other : parts_) {
             ++work_;
@@ -122,7 +124,7 @@ void Joined::add_stretches(Part& part, float length) {
     const std::size_t first = part.stretches.size();
     for (std::size_t k = 0; k + 1 < crossings_.size(); ++k) {
         const float from = crossings_[k], to = crossings_[k + 1], middle = 0.5f * (from + to);
-        if ((to - from) * length < shortest) continue;
+        if ((to - from) * length < shortest_stretch) continue;
         Kind kind = Kind::border;
         for (const Covered& each : covered_)
             if (each.from < middle && middle < each.to && kind != Kind::seam) kind = each.kind;
@@ -144,14 +146,14 @@ void Joined::add_stretches(Part& part, float length) {
 void Joined::contour(std::size_t number, float depth, std::vector<Vector>& outline) const {
     const Part& part = parts_[number];
     const std::size_t n = part.size();
-    const auto moved = [depth](Kind kind) { return kind == Kind::seam ? overlapping : -depth; };
+    const auto moved = [depth](Kind kind) { return kind == Kind::seam ? part_overlap : -depth; };
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t last = (i + n - 1) % n;
         const Vector corner = part.corners[i];
         const Vector before = part.sides[last].normal, after = part.sides[i].normal;
         const float out_before = moved(part.end_of(last)), out_after = moved(part.begin_of(i));
         // The point where the two moved sides meet, unless it is far away.
-        const Vector way = meeting(before, out_before, after, out_after);
+        const Vector way = intersection_offset(before, out_before, after, out_after);
         const float most = 4 * std::max(std::abs(out_before), std::abs(out_after));
         if (dot(way, way) > 0 && dot(way, way) < most * most) {
             outline.push_back(corner + way);
@@ -181,12 +183,12 @@ void Joined::add_end(const Part& part, std::size_t side, float where, float over
                      std::vector<Bend>& bends) const {
     const Vector out = part.sides[side].normal, along{-out.y, out.x};
     const Vector end = part.corners[side] + along * where;
-    const Bend cut{end, out, out, out * part.sides[side].halo, anywhere};
+    const Bend cut{end, out, out, out * part.sides[side].halo, unlimited};
     if (overlap == 0 ||
-        !sticks_out(part, end + out * beyond + along * std::copysign(1.0f, overlap)))
+        !in_other_part(part, end + out * probe_distance + along * std::copysign(1.0f, overlap)))
         return bends.push_back(cut);
-    const Bend bare{end, out, out, {0, 0}, anywhere};
-    const Bend into{end + along * overlap, out, out, {0, 0}, anywhere};
+    const Bend bare{end, out, out, {0, 0}, unlimited};
+    const Bend into{end + along * overlap, out, out, {0, 0}, unlimited};
     if (overlap > 0)
         bends.insert(bends.end(), {cut, bare, into});
     else
@@ -194,7 +196,7 @@ void Joined::add_end(const Part& part, std::size_t side, float where, float over
 }
 
 /// Whether the point lies in a part other than `part`.
-bool Joined::sticks_out(const Part& part, Vector point) const {
+bool Joined::in_other_part(const Part& part, Vector point) const {
     return std::any_of(parts_.begin(), parts_.end(), [&](const Part& other) {
         if (&other == &part) return false;
         bool inside = false;

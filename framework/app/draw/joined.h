@@ -67,7 +67,7 @@ class Joined {
     void add_runs(const Part& part, float overlap, std::vector<Run>& runs) const;
     void add_end(const Part& part, std::size_t side, float where, float overlap,
                  std::vector<Bend>& bends) const;
-    bool sticks_out(const Part& part, sf::Vector2f point) const;
+    bool in_other_part(const Part& part, sf::Vector2f point) const;
 
     std::vector<Part> parts_;
     std::size_t work_ = 0;

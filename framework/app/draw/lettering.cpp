@@ -19,7 +19,7 @@ constexpr float tab_stops = 2;       // distance of tab stops, relative to the s
 // Smallest width of a tab, relative to the size: about that of a space.
 constexpr float tab_gap = 0.3f;
 
-/// Lines of a text: "\n", "\r\n" and "\r" each end one.
+/// Splits a text into lines at "\n", "\r\n" and "\r".
 std::vector<std::u32string> lines_of(std::string_view text) {
     std::vector<std::u32string> lines(1);
     bool after_return = false;
@@ -99,7 +99,7 @@ void Canvas::draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Colo
 
 void Canvas::text(const Vec2& position, std::string_view text, double height, Color color,
                   TextAlign align) {
-    settle();
+    draw_collected();
     const Vec2 at = exact(position);
     const auto size = static_cast<float>(pixels(height));
     if (!is_finite(at) || !(size >= 1) || !std::isfinite(size)) return;
@@ -130,7 +130,7 @@ void Canvas::text(const Vec2& position, std::string_view text, double height, Co
 
 float Canvas::text(float x, float y, std::string_view text, float size, SurfaceColor color,
                    Face face) {
-    settle();
+    draw_collected();
     Line line;
     line.text = decode_utf8(text);
     if (!lay_out(line, size, face)) return 0;

@@ -22,7 +22,7 @@ int circle_segments(float radius) {
     // The distance of a chord from its arc is r (1 - cos(pi / n)). On small circles larger
     // distances are allowed, because they are less visible.
     radius = std::max(radius, 0.5f);
-    const float bend = 1 - std::clamp(4 / radius, unseen, 4 * unseen) / radius;
+    const float bend = 1 - std::clamp(4 / radius, chord_tolerance, 4 * chord_tolerance) / radius;
     const float n = pi / std::acos(std::clamp(bend, -1.0f, 1.0f));
     return std::clamp(static_cast<int>(std::ceil(n)), 8, 512);
 }
@@ -43,7 +43,7 @@ float area_of(std::span<const Vector> corners) {
     return 0.5f * twice;
 }
 
-void set_round(std::vector<Vector>& corners, std::span<const Vector> given) {
+void set_positive_outline(std::vector<Vector>& corners, std::span<const Vector> given) {
     const auto differ = [](Vector a, Vector b) { return dot(a - b, a - b) > 1e-6f; };
     corners.clear();
     for (const Vector corner : given)
@@ -82,7 +82,7 @@ bool is_convex(std::span<const Vector> corners) {
     return std::min(to_left, to_right) < straight;
 }
 
-void thin(std::vector<Vector>& corners) {
+void remove_close_corners(std::vector<Vector>& corners) {
     constexpr float near = 0.2f;  // px
     std::size_t kept = 0;
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -97,10 +97,11 @@ float reach_between(const Side& before, const Side& after) {
     const float tangent =
         std::abs(cross(before.normal, after.normal)) / (1 + dot(before.normal, after.normal));
     const float shorter = std::min(before.length, after.length);
-    return shorter < tangent * anywhere ? shorter / tangent : anywhere;
+    return shorter < tangent * unlimited ? shorter / tangent : unlimited;
 }
 
-Vector meeting(Vector normal, float distance, Vector other_normal, float other_distance) {
+Vector intersection_offset(Vector normal, float distance, Vector other_normal,
+                           float other_distance) {
     const float turn = cross(normal, other_normal);
     if (std::abs(turn) < 0.05f) return {0, 0};
     return Vector{distance * other_normal.y - other_distance * normal.y,
@@ -116,7 +117,8 @@ void add_bends(Vector corner, const Side& before, const Side& after, float reach
     const bool sharp = scale < 2 / (miter_limit * miter_limit);
     Vector halo = miter * (0.5f * (before.halo + after.halo));
     if (before.halo != after.halo && !sharp) {
-        const Vector met = meeting(before.normal, before.halo, after.normal, after.halo);
+        const Vector met =
+            intersection_offset(before.normal, before.halo, after.normal, after.halo);
         if (dot(met, met) > 0) halo = met;
     }
     if (!sharp) {
@@ -131,7 +133,7 @@ void add_bends(Vector corner, const Side& before, const Side& after, float reach
 }
 
 void Outline::begin(std::span<const Vector> corners) {
-    set_round(corners_, corners);
+    set_positive_outline(corners_, corners);
     bends_.clear();
     sides_.clear();
     goes_round_once_ = true;
@@ -147,7 +149,7 @@ void Outline::set(std::span<const Vector> corners, float rounding) {
 
     Vector middle{0, 0};
     for (const Vector corner : corners_) middle += corner / static_cast<float>(n);
-    float inner = n < 3 ? 0 : anywhere;
+    float inner = n < 3 ? 0 : unlimited;
     for (std::size_t i = 0; i < n; ++i) {
         sides_.emplace_back(corners_[i], corners_[i + 1 < n ? i + 1 : 0]);
         if (n > 2) inner = std::min(inner, dot(corners_[i] - middle, sides_[i].normal));
@@ -158,14 +160,14 @@ void Outline::set(std::span<const Vector> corners, float rounding) {
         if (rounding_ > 0)
             add_arc(corners_[i], before, after);
         else
-            add_bends(corners_[i], before, after, anywhere, bends_);
+            add_bends(corners_[i], before, after, unlimited, bends_);
     }
 }
 
 void Outline::set_any(std::span<const Vector> corners) {
     begin(corners);
     rounding_ = 0;
-    depth_limit_ = anywhere;
+    depth_limit_ = unlimited;
     const std::size_t n = corners_.size();
     if (n < 2) return;
     for (std::size_t i = 0; i < n; ++i) sides_.emplace_back(corners_[i], corners_[(i + 1) % n]);
@@ -183,7 +185,7 @@ void Outline::add_circle() {
     for (int i = 0; i < segments; ++i) {
         const float a = 2 * pi * static_cast<float>(i) / static_cast<float>(segments);
         const Vector normal{std::cos(a), std::sin(a)};
-        bends_.push_back({corners_[0], normal, {0, 0}, normal * (rounding_ + 1), anywhere});
+        bends_.push_back({corners_[0], normal, {0, 0}, normal * (rounding_ + 1), unlimited});
     }
 }
 
@@ -204,7 +206,7 @@ void Outline::add_arc(Vector corner, const Side& before, const Side& after) {
         const Vector normal{std::cos(a), std::sin(a)};
         const float halo = std::min(
             1.0f, (1 - share) * before.halo + share * after.halo + 2 * share * (1 - share));
-        bends_.push_back({corner, normal, miter, normal * (rounding_ + halo), anywhere});
+        bends_.push_back({corner, normal, miter, normal * (rounding_ + halo), unlimited});
     }
 }
 

@@ -44,19 +44,19 @@ float reach_between(const Side& before, const Side& after);
 
 /// Two lines through the same point are moved by `distance` along their normals. Returns the vector
 /// from that point to their new intersection; zero if they are almost parallel.
-sf::Vector2f meeting(sf::Vector2f normal, float distance, sf::Vector2f other_normal,
-                     float other_distance);
+sf::Vector2f intersection_offset(sf::Vector2f normal, float distance, sf::Vector2f other_normal,
+                                 float other_distance);
 
 float area_of(std::span<const sf::Vector2f> corners);  // px²
 
 /// Sets `corners` to `given` without repeated corners, in the order with positive area.
-void set_round(std::vector<sf::Vector2f>& corners, std::span<const sf::Vector2f> given);
+void set_positive_outline(std::vector<sf::Vector2f>& corners, std::span<const sf::Vector2f> given);
 
 /// Whether an outline is convex, up to an invisible error, and winds around only once.
 bool is_convex(std::span<const sf::Vector2f> corners);
 
 /// Removes corners that are closer to the one before than is visible.
-void thin(std::vector<sf::Vector2f>& corners);
+void remove_close_corners(std::vector<sf::Vector2f>& corners);
 
 class Outline {
   public:
@@ -98,6 +98,6 @@ class Outline {
 int circle_segments(float radius);
 
 /// Largest distance between a chord and its arc, in pixels; above it corners are visible.
-inline constexpr float unseen = 0.05f;
+inline constexpr float chord_tolerance = 0.05f;
 
 }  // namespace fettle::app

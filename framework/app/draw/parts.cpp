@@ -9,11 +9,11 @@ using property::Paint;
 
 /// Returns whether a figure with this paint is to be collected. Draws the collected parts first if
 /// they belong to another whole or have another paint.
-bool Canvas::joins(const Paint& paint) {
+bool Canvas::is_collected(const Paint& paint) {
     const bool same = joined_whole_ == whole_ && joined_paint_.fill == paint.fill &&
                       joined_paint_.border == paint.border &&
                       joined_paint_.border_width == paint.border_width;
-    if (!same) settle();
+    if (!same) draw_collected();
     if (whole_ == 0) return false;
     // An opaque color without a border shows no seams, so each part is drawn by itself.
     if (!bordered(paint) && opaque(native(paint.fill))) return false;
@@ -22,13 +22,13 @@ bool Canvas::joins(const Paint& paint) {
     return true;
 }
 
-void Canvas::join() {
+void Canvas::collect() {
     rings_.clear();
     outline_.ring(0, rings_);
     joined_.add(rings_);
 }
 
-void Canvas::settle() {
+void Canvas::draw_collected() {
     if (joined_.size() == 0) return;
     constexpr float too_small = 12;  // px; in a smaller whole the seams are not visible
     if (joined_.size() > 1 && joined_.extent() > too_small && joined_.find_seams())

@@ -42,9 +42,9 @@ Rim Rim::inside(const Paint& paint) {
     if (opaque(border)) {
         rim.add_halo(border);
         rim.add(0, border);
-        rim.add(width - thinner - 0.5f, border);
-        rim.add(width - thinner + 0.5f, clear(border));
-        rim.depth = 0.5f * (width - thinner);
+        rim.add(width - halo_correction - 0.5f, border);
+        rim.add(width - halo_correction + 0.5f, clear(border));
+        rim.depth = 0.5f * (width - halo_correction);
         rim.overlap = width;
     } else {
         rim.add(-0.5f, clear(border));

@@ -23,7 +23,7 @@ inline bool opaque(sf::Color color) {
     return color.a == 255;
 }
 /// px; a border with a halo is drawn thinner by this amount, since the halo makes it look wider
-inline constexpr float thinner = 0.25f;
+inline constexpr float halo_correction = 0.25f;
 
 /// Whether the paint has a visible border: its color differs from that of the fill.
 bool bordered(const property::Paint& paint);

@@ -46,7 +46,9 @@ void Sight::bend(const Arc& arc, double start, const Point& from, double end, co
                  int levels, std::vector<Point>& outline) const {
     const double t = 0.5 * (start + end);
     const Point middle = arc.at(t);
-    if (levels == 0 || (middle - 0.5 * (from + to)).squaredNorm() < unseen * unseen) return;
+    if (levels == 0 ||
+        (middle - 0.5 * (from + to)).squaredNorm() < chord_tolerance * chord_tolerance)
+        return;
     // The arc lies between the chord and the intersection of the tangents at its ends.
     const Point tip = arc.center + (middle - arc.center) / std::cos(0.5 * (end - start));
     const Point least = from.cwiseMin(to).cwiseMin(tip), most = from.cwiseMax(to).cwiseMax(tip);

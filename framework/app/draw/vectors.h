@@ -16,6 +16,6 @@ inline float cross(sf::Vector2f a, sf::Vector2f b) {
 }
 
 /// Larger than any coordinate.
-constexpr float anywhere = std::numeric_limits<float>::max();
+constexpr float unlimited = std::numeric_limits<float>::max();
 
 }  // namespace fettle::app

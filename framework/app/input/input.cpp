@@ -235,7 +235,7 @@ void Input::release_all() {
 
 bool Input::deliver(script::Runtime& runtime) {
     // Input made by a callback is delivered in the next frame.
-    state_->wheel_told = state_->wheel;
+    state_->wheel_delivered = state_->wheel;
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
     const auto life = runtime.lifetime();  // a callback may destroy the runtime
     for (const State::Call& call : calls) {
@@ -247,13 +247,13 @@ bool Input::deliver(script::Runtime& runtime) {
 
 void Input::drop() {
     state_->calls.clear();
-    state_->wheel_told = state_->wheel;
+    state_->wheel_delivered = state_->wheel;
 }
 
 void Input::end_frame() {
     // A turn of the wheel by a script during the frame counts for the next frame, like its
     // callback.
-    state_->wheel -= std::exchange(state_->wheel_told, 0);
+    state_->wheel -= std::exchange(state_->wheel_delivered, 0);
 }
 
 namespace {

@@ -1,3 +1,5 @@
+// The classes and properties of `input` in the tree.
+
 #include <input/input_state.h>
 
 namespace fettle::app {

@@ -61,7 +61,7 @@ struct Input::State {
     std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
     property::Vec2 mouse{0, 0};  // px
     double wheel = 0;            // notches in this frame, with those added by scripts
-    double wheel_told = 0;       // part of `wheel` whose callbacks are delivered in this frame
+    double wheel_delivered = 0;  // part of `wheel` whose callbacks are delivered in this frame
     std::vector<Call> calls{};
     bool silent = false;  // no callbacks for mouse moves
 

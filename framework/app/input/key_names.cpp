@@ -1,3 +1,5 @@
+// The names of all keys.
+
 #include <array>
 
 #include <fettle/app/input.h>

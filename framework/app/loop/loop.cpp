@@ -71,8 +71,6 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
     services_.clock.go_to = [this](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
-        // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
-        // goes to the nearest.
         timeline_.require(step);
         tree_.at_barrier([this, step] { timeline_.go_near(step); });
     };

@@ -1,4 +1,5 @@
 #pragma once
+// The system clipboard, accessed with SFML.
 
 #include <string>
 

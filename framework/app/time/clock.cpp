@@ -16,14 +16,14 @@ namespace {
 
 /// Marks a property that the loop computes: it changes every frame without reports, and is not
 /// saved.
-Property kept(Property property) {
+Property computed(Property property) {
     property.read_only = true;
     property.simulated = true;
     property.transient = true;
     return property;
 }
 
-std::vector<Property> set_by_users(Clock& clock) {
+std::vector<Property> user_settings(Clock& clock) {
     return {
         {.name = "dt",
          .type = Type::number,
@@ -61,7 +61,7 @@ std::vector<Property> set_by_users(Clock& clock) {
 }
 
 /// Settings for the timeline. They belong to the player, so saved games do not contain them.
-std::vector<Property> of_the_past(Clock& clock) {
+std::vector<Property> timeline_settings(Clock& clock) {
     return {
         {.name = "rewind_limit",
          .type = Type::number,
@@ -81,18 +81,18 @@ std::vector<Property> of_the_past(Clock& clock) {
              "too little, less is kept. Undo has a quarter of it at most.",
          .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.rewind_memory; }),
          .transient = true},
-        kept({.name = "oldest",
-              .type = Type::integer,
-              .default_value = 0,
-              .unit = "",
-              .doc = "The first step one can go back to.",
-              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.oldest; })}),
-        kept({.name = "newest",
-              .type = Type::integer,
-              .default_value = 0,
-              .doc = "The last step made; beyond `step` after going back, until a step is made "
-                     "from there.",
-              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.newest; })}),
+        computed({.name = "oldest",
+                  .type = Type::integer,
+                  .default_value = 0,
+                  .unit = "",
+                  .doc = "The first step one can go back to.",
+                  .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.oldest; })}),
+        computed({.name = "newest",
+                  .type = Type::integer,
+                  .default_value = 0,
+                  .doc = "The last step made; beyond `step` after going back, until a step is made "
+                         "from there.",
+                  .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.newest; })}),
     };
 }
 
@@ -109,7 +109,7 @@ std::vector<property::Method> travelling(Clock& clock) {
                         std::span<const property::Value> arguments) -> property::Result {
                  const Clock& of = *static_cast<Clock*>(context);
                  tree.require_changeable("go to another step");
-                 if (!of.go_to) throw std::invalid_argument("nobody keeps the past of this game");
+                 if (!of.go_to) throw std::invalid_argument("this game has no timeline");
                  of.go_to(arguments[0].integer());
                  return property::Value();
              },
@@ -118,47 +118,48 @@ std::vector<property::Method> travelling(Clock& clock) {
 
 std::vector<Property> kept_by_the_loop(Clock& clock) {
     return {
-        kept({.name = "step",
-              .type = Type::integer,
-              .default_value = 0,
-              .doc = "Fixed steps made since the game started.",
-              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.step; })}),
-        kept({.name = "now",
-              .type = Type::number,
-              .unit = "s",
-              .doc = "Simulation time since the game started.",
-              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.now; })}),
-        kept({.name = "frame",
-              .type = Type::integer,
-              .default_value = 0,
-              .doc = "Frames made since the game started.",
-              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.frame; })}),
-        kept({.name = "dropped_steps",
-              .type = Type::integer,
-              .default_value = 0,
-              .doc = "Steps that were due but given up, since frames took too long.",
-              .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.dropped_steps; })}),
-        kept({.name = "alpha",
-              .type = Type::number,
-              .default_value = 1.0,
-              .range = {0, 1},
-              .doc = "How far the picture is between the last two steps.",
-              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.alpha; })}),
-        kept({.name = "fps",
-              .type = Type::number,
-              .unit = "1/s",
-              .doc = "Frames a second, smoothed. 0 in a headless run.",
-              .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.fps; })}),
+        computed({.name = "step",
+                  .type = Type::integer,
+                  .default_value = 0,
+                  .doc = "Fixed steps made since the game started.",
+                  .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.step; })}),
+        computed({.name = "now",
+                  .type = Type::number,
+                  .unit = "s",
+                  .doc = "Simulation time since the game started.",
+                  .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.now; })}),
+        computed({.name = "frame",
+                  .type = Type::integer,
+                  .default_value = 0,
+                  .doc = "Frames made since the game started.",
+                  .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.frame; })}),
+        computed(
+            {.name = "dropped_steps",
+             .type = Type::integer,
+             .default_value = 0,
+             .doc = "Steps that were due but given up, since frames took too long.",
+             .binding = column(clock, Native::i64, 0, [](Clock& c) { return &c.dropped_steps; })}),
+        computed({.name = "alpha",
+                  .type = Type::number,
+                  .default_value = 1.0,
+                  .range = {0, 1},
+                  .doc = "How far the picture is between the last two steps.",
+                  .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.alpha; })}),
+        computed({.name = "fps",
+                  .type = Type::number,
+                  .unit = "1/s",
+                  .doc = "Frames a second, smoothed. 0 in a headless run.",
+                  .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.fps; })}),
     };
 }
 
 template <class Base>
 Property timing(Timings& timings, const char* name, const char* doc, Base base) {
-    return kept({.name = name,
-                 .type = Type::number,
-                 .unit = "ms",
-                 .doc = doc,
-                 .binding = column(timings, Native::f64, 0, base)});
+    return computed({.name = name,
+                     .type = Type::number,
+                     .unit = "ms",
+                     .doc = doc,
+                     .binding = column(timings, Native::f64, 0, base)});
 }
 
 std::vector<Property> timings_of(Timings& timings) {
@@ -187,7 +188,7 @@ void Clock::require_usable() const {
                                   std::string("time.") + name + " = " +
                                       property::number_text(value) + ": expected " + expected);
     };
-    constexpr double most = 1e6;  // s; small enough that sums stay finite and exact
+    constexpr double most = 1e6;  // s; sums of it stay far below the largest valid time
     require("dt", dt, dt > 0 && dt <= most, "a time in seconds, more than 0 and at most 1e6");
     const auto amount = [](double value) { return value >= 0 && std::isfinite(value); };
     require("scale", scale, amount(scale), "a number, at least 0");
@@ -234,11 +235,11 @@ property::Memory ClockPart::save(property::ByteWriter& to) const {
 std::function<void()> ClockPart::restore(property::ByteReader& from, const property::Memory&) {
     const auto read = from.get<State>();
     for (const double time : {read.now, read.origin, read.origin_dt})
-        from.require(time >= 0 && time < 1e15, "a time that is none");
+        from.require(time >= 0 && time < 1e15, "an invalid time");
     constexpr std::int64_t most = std::int64_t{1} << 52;  // more steps than any run makes
     from.require(read.step >= 0 && read.step < most && read.origin_step >= 0 &&
                      read.origin_step <= read.step,
-                 "a step that is none");
+                 "an invalid step");
     return [this, read] { set(read); };
 }
 
@@ -255,9 +256,9 @@ std::size_t ClockPart::size_of(const property::Memory& changes) const {
 }
 
 property::Handle define_clock(property::Tree& tree, Clock& clock) {
-    std::vector<Property> properties = set_by_users(clock);
+    std::vector<Property> properties = user_settings(clock);
     for (Property& property : kept_by_the_loop(clock)) properties.push_back(std::move(property));
-    for (Property& property : of_the_past(clock)) properties.push_back(std::move(property));
+    for (Property& property : timeline_settings(clock)) properties.push_back(std::move(property));
     const property::Class& time =
         tree.define({.name = "Time",
                      .doc = "Simulation time: how fast it passes, and how far it is.",

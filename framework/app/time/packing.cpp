@@ -37,7 +37,7 @@ void sort_from_ranks(std::span<const std::byte> ranks, std::byte* plain) {
 
 /// Lowers the priority of the packing thread, so that the game goes first if there are few
 /// processors.
-void step_back() {
+void lower_priority() {
 #ifdef __linux__  // elsewhere it would change the whole process
     constexpr int niceness = 10;
     (void)setpriority(PRIO_PROCESS, 0, niceness);
@@ -125,7 +125,7 @@ void Packer::pack(const std::shared_ptr<PackedBytes>& what) {
 }
 
 void Packer::work() {
-    step_back();
+    lower_priority();
     while (true) {
         std::shared_ptr<PackedBytes> next;
         {

@@ -46,7 +46,7 @@ class PackedBytes {
     void pack();
 
   private:
-    std::vector<std::byte> plain_;   // owned by the packing thread until packed, then by the game
+    std::vector<std::byte> plain_;   // not changed until packed; then owned by the game
     std::size_t touched_ = 0;        // bytes of its memory that were written
     std::vector<std::byte> packed_;  // owned by the packing thread until packed
     std::vector<std::byte> next_;    // memory for later states; owned likewise

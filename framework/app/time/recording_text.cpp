@@ -54,7 +54,6 @@ std::string encoded(const property::Value& value) {
 }
 
 // --- Reading
-// ----------------------------------------------------------------------------------------------------------
 
 void Words::skip() {
     while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);

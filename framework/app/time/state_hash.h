@@ -15,7 +15,8 @@ class StateHash {
     void add(std::string_view text);
     void add(const property::Value& value, const property::Tree& tree);
     /// Adds the instances in the order of the tree, with names, classes, and all saved values that
-    /// the tree itself stores. Modules hash their own values; services are skipped.
+    /// the tree itself stores. Modules hash their own values; services are skipped, except for
+    /// their ad hoc properties.
     void add_stored_values(const property::Tree& tree);
     std::uint64_t result() const { return state_; }
 

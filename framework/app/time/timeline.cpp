@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
 // If there was no room for one keyframe, try again after this time: the state may be smaller then.
-constexpr std::int64_t tried_again = 600;  // steps
+constexpr std::int64_t retry_interval = 600;  // steps
 // Estimated overhead of a step: containers and their memory.
-constexpr std::size_t of_step = 256;                         // bytes
+constexpr std::size_t step_overhead = 256;                   // bytes
 constexpr std::size_t most_history = std::size_t{64} << 20;  // bytes
 
 double now() {
@@ -45,7 +45,7 @@ class Timeline::Jumps : public property::Observer {
         arrived = true;
     }
     void wrote_plain(const property::PlainWrites&) override {
-        // single writes are not needed here
+        // Single writes are not needed here.
     }
 
     bool jumped = false;
@@ -102,7 +102,7 @@ void Timeline::share_room() {
 }
 
 bool Timeline::there_is_room() const {
-    return no_room_at_ < 0 || room_ > no_room_ || clock_.step >= no_room_at_ + tried_again ||
+    return no_room_at_ < 0 || room_ > no_room_ || clock_.step >= no_room_at_ + retry_interval ||
            clock_.step < no_room_at_;
 }
 
@@ -157,8 +157,8 @@ void Timeline::end_step() {
     open_.number = here_ = clock_.step;
     note_writes(open_, open_.after);
     note_changes(open_);
-    if (too_much(open_)) return begin_anew();
-    open_.bytes += sizeof(Step) + of_step;
+    if (too_much(open_)) return restart();
+    open_.bytes += sizeof(Step) + step_overhead;
     logged_ += open_.bytes;
     logged_since_ += open_.bytes;
     steps_.push_back(std::move(open_));
@@ -189,7 +189,7 @@ bool Timeline::too_much(const Step& step) const {
 }
 
 /// A step that cannot be repeated ends the past: the timeline starts again here.
-void Timeline::begin_anew() {
+void Timeline::restart() {
     const std::int64_t step = clock_.step;
     forget_all();
     begin_log();
@@ -321,7 +321,7 @@ std::int64_t Timeline::newest() const {
 }
 
 std::size_t Timeline::Keyframe::memory() const {
-    return payload->memory() + held + sizeof *this + of_step;
+    return payload->memory() + held + sizeof *this + step_overhead;
 }
 
 /// Total bytes of edits that the history has dropped.
@@ -405,7 +405,7 @@ void Timeline::settle() {
     if (log_ == nullptr || here_ != newest()) return;
     note_writes(tail_, tail_.before.emplace_back());
     note_changes(tail_);
-    if (too_much(tail_)) begin_anew();
+    if (too_much(tail_)) restart();
 }
 
 void Timeline::travel(std::int64_t step) {
@@ -427,7 +427,7 @@ void Timeline::travel(std::int64_t step) {
         });
     } catch (...) {
         // The tree has changed and its state is unknown; without `arrived` nothing has changed.
-        if (jumps_->arrived) begin_anew();
+        if (jumps_->arrived) restart();
         throw;
     }
     here_ = step;

@@ -1,3 +1,5 @@
+// The entry point of a module in C++, and its callbacks in C.
+
 #include <fettle/module/guest.h>
 
 #include <functional>
@@ -30,7 +32,7 @@ fettle_status attach(void* context) {
 
 /// Runs `body` and prints an exception, for callbacks that return no status.
 template <class Body>
-void told(Guest& guest, Body&& body) {
+void run_and_print_errors(Guest& guest, Body&& body) {
     const fettle_host* host = guest.tree.state().host;
     guest.tree.state().follow_listeners();
     try {
@@ -42,12 +44,12 @@ void told(Guest& guest, Body&& body) {
 
 void step(void* context, double dt) {
     Guest& guest = guest_of(context);
-    told(guest, [&] { guest.module->step(dt); });
+    run_and_print_errors(guest, [&] { guest.module->step(dt); });
 }
 
 void report(void* context) {
     Guest& guest = guest_of(context);
-    told(guest, [&] { guest.module->report(guest.tree); });
+    run_and_print_errors(guest, [&] { guest.module->report(guest.tree); });
 }
 
 std::uint64_t hash(void* context) {
@@ -83,7 +85,7 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
 
 void refresh(void* context, std::uint64_t what) {
     Guest& guest = guest_of(context);
-    told(guest, [&] {
+    run_and_print_errors(guest, [&] {
         if (property::SnapshotPart* part = guest.tree.state().part) part->refresh(what);
     });
 }

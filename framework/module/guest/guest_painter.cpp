@@ -1,3 +1,5 @@
+// A painter that forwards drawing to the program.
+
 #include "guest_tree.h"
 
 namespace fettle::module {

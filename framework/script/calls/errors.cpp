@@ -84,7 +84,7 @@ std::string with_refusal(Budget& budget, std::string message) {
 
 // The text from the error object's `__tostring`, if it has one. This function may also raise an
 // error, and its run time is limited.
-std::optional<std::string> own_text(lua_State* L, int index) {
+std::optional<std::string> tostring_text(lua_State* L, int index) {
     if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
         return std::nullopt;
     lua_pushvalue(L, index < 0 ? index - 1 : index);
@@ -121,7 +121,7 @@ std::string error_text(lua_State* L, int index) {
         return without_control_characters(std::string_view(text).substr(0, longest));
     }
     if (lua_isnil(L, index)) return "error() was called with nil in place of a message";
-    if (const auto text = own_text(L, index))
+    if (const auto text = tostring_text(L, index))
         return without_control_characters(std::string_view(*text).substr(0, longest));
     return without_control_characters("the error is not a text but " + describe_type(L, index) +
                                       ": " + short_text(L, index));
@@ -135,7 +135,7 @@ void add_missing_position(lua_State* L, lua_State* from, int level) {
     const lua_CFunction raiser = lua_tocfunction(L, -1);
     lua_pop(L, 1);
     if (raiser == nullptr) return;
-    const auto& told = machine_of(L).errors.raise_as_told;
+    const auto& told = machine_of(L).errors.raise_unchanged;
     if (std::find(told.begin(), told.end(), raiser) != told.end()) return;
     ScriptError error;
     error.message = string_at(from, -1);

@@ -19,7 +19,7 @@ struct Errors {
     int reports = 0;                          // running calls of the host's function for errors
     // Functions that pass on a script's own error unchanged: `error`, `assert` and the functions of
     // wrapped coroutines.
-    std::vector<lua_CFunction> raise_as_told;
+    std::vector<lua_CFunction> raise_unchanged;
 };
 
 /// Describes the error object at `index` of `from`, raised on the stack of `L` above `level`.

@@ -8,8 +8,8 @@ namespace fettle::script {
 namespace {
 
 // Sizes in bytes in Lua 5.4 on 64-bit systems.
-constexpr std::size_t of_function = 64, of_upvalue = 56, of_table = 56, of_element = 16,
-                      of_entry = 40, of_text = 32;
+constexpr std::size_t function_size = 64, upvalue_size = 56, table_size = 56, element_size = 16,
+                      entry_size = 40, text_size = 32;
 constexpr std::size_t least_text = 64;  // shorter texts are not counted
 constexpr int most_values = 1 << 16, deepest_value = 16;
 
@@ -67,15 +67,15 @@ class Measure {
         const void* const address = lua_topointer(L_, index);
         if (size < least_text || address == machine_.counted.text) return 0;
         machine_.counted.text = address;
-        return size + of_text;
+        return size + text_size;
     }
 
     std::size_t table(int index, int depth) {
-        std::size_t bytes = of_table + lua_rawlen(L_, index) * of_element;
+        std::size_t bytes = table_size + lua_rawlen(L_, index) * element_size;
         lua_pushnil(L_);
         while (lua_next(L_, index) != 0) {
             const int value = lua_gettop(L_);
-            bytes += of(value, depth + 1) + (lua_isinteger(L_, value - 1) ? 0 : of_entry);
+            bytes += of(value, depth + 1) + (lua_isinteger(L_, value - 1) ? 0 : entry_size);
             lua_pop(L_, 1);
             if (left_ >= 0) continue;
             lua_pop(L_, 1);
@@ -85,9 +85,9 @@ class Measure {
     }
 
     std::size_t function(int index, int depth) {
-        std::size_t bytes = of_function;
+        std::size_t bytes = function_size;
         for (int i = 1; lua_getupvalue(L_, index, i) != nullptr; ++i) {
-            bytes += of_upvalue + of(lua_gettop(L_), depth + 1);
+            bytes += upvalue_size + of(lua_gettop(L_), depth + 1);
             lua_pop(L_, 1);
         }
         return bytes;

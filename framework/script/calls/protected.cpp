@@ -23,7 +23,7 @@ namespace {
 void report(Machine& machine, ScriptError error) {
     constexpr int deepest = 16;
     if (machine.errors.reports == deepest) {
-        std::fprintf(stderr, "an error while errors were told, %d deep: %s\n", deepest,
+        std::fprintf(stderr, "an error during %d nested reports of errors: %s\n", deepest,
                      error.message.c_str());
         return;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Completion in the console: paths, keys, methods, enumerators, globals.
+// Completes paths, keys, methods, enumerators and globals in the console.
 
 #include <string_view>
 #include <vector>

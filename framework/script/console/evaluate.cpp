@@ -100,7 +100,7 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
     try {
         evaluation.result = to_value(L, 1);
     } catch (const Error&) {
-        // a function or a table with names is not a value of the tree
+        // A function or a table with names is not a value of the tree.
     }
 }
 
@@ -225,13 +225,13 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
 
 /// Records the instances that a command creates. If the command is stopped because it used too much
 /// memory, they are deleted again: a game may not be able to run with them.
-class Made : public property::Observer {
+class CreatedInstances : public property::Observer {
   public:
-    explicit Made(Machine& machine) : machine_(machine) { machine.tree.observe(*this); }
-    ~Made() override {
+    explicit CreatedInstances(Machine& machine) : machine_(machine) { machine.tree.observe(*this); }
+    ~CreatedInstances() override {
         if (!machine_.life.tree.expired()) machine_.tree.unobserve(*this);
     }
-    Made(const Made&) = delete;
+    CreatedInstances(const CreatedInstances&) = delete;
     void created(Handle instance) override { all_.push_back(instance); }
     /// Returns the number of deleted instances.
     std::size_t destroy() {
@@ -250,7 +250,8 @@ class Made : public property::Observer {
     std::vector<Handle> all_;
 };
 
-// The state of a command. Its destructor restores everything, even after an error.
+// Opens an edit and turns recording on for one command. The destructor ends both, even after an
+// error.
 class Session {
   public:
     Session(Machine& machine, std::string_view command)
@@ -295,7 +296,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     machine.sources.texts["console"] = std::string(command);
     {
         const Session session(machine, command);
-        Made made(machine);
+        CreatedInstances made(machine);
         const Budget::Scope budget(machine.budget, limits(machine));
         const bool ok = protected_run(
             machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);

@@ -1,5 +1,5 @@
 #pragma once
-// Console commands.
+// Evaluates console commands.
 
 #include <string_view>
 

@@ -269,7 +269,7 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path) {
                 }
             }
         } catch (const Error&) {
-            // resolved as a whole path below
+            // The whole path is resolved below.
         }
     }
     try {

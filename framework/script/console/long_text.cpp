@@ -126,7 +126,7 @@ std::string entry_text(lua_State* L, const property::Tree& tree, const std::stri
             return cut(with_unit(tree, value, *place.property), line_width);
         }
     } catch (const Error&) {
-        // not a path
+        // The key is not a path.
     }
     return short_text(L, -1);
 }

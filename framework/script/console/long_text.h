@@ -1,5 +1,6 @@
 #pragma once
-// A whole value as lines of the console: instances and sets of instances as tables with units.
+// Formats a whole value as lines for the console; instances and sets of instances become tables
+// with units.
 
 #include <string>
 #include <vector>

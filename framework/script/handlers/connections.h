@@ -24,7 +24,7 @@ class Connections {
     void keep(property::Connection connection);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
-    /// Ends all connections, because another game is loaded.
+    /// Ends all connections, before a game is loaded.
     void clear();
 
   private:

@@ -162,7 +162,7 @@ int resume_thread(lua_State* L, lua_State* thread, int arguments) {
 }
 
 void open_coroutines(lua_State* L) {
-    machine_of(L).errors.raise_as_told.push_back(guarded<call_wrapped>);
+    machine_of(L).errors.raise_unchanged.push_back(guarded<call_wrapped>);
     lua_getfield(L, -1, "coroutine");
     add_pure<create>(L, "create");
     add_pure<resume>(L, "resume");

@@ -137,11 +137,11 @@ void Timers::restore(const Queue& image, double later) {
 
 namespace {
 // Size of a map node with an estimate of the allocator's overhead.
-constexpr std::size_t of_timer = sizeof(Timers::Queue::value_type) + 48;
+constexpr std::size_t timer_size = sizeof(Timers::Queue::value_type) + 48;
 }  // namespace
 
 std::size_t Timers::bytes_of(const Queue& image) {
-    return image.size() * of_timer;
+    return image.size() * timer_size;
 }
 
 std::size_t Timers::bytes_of(const Changes& changes) {

@@ -64,7 +64,7 @@ void push_tostring(lua_State* L, int index) {
     }
 }
 
-bool tell_of_replay(Machine& machine, const std::string& what) {
+bool note_replay(Machine& machine, const std::string& what) {
     if (machine.options.replay.empty()) return false;
     print_line(machine,
                what + ": nothing is written, since this is a replay of " + machine.options.replay);
@@ -282,7 +282,7 @@ int load_chunk(lua_State* L) {
         refuse_type(L, 1, "load: needs a text or a function");
     const std::string name = lua_type(L, 2) == LUA_TSTRING ? string_at(L, 2) : "=(load)";
     lua_settop(L, 4);
-    lua_pushnil(L);  // 5
+    lua_pushnil(L);  // index 5, for the pieces
     int status;
     if (text) {
         const std::string_view chunk = view_at(L, 1);
@@ -324,7 +324,7 @@ constexpr std::uint64_t cost_of_error = 300;
 
 // Lua's error on top of the stack contains neither the place nor the limit. Replaces it by a better
 // one.
-void tell_refusal(lua_State* L, int status) {
+void replace_memory_error(lua_State* L, int status) {
     if (status != LUA_ERRMEM) return;
     if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
         lua_pop(L, 1);
@@ -336,7 +336,7 @@ int finish_pcall(lua_State* L, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;  // all except the handler
     machine_of(L).budget.charge(L, cost_of_error);
-    tell_refusal(L, status);
+    replace_memory_error(L, status);
     lua_pushboolean(L, 0);
     lua_insert(L, -2);
     return 2;
@@ -353,7 +353,7 @@ int protected_call(lua_State* L) {
 
 int finish_xpcall(lua_State* L, int status, lua_KContext) {
     const bool failed = status != LUA_OK && status != LUA_YIELD;
-    tell_refusal(L, status);
+    replace_memory_error(L, status);
     lua_pushboolean(L, !failed);
     if (failed) {
         machine_of(L).budget.charge(L, cost_of_error);

@@ -1,5 +1,5 @@
-// History of edits and origin of values:
-// undo()  redo()  history()  edit(name, function)  who(path)  why(path)
+// Functions for the history of edits and the causes of values:
+//   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
 
 #include <fettle/property/path.h>
 

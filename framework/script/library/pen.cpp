@@ -1,4 +1,5 @@
-// `pen`, what draw(pen) draws with. World units, y up; inside pen.screen(fn) pixels, y down.
+// The global `pen`, with which draw(pen) draws. World units, y up; inside pen.screen(fn) pixels, y
+// down.
 //   pen.circle(center, radius [, fill [, border [, width]]])
 //   pen.box(center, width, height [, fill [, border [, width [, angle]]]])
 //   pen.polygon(vertices [, fill [, border [, width]]])

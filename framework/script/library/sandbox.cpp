@@ -28,7 +28,7 @@ void allow(lua_State* L) {
     }
     for (const char* name : {"assert", "error"}) {
         lua_getglobal(L, name);
-        machine_of(L).errors.raise_as_told.push_back(lua_tocfunction(L, -1));
+        machine_of(L).errors.raise_unchanged.push_back(lua_tocfunction(L, -1));
         lua_pop(L, 1);
     }
     lua_pushstring(L, LUA_VERSION);

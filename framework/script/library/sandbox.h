@@ -28,7 +28,7 @@ void open_history(lua_State* L);
 void print_line(Machine& machine, std::string text);
 /// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
 /// the replay would differ from the recorded run.
-bool tell_of_replay(Machine& machine, const std::string& what);
+bool note_replay(Machine& machine, const std::string& what);
 /// Pushes the text of any value. The only script function that it calls is a `__tostring`.
 void push_tostring(lua_State* L, int index);
 

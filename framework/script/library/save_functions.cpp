@@ -1,4 +1,4 @@
-// Saved games:
+// Functions for saved games:
 //   save_game(slot)  load_game(slot)  saves()  delete_save(slot)
 
 #include <fettle/property/storage/game_saves.h>
@@ -42,7 +42,7 @@ int delete_save(lua_State* L) {
     Machine& machine = machine_of(L);
     GameSaves& saves = saves_of(machine, "delete_save");
     const std::string slot = slot_at(L, "delete_save");
-    if (!tell_of_replay(machine, "delete_save")) saves.remove(slot);
+    if (!note_replay(machine, "delete_save")) saves.remove(slot);
     return 0;
 }
 

@@ -1,6 +1,6 @@
 // The global `scene`: files of instances.
-// scene.load(file [, parent [, name]])   returns the loaded instance; detached without a parent
-// scene.save(file, instance)
+//   scene.load(file [, parent [, name]])   returns the loaded instance; detached without a parent
+//   scene.save(file, instance)
 // Files are in the game's folder. Files that are not there are read from Fettle's own assets.
 
 #include <filesystem>
@@ -73,7 +73,7 @@ int save(lua_State* L) {
     const Handle node = check_instance(L, 2, "scene.save");
     if (machine.sources.folder.empty())
         throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
-    tell_of_replay(machine, "scene.save");
+    note_replay(machine, "scene.save");
     std::vector<std::string> warnings;
     machine.sources.files.write_scene(machine.sources.folder / file,
                                       property::scene_text(machine.tree, node, &warnings));

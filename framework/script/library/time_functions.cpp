@@ -129,7 +129,7 @@ int rewind(lua_State* L) {
     Machine& machine = machine_of(L);
     const double seconds = check_seconds(L, "rewind");
     if (!machine.host.on_rewind)
-        throw Error(ErrorKind::rejected, "rewind: nobody keeps the past of this game");
+        throw Error(ErrorKind::rejected, "rewind: this game has no timeline");
     travel(machine, "rewind", [&machine, seconds] {
         // A copy, because the call may end the runtime.
         if (const auto go = machine.host.on_rewind) go(seconds);

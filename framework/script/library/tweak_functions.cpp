@@ -1,5 +1,5 @@
-// Tweaks of people:
-// tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
+// Functions for tweaks:
+//   tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
 
 #include <ctime>
 #include <filesystem>
@@ -84,7 +84,7 @@ void tell(Machine& machine, const char* done, const std::string& pattern,
 int keep(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "keep");
-    tell_of_replay(machine, "keep");
+    note_replay(machine, "keep");
     tell(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
     return 0;
 }

@@ -44,12 +44,12 @@ void Arena::give(void* block, std::size_t size) {
 
 bool Arena::refuse(std::size_t growth, std::size_t size) {
     if (growth <= limit_ && bytes_ <= limit_ - growth) return false;
-    return tell_refusal(size, false);
+    return report_refusal(size, false);
 }
 
 // After a refusal, Lua makes a full collection and requests the same size again. Only the second
 // refusal is final.
-bool Arena::tell_refusal(std::size_t size, bool by_system) {
+bool Arena::report_refusal(std::size_t size, bool by_system) {
     const bool final = refused_ == size;
     refused_ = final ? 0 : size;
     if (on_refusal) on_refusal({.size = size, .by_system = by_system, .final = final});
@@ -88,7 +88,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     if (block && old_size > small && new_size > small) {
         result = std::realloc(block, new_size);
         if (!result && new_size <= old_size) return block;
-        if (!result && arena.tell_refusal(new_size, true)) return nullptr;
+        if (!result && arena.report_refusal(new_size, true)) return nullptr;
     } else if (block && list_of(old_size) == list_of(new_size) && new_size <= small) {
         result = block;
     } else {
@@ -96,7 +96,7 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
         if (!result) {
             // Lua requires that shrinking never fails.
             if (block && new_size <= old_size) return block;
-            arena.tell_refusal(new_size, true);
+            arena.report_refusal(new_size, true);
             return nullptr;
         }
         if (block) {

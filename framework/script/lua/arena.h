@@ -55,7 +55,7 @@ class Arena {
         head = node;
     }
     bool refuse(std::size_t growth, std::size_t size);
-    bool tell_refusal(std::size_t size, bool by_system);
+    bool report_refusal(std::size_t size, bool by_system);
 
     std::array<Free*, small / granule + 1> lists_{};
     std::vector<std::unique_ptr<std::byte[]>> chunks_;

@@ -17,7 +17,7 @@ namespace fettle::script {
 
 namespace {
 
-// The tree reports its growth after each this many bytes.
+// Bytes; the tree reports its growth in portions of this size.
 constexpr std::int64_t growth_slice = 256 * 1024;
 
 std::size_t added(std::size_t now, std::size_t before) {

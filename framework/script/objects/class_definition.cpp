@@ -79,8 +79,8 @@ std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int
 
 // Refuses names that are almost equal to a declared name of the framework. Names that the game
 // itself declares may be similar.
-void refuse_slips(const ScriptClasses& classes, const Class& base, const std::string& class_name,
-                  const std::string& name) {
+void refuse_near_misses(const ScriptClasses& classes, const Class& base,
+                        const std::string& class_name, const std::string& name) {
     if (base.method(name))
         throw Error(ErrorKind::bad_name,
                     class_name + "." + name + ": is a method of " + base.name());
@@ -156,7 +156,7 @@ int define_class(lua_State* L) {
                 if (name == key) again.doc = doc;
             definition.properties.push_back(std::move(again));
         } else {
-            refuse_slips(machine.classes, *definition.base, definition.name, key);
+            refuse_near_misses(machine.classes, *definition.base, definition.name, key);
             Property property = declared(L, definition.name, key);
             for (const auto& [name, doc] : docs)
                 if (name == key) property.doc = doc;

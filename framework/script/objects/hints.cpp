@@ -39,13 +39,13 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
 
 void Hints::tell(const std::string& about, const std::string& note) {
     constexpr std::size_t most = 100;  // a limit for games with very many of them
-    if (told_.size() < most && told_.insert(about).second && machine_.host.on_note)
+    if (given_.size() < most && given_.insert(about).second && machine_.host.on_note)
         machine_.host.on_note(note);
 }
 
 void Hints::forget() {
-    told_.clear();
-    looked_at_.clear();
+    given_.clear();
+    checked_.clear();
 }
 
 // --- Properties
@@ -87,7 +87,7 @@ void Hints::property_added(Handle instance, std::string_view name) {
     if (native == &machine_.tree.object_class()) return;
     // A game may add the same property to thousands of instances.
     const std::uint64_t both = std::uint64_t{of.id()} << 32 | property::Symbol::find(name).id();
-    if (!looked_at_.insert(both).second) return;
+    if (!checked_.insert(both).second) return;
     std::string hint;
     if (const std::string meant = meaning(*native, name); !meant.empty())
         hint = did_you_mean(meant);
@@ -127,7 +127,7 @@ bool Hints::is_called(const std::string& name) const {
     return false;
 }
 
-void Hints::look_at_globals() {
+void Hints::check_globals() {
     lua_State* L = machine_.lua.main;
     const std::vector<std::string>& known = callback_names();
     for (const std::string& name : machine_.globals.assigned) {
@@ -142,7 +142,7 @@ void Hints::look_at_globals() {
     }
 }
 
-void Hints::look_at_classes() {
+void Hints::check_classes() {
     lua_State* L = machine_.lua.main;
     for (const Class* of : machine_.tree.classes()) {
         std::vector<std::string> known;
@@ -168,9 +168,9 @@ void Hints::game_loaded() {
     lua_State* L = machine_.lua.main;
     if (!lua_checkstack(L, 10)) return;
     push_registry(L, machine_.globals.table);
-    look_at_globals();
+    check_globals();
     lua_pop(L, 1);
-    look_at_classes();
+    check_classes();
 }
 
 }  // namespace fettle::script

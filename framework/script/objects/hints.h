@@ -22,20 +22,20 @@ class Hints {
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks.
     void game_loaded();
-    /// To be called when another game is loaded.
+    /// To be called before a game is loaded: forgets all given notes.
     void forget();
 
   private:
     void tell(const std::string& about, const std::string& note);
     std::string meaning(const property::Class& of, std::string_view name) const;
     std::string child_with(property::Handle instance, std::string_view name) const;
-    void look_at_globals();
-    void look_at_classes();
+    void check_globals();
+    void check_classes();
     bool is_called(const std::string& name) const;
 
     Machine& machine_;
-    std::set<std::string> told_;
-    std::unordered_set<std::uint64_t> looked_at_;  // class and name
+    std::set<std::string> given_;
+    std::unordered_set<std::uint64_t> checked_;  // class and name
 };
 
 }  // namespace fettle::script

@@ -1,7 +1,7 @@
 #pragma once
 // Descriptions of classes for scripts: `classes`, `Body.properties`, `Body.methods`, `Body.events`,
 // `ball:describe()`.
-// for _, p in ipairs(Body.properties) do print(p.name, p.type, p.unit) end
+//   for _, p in ipairs(Body.properties) do print(p.name, p.type, p.unit) end
 
 #include <string>
 #include <string_view>

@@ -32,7 +32,7 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
         members_ = members;
         waiting_ = waiting;
         known_ = known;
-        looked_at_ = {};
+        last_check_ = {};
         adopted_.clear();
     };
 }
@@ -46,12 +46,12 @@ void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
     for (const Handle instance : adopted) {
         if (!known_.insert(bits_of(instance)).second) continue;
         members_.push_back(instance);
-        // `ready` of a placed instance was already called before the snapshot.
+        // `ready` of a placed instance was called when this step was first made.
         if (machine_.tree.alive(instance) &&
             !machine_.tree.is_below(instance, machine_.tree.root()))
             waiting_.push_back({instance, true});
     }
-    looked_at_ = {};
+    last_check_ = {};
 }
 
 }  // namespace fettle::script

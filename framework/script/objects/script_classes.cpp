@@ -297,7 +297,7 @@ bool ScriptClasses::deliver_ready() {
     if (waiting_.empty()) return true;
     // An unplaced instance can become ready only after a change of the tree's structure.
     const auto now = std::pair(machine_.tree.structure(), waiting_.size());
-    if (std::exchange(looked_at_, now) == now) return true;
+    if (std::exchange(last_check_, now) == now) return true;
     struct Due {
         std::size_t depth;
         Waiting what;

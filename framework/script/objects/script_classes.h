@@ -47,8 +47,8 @@ class ScriptClasses {
 
     /// Creates a detached instance with the defaults of the scripts' classes.
     property::Handle create(const property::Class& of);
-    /// Throws if a number such as 2.5 is assigned to a property that a class declared as `lives =
-    /// 3`; the message explains that this made it an integer.
+    /// Throws if a number such as 2.5 is assigned to a property declared as `lives = 3`, which made
+    /// it an integer; the message explains this.
     void explain_integer(const property::Property& property, const property::Value& value) const;
 
     /// For each instance that was placed since the last call, children first: calls `ready` of
@@ -64,7 +64,7 @@ class ScriptClasses {
     std::vector<property::Handle> take_adopted();
     void redo_adopted(const std::vector<property::Handle>& adopted);
 
-    /// Removes all functions and keeps the classes, because another game is loaded.
+    /// Removes all functions and keeps the classes, before a game is loaded.
     void forget_functions();
 
   private:
@@ -103,7 +103,7 @@ class ScriptClasses {
         bool announce;  // true: no other code emits its `ready`
     };
     // Structure of the tree and size of `waiting_` at the last check.
-    std::pair<std::uint64_t, std::size_t> looked_at_;
+    std::pair<std::uint64_t, std::size_t> last_check_;
     std::vector<Waiting> waiting_;  // instances whose `ready` was not called yet
 };
 

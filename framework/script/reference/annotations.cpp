@@ -140,7 +140,7 @@ class Annotations {
     }
 
     // The fields that every event has besides its own.
-    static std::vector<std::string> told_always(const Event& event) {
+    static std::vector<std::string> common_fields(const Event& event) {
         std::vector<std::string> fields = {"instance " + event.owner->name() +
                                            " To whom it happened."};
         if (std::ranges::find(event.fields, "step", &Field::name) == event.fields.end())
@@ -152,7 +152,7 @@ class Annotations {
         const std::string& name = of.name();
         for (const Event* event : own_events(of))
             if (event->name != "deleted")
-                record(name + "." + event->name, event->doc, event->fields, told_always(*event));
+                record(name + "." + event->name, event->doc, event->fields, common_fields(*event));
         for (const Method* method : own_methods(of))
             if (returns_record(*method))
                 record(result_name(*method), method->doc, method->returns, {});

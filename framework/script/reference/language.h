@@ -3,9 +3,8 @@
 // completion, editor annotations and the reference are made from them.
 //
 // A signature has the form of LuaCATS annotations; several signatures are separated by line ends:
-// "after(seconds: number, action: fun()): Connection"
-// "color(name: string): color
-// color(r: number, g: number, b: number, a?: number): color"
+//   "after(seconds: number, action: fun()): Connection"
+//   "color(name: string): color\ncolor(r: number, g: number, b: number, a?: number): color"
 
 #include <string>
 #include <string_view>

@@ -49,9 +49,9 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
     for (std::uint64_t& word : random) word = from.get<std::uint64_t>();
     // The generator would return only zeros with this state.
     from.require(std::any_of(random.begin(), random.end(), [](auto word) { return word != 0; }),
-                 "random numbers that are none");
+                 "an invalid state of random numbers");
     const auto now = from.get<double>();
-    from.require(now >= 0 && now < 1e15, "a time that is none");
+    from.require(now >= 0 && now < 1e15, "an invalid time");
     auto unplaced = from.list<Handle>();
     // The root has no parent either, but must not be collected.
     std::erase(unplaced, machine_.tree.root());

@@ -16,7 +16,7 @@ Value list_value(lua_State* L, const ListBox& box) {
     Value value = origin_read(machine_of(L), box.origin);
     if (!value.is(Type::list))
         throw Error(ErrorKind::wrong_type,
-                    origin_path(machine_of(L).tree, box.origin) + ": is a list no longer");
+                    origin_path(machine_of(L).tree, box.origin) + ": is not a list any more");
     return value;
 }
 

@@ -24,7 +24,7 @@ struct Machine;
 struct Boxes {
     int vec = 0, color = 0, list = 0, instance = 0, set = 0, class_object = 0;
     int record = 0, connection = 0, snapshot = 0, description = 0;
-    int proxies = 0;  // weak table: handle -> userdata
+    int proxies = 0;  // weak table from handles to userdata
 };
 
 enum class Tag : std::uint32_t {

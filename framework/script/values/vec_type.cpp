@@ -147,7 +147,7 @@ void write_component(Machine& machine, VecBox& v, char component, double number)
     const Value whole = machine.tree.get(v.origin.instance, property);
     if (!whole.is(Type::vec2))
         throw Error(ErrorKind::wrong_type,
-                    origin_path(machine.tree, v.origin) + ": is a vec no longer");
+                    origin_path(machine.tree, v.origin) + ": is not a vec any more");
     Vec2 next = whole.vec2();
     (component == 'x' ? next.x() : next.y()) = number;
     write_property(machine, v.origin.instance, property, Value(next));

@@ -30,21 +30,21 @@ class Screen;
 struct SteppedModule {
     std::string name{};
     std::function<void(double dt)> step{};
-    std::function<void()> report{};  // optional, as is the next
-    std::function<std::uint64_t()> hash{};
+    std::function<void()> report{};         // optional
+    std::function<std::uint64_t()> hash{};  // optional
 };
 
-/// Gets everything that comes into a loop, in order: the content of a recording.
+/// Gets all input of a loop in order, which is the content of a recording.
 class Witness {
   public:
     virtual ~Witness() = default;
     /// `taken`: a layer used the event, so that the game does not get it.
     virtual void event(const InputEvent& event, bool taken) = 0;
-    /// A frame or a turn begins, and ends.
+    /// Called at the beginning and at the end of a frame or a turn.
     virtual void frame_begins(double seconds, std::int64_t step_limit) = 0;
     virtual void turn_begins() = 0;
     virtual void frame_ends() = 0;
-    /// A step was made.
+    /// Called after each step.
     virtual void stepped() = 0;
 };
 
@@ -53,8 +53,8 @@ class Witness {
 /// `frame` and `turn` throw Error(deleted).
 ///
 /// `frame` and `turn` throw, before they change anything, Error(out_of_range) for an unusable clock
-/// (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. Exceptions of
-/// functions of the host leave them.
+/// (`Clock::require_usable`), and Error(bad_structure) in the middle of a step. They pass on
+/// exceptions of the host's functions.
 class Loop {
   public:
     Loop(property::Tree& tree, script::Runtime& runtime, Services& services);
@@ -65,9 +65,9 @@ class Loop {
     void add(SteppedModule module);
     /// The last added layer gets events first and is drawn last. Not owned.
     void add(Layer& layer);
-    /// Called before the callbacks of the `n`th step of this run, the first being 1: once for each
-    /// `n`, as `lived` counts, whatever the value of `time.step`. A headless run counts turns, so
-    /// that a paused game can be resumed.
+    /// Called before the callbacks of the `n`th step of this run, from 1. It is called once for
+    /// each `n`, which counts as `lived` does and does not depend on `time.step`. A headless run
+    /// counts turns, so that a paused game can be resumed.
     void before_step(std::function<void(std::uint64_t n)> hook);
 
     /// Called after each barrier, also after one that failed. Its exceptions leave the frame,
@@ -83,9 +83,9 @@ class Loop {
     /// Handles an event from the window: layers get it first, then the tree. The game's callbacks
     /// follow in the next frame.
     void handle(const InputEvent& event);
-    /// As `handle`, with the recorded answer of the layers.
+    /// The same with the recorded result of the layers.
     void feed(const InputEvent& event, bool taken);
-    /// Not owned; null: no witness.
+    /// Sets the witness, which is not owned; null: none.
     void witness(Witness* witness) { witness_ = witness; }
     /// A frame, `seconds` of real time after the last one (Error(out_of_range) unless it is a
     /// number, at least 0). Makes the steps that are due, at most `time.max_steps`; none once this
@@ -93,20 +93,20 @@ class Loop {
     void frame(double seconds, std::int64_t step_limit = INT64_MAX);
     /// A frame of a headless run: one step, unless paused; real time has no effect.
     void turn();
-    /// Draws the game and the layers. `seconds`: real time since the last.
+    /// Draws the game and the layers. `seconds`: real time since the last call.
     void draw(Screen& screen, double seconds);
-    /// Draws only the layers, while the game is in the middle of a call.
+    /// Draws only the layers, for use during a call into the game.
     void draw_layers(Screen& screen, double seconds);
 
     /// Steps that this run has made; steps that are made again after going back count again. Turns
     /// of a headless run count, too, although they make no step while paused.
     std::uint64_t lived() const { return lived_; }
 
-    /// After an error: input, updates and steps stop; edits still have an effect.
+    /// Stops input, updates and steps, after an error. Edits still have an effect.
     void halt() { halted_ = true; }
     void resume();
     bool halted() const { return halted_; }
-    /// Halted, or the game has called quit(), or its runtime is destroyed.
+    /// True if the loop is halted, the game has called quit(), or its runtime is destroyed.
     bool stopped() const {
         return halted_ || runtime_life_.expired() || runtime_.quit_status().has_value();
     }
@@ -117,7 +117,7 @@ class Loop {
 
     /// Hash of all data that influence later steps: modules, the clock, and the values in the tree.
     std::uint64_t hash() const;
-    /// The hashes of the parts, by name: to name a difference.
+    /// The hashes of the parts by name, with which a difference can be located.
     std::vector<std::pair<std::string, std::uint64_t>> hashes() const;
 
   private:

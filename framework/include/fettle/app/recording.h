@@ -36,25 +36,26 @@ struct RunStart {
     double width = 0, height = 0;  // of the window, pixels
     std::vector<std::string> evals;
     std::vector<std::pair<std::uint64_t, std::string>> at;
-    std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each as its words
+    std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each as a list of words
 };
 
-/// A file that the run has read: with another content it would be another run.
+/// A file that the run has read, so that the run depends on its content.
 struct RunFile {
     std::string name;
     std::optional<std::uint64_t> checksum{};  // none: the file did not exist
-    bool overwritten = false;                 // by the run itself; its old content is here
+    bool overwritten = false;                 // by the run itself; `content` is the old one
     std::optional<std::string> content{};
 };
 
-/// Writes a recording during the run. The file is at any moment a recording of the run so far.
+/// Writes a recording during the run. At any moment the file is a valid recording of the run so
+/// far.
 class Recorder : public Witness, public property::Observer {
   public:
     /// Throws RecordingError.
     Recorder(const std::filesystem::path& file, const RunStart& start);
     ~Recorder() override;
     Recorder(const Recorder&) = delete;
-    /// The game is loaded: recording begins.
+    /// Begins recording, after the game was loaded.
     void begin(property::Tree& tree, Loop& loop);
 
     void command(std::string_view command);
@@ -69,7 +70,7 @@ class Recorder : public Witness, public property::Observer {
                const property::Value& now) override;
     void was_reset(property::Handle instance, const property::Property& property) override;
 
-    /// The error of writing the file, "" if there is none: a full disk does not end a run.
+    /// The error of writing the file, "" if there is none. Such an error does not end the run.
     const std::string& problem() const { return problem_; }
 
   private:
@@ -85,8 +86,8 @@ class Recorder : public Witness, public property::Observer {
     bool inside_ = false;  // in a frame: writes come from the game itself
 };
 
-/// A recording that was read. The reader throws RecordingError for a file that is damaged, newer,
-/// or no recording.
+/// A recording read from a file. Throws RecordingError if the file is damaged, has a newer format,
+/// or is not a recording.
 class Recording {
   public:
     explicit Recording(const std::filesystem::path& file);

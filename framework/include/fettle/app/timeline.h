@@ -1,9 +1,9 @@
 #pragma once
-// The timeline: the past of a running game. At intervals the whole state is kept as a keyframe, and
-// between keyframes a log of all changes from outside the simulation. To go to a moment, the
-// keyframe before it is restored and the modules are stepped again, with scripts, handlers and
-// formulas off and their changes taken from the log; the result is the same state, bit for bit.
-// docs/design/time.md.
+// The timeline: the past of a running game. It stores the whole state in keyframes at intervals,
+// and between keyframes a log of all changes from outside the simulation. To go to a step, the
+// keyframe before it is restored and the modules are stepped again. Scripts, handlers and formulas
+// are off during this; their changes come from the log. The result is the same state, bit for bit.
+// See docs/design/time.md.
 
 #include <cstdint>
 #include <deque>
@@ -34,8 +34,7 @@ class Timeline {
     Timeline(const Timeline&) = delete;
 
     // --- Calls of the loop
-    /// From here to `end_step`, or to `leave_step` if that is not reached, going to another step is
-    /// refused.
+    /// Until `end_step`, or `leave_step` after an exception, going to another step is refused.
     void begin_step();
     /// Call right before the modules step.
     void modules_step(double dt);
@@ -50,7 +49,7 @@ class Timeline {
     void require_between_steps(const char* what) const;
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
     void require(std::int64_t step) const;
-    /// The later steps are kept until a step is made from here; then they are dropped. Throws as
+    /// Goes to a step. Later steps are kept until the game makes a step from here. Throws as
     /// `require` does.
     void go_to(std::int64_t step);
     /// As `go_to`, but to the nearest step that is kept; does nothing if none is kept.
@@ -86,11 +85,11 @@ class Timeline {
     };
     struct Keyframe {
         std::int64_t step = 0;
-        bool jumped_to = false;  // the tree came here by a jump, not by a step
+        bool jumped_to = false;  // reached by a jump, not by a step
         std::shared_ptr<PackedBytes> payload;
         property::Snapshot::Memories memories;
         std::size_t held = 0;  // bytes of these
-        // Bytes of the history: those that it holds, and those that it had dropped by then.
+        // Bytes that the history held, and bytes that it had dropped, at this step.
         std::size_t history = 0, forgotten = 0;
         std::size_t memory() const;
     };
@@ -106,7 +105,7 @@ class Timeline {
     Room room_of_packed();
     bool keyframe_is_due() const;
     bool too_much(const Step& step) const;
-    void begin_anew();
+    void restart();
     void note_jump();
     void settle();
     void travel(std::int64_t step);
@@ -140,8 +139,8 @@ class Timeline {
     std::size_t logged_since_ = 0;  // bytes of these since the last keyframe
     std::size_t room_ = 0;          // bytes that the past and the history may use
     std::size_t history_room_ = 0;  // bytes of these for the history
-    std::int64_t no_room_at_ = -1;  // step at which there was no room for one keyframe; -1: none
-    std::size_t no_room_ = 0;       // and the room that there was
+    std::int64_t no_room_at_ = -1;  // last step without room for one keyframe; -1: none
+    std::size_t no_room_ = 0;       // the room at that step, bytes
     double share_ = 0.01;
     double begun_ = 0;   // s, at the start of the step
     double worked_ = 0;  // s, duration of the steps since the last keyframe

@@ -1,7 +1,7 @@
 #pragma once
 // A Lua runtime over a property tree: loads a game, calls its callbacks, runs its timers, evaluates
-// console commands. Every object of a script is a handle into the tree; this header contains
-// nothing of Lua.
+// console commands. Every object of a script is a handle into the tree; this header does not depend
+// on Lua.
 
 #include <cstdint>
 #include <filesystem>
@@ -39,33 +39,33 @@ struct Options {
     /// limit. `limit_calls` can change it.
     double call_seconds = 10;
     std::filesystem::path assets;  // folder for files that the game's folder does not have
-    // Not owned; null: the game has none.
+    // Not owned; null if the game has none.
     property::GameSaves* saves = nullptr;
     property::Tweaks* tweaks = nullptr;
     property::GameFiles* files = nullptr;  // null: the files on the disk
     /// Name of the recording that this run replays; "" in a normal run. A replay does not write the
-    /// game's files again: functions that would write them report this and go on.
+    /// game's files again: functions that would write them report this and continue.
     std::string replay{};
 };
 
-/// An error of a script, as the error screen and stderr show it.
+/// An error of a script, for the error screen and stderr.
 struct ScriptError {
     std::string message;      // "main.lua:12: world.bal: no such name (did you mean \"ball\"?)"
     std::string file;         // "main.lua", "console"; "" when unknown
     int line = 0;             // from 1; 0 when unknown
     std::string source_line;  // its text, "" when unknown
-    std::string traceback;    // one frame a line
-    std::string locals;       // `name = value` a line: local variables of the frame that failed
+    std::string traceback;    // one line for each frame
+    std::string locals;       // local variables of the failed frame: lines `name = value`
     std::string context;      // "update", "timer", "watcher of world.ball.mass", "load", "console"
-    int column = 0;           // from 1, place of the caret under the source line; 0 when unknown
+    int column = 0;           // from 1, position of the caret below the source line; 0 when unknown
 };
 
 /// The error as lines for a console: message, then the source line and a caret under the error.
 std::vector<std::string> error_lines(const ScriptError& error);
 
-/// A call into the game's scripts that has not returned for too long.
+/// A call into the game's scripts that takes too long.
 struct LongCall {
-    ScriptError where;   // place; it has no message
+    ScriptError where;   // current place; without a message
     double seconds = 0;  // s since its start
 };
 
@@ -76,7 +76,7 @@ struct Evaluation {
     std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
                                      // in order
     std::optional<ScriptError> error;
-    property::Value result;  // the last result; nil if it is no value of the tree
+    property::Value result;  // the last result; nil if it is not a value of the tree
 };
 
 struct Completion {
@@ -106,42 +106,41 @@ class Runtime {
     /// begins.
     std::weak_ptr<const void> lifetime() const;
 
-    /// Runs main.lua of a folder, or one .lua file; then its `start()`. False if it raised an
-    /// error, which goes to the sink. The game's files are in this folder only: links that lead out
-    /// of it are not followed. Throws property::FileError if the file cannot be read, and
+    /// Runs main.lua of a folder, or one .lua file; then its `start()`. Returns false if it raised
+    /// an error, which is given to `on_error`. The game's own files are in this folder only: links
+    /// out of it are not followed. Throws property::FileError if the file cannot be read, and
     /// Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
-    /// Runs a chunk as part of the game (`--eval`). It may add `Options::memory_limit` bytes, in
-    /// Lua and in the tree, and, like every call, take `Options::call_seconds`: then it is stopped.
-    /// False if it raised an error or was stopped; the error goes to the sink.
+    /// Runs a chunk as part of the game (`--eval`). It is stopped if it adds more than
+    /// `Options::memory_limit` bytes, in Lua and in the tree, or, like every call, takes longer
+    /// than `Options::call_seconds`. Returns false if it raised an error or was stopped; the error
+    /// is given to `on_error`.
     bool run(std::string_view chunk, const std::string& name);
 
-    /// Calls a global function of the game if it has one ("update", "key_pressed" ...). False if it
-    /// raised an error.
+    /// Calls a global function of the game, if it is defined ("update", "key_pressed" ...). Returns
+    /// false if it raised an error.
     bool call(std::string_view callback, std::span<const property::Value> arguments);
     bool call(std::string_view callback, std::initializer_list<property::Value> arguments) {
         return call(callback, std::span(arguments.begin(), arguments.size()));
     }
-    /// `draw(pen)` of the game and of its classes.
+    /// Calls `draw(pen)` of the game and of its classes.
     bool draw(property::Painter& painter);
-    /// One fixed step of the scripts: timers and waiting coroutines that are due, then `step(dt)`.
+    /// Makes one fixed step: runs timers and coroutines that are due, then calls `step(dt)`.
     /// `now`: simulation time in seconds at the end of the step.
     bool step(double now, double dt);
 
     // --- Console
-    // ----------------------------------------------------------------------------------------------------
 
     /// Runs a command: an expression prints its value, an assignment echoes old and new, `path?`
     /// prints help.
     Evaluation evaluate(std::string_view command);
     /// Completions for the text before `cursor` (byte offset), best first.
     std::vector<Completion> complete(std::string_view input, std::size_t cursor);
-    /// Sets the instance that `it` means in the console.
+    /// Sets the value of `it` in the console.
     void set_it(property::Handle instance);
     property::Handle it() const;
 
-    // --- Calls that do not come back
-    // --------------------------------------------------------------------------------
+    // --- Calls that do not return
 
     /// Calls `go_on` ten times a second during a call into the game's scripts (main.lua, a chunk, a
     /// callback, a timer, a handler, drawing) that takes longer than `seconds`; its result says
@@ -152,21 +151,20 @@ class Runtime {
     /// handler it sets.
     void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
 
-    // --- Towards the host
-    // -------------------------------------------------------------------------------------------
+    // --- Callbacks of the host
 
     void on_error(std::function<void(const ScriptError&)> sink);
     /// Receives the output of print() outside console commands.
     void on_print(std::function<void(std::string_view)> sink);
-    /// Receives notes on code that is no error but surely has another effect than intended: a
-    /// property added under the name that another engine has for a declared one, a function that
-    /// nothing calls and whose name is nearly that of a callback. Each note is given once.
+    /// Receives notes on code that is not an error but probably has another effect than intended: a
+    /// new property with the name that another engine uses for a declared one, or a function that
+    /// is never called and whose name is almost that of a callback. Each note is given once.
     void on_note(std::function<void(std::string_view)> sink);
     /// Implements rewind(seconds), called at a barrier between steps. Without it rewind is refused.
     void on_rewind(std::function<void(double seconds)> rewind);
-    /// `bytes` is called before every console command: how many bytes the command may add, in Lua
-    /// and in the tree together, instead of the number in the options. The error of a command that
-    /// needs more names `property`. Empty: the number in the options.
+    /// `bytes` is called before every console command and returns how many bytes the command may
+    /// add, in Lua and in the tree together. If it is empty, the number in the options is used. The
+    /// error of a command that needs more names `property`.
     void on_command_memory(std::function<std::size_t()> bytes, std::string property);
     /// Called for every console command before it runs.
     void on_command(std::function<void(std::string_view)> sink);
