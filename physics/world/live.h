@@ -63,7 +63,14 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
     WorldData& data = detail::live(link_, id_, "shape");           \
     [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
     [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
-// The same for one that edits it.
+// The same for values that may be out of date. A refresh may make parts of outlines, which moves
+// all records, so it comes before the references.
+#define FETTLE_REFRESHED_SHAPE(refresh)                            \
+    WorldData& data = detail::live(link_, id_, "shape");           \
+    data.refresh;                                                  \
+    [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
+    [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
+// The first line of one that edits it.
 #define FETTLE_EDIT_SHAPE \
     FETTLE_LIVE_SHAPE     \
     data.self.may_edit("Shape", __func__);

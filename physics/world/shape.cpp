@@ -165,28 +165,24 @@ void Shape::set_hit_events(bool enabled) {
 }
 
 float Shape::area() const {
-    FETTLE_LIVE_SHAPE
-    data.read_shape(id_.index);
+    FETTLE_REFRESHED_SHAPE(read_shape(id_.index))
     return record.area;
 }
 
 float Shape::mass() const {
-    FETTLE_LIVE_SHAPE
-    data.read_shape(id_.index);
+    FETTLE_REFRESHED_SHAPE(read_shape(id_.index))
     return float(double(record.area) * double(record.surface.density));
 }
 
 Aabb Shape::aabb() const {
-    FETTLE_LIVE_SHAPE
-    data.read_all();
+    FETTLE_REFRESHED_SHAPE(read_all())
     Box4 box = no_box;
     data.for_each_solid(id_.index, [&](uint32_t s) { box = unite(box, data.boxes[s]); });
     return {to_vec2(box.low), to_vec2(box.high)};
 }
 
 std::vector<Vec2> Shape::world_vertices() const {
-    FETTLE_LIVE_SHAPE
-    data.read_all();
+    FETTLE_REFRESHED_SHAPE(read_all())
     std::vector<Vec2> all;
     if (!data.is_solid(id_.index)) {
         for (V2 p : data.outline_of(id_.index))
@@ -206,8 +202,7 @@ std::vector<Vec2> Shape::world_vertices() const {
 }
 
 Vec2 Shape::world_center() const {
-    FETTLE_LIVE_SHAPE
-    data.read_all();
+    FETTLE_REFRESHED_SHAPE(read_all())
     const Vec2 local = to_vec2(record.centroid);
     return form.body == none ? local : body().world_point(local);
 }

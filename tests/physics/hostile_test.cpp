@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -380,6 +381,39 @@ TEST_CASE("a world that a refresh callback of another one destroys in a query is
             INFO(queried << which);
             CHECK_THROWS_AS(query(), Locked);
         }
+}
+
+TEST_CASE("what follows from the points of an outline is read at once after they are set") {
+    World world;
+    Body body = world.create_body({.position = {1, 0}});
+    Shape chain = body.add(Chain{{{0, 0}, {1, 0}, {1, 1}}});
+    Shape concave = body.add(Concave{{{0, 0}, {1, 0}, {1, 1}}});
+    for (int points = 4; points < 200; points += 30) {
+        std::vector<Vec2> line, star;
+        for (int i = 0; i < points; ++i) {
+            line.emplace_back(float(i), float(i % 2));
+            const float angle = 6.2831853f * float(i) / float(points), r = i % 2 ? 1.0f : 0.5f;
+            star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+        }
+        double area = 0.0;
+        for (int i = 0; i < points; ++i) {
+            const Vec2 a = star[size_t(i)], b = star[size_t((i + 1) % points)];
+            area += 0.5 * double(a.x() * b.y() - a.y() * b.x());
+        }
+        chain.set_vertices(line);
+        CHECK(chain.world_vertices().size() == line.size());
+        CHECK(chain.world_vertices().back().x() == Approx(line.back().x() + 1));
+        chain.set_vertices(line);
+        CHECK(chain.area() == 0.0f);
+        concave.set_vertices(star);
+        CHECK(concave.area() == Approx(area).epsilon(1e-4));
+        concave.set_vertices(star);
+        CHECK(concave.mass() == Approx(area).epsilon(1e-4));
+        concave.set_vertices(star);
+        CHECK(concave.world_vertices().size() == star.size());
+        concave.set_vertices(star);
+        CHECK(concave.world_center().x() == Approx(1).margin(0.3));
+    }
 }
 
 }  // namespace hostile_test

@@ -206,4 +206,13 @@ TEST_CASE("a runtime with too little memory is refused and leaves the tree as it
     CHECK(runtime.run("game.n = 1", "main.lua"));
 }
 
+TEST_CASE("a runtime that ends at a barrier before a snapshot of its script is taken") {
+    Tree tree;
+    auto runtime = std::make_unique<Runtime>(tree, Options{});
+    REQUIRE(runtime->run("S = snapshot() restore(S)", "main.lua"));
+    runtime = nullptr;
+    tree.barrier();
+    CHECK(Runtime(tree, {}).run("print(1)", "main.lua"));
+}
+
 }  // namespace lifetime_test

@@ -67,6 +67,7 @@ struct HeldSnapshot {
     }
     /// Takes the snapshot, at the barrier.
     void take() {
+        if (*alive == nullptr) return;  // an earlier call at this barrier has ended the runtime
         require_room(*machine, 1);
         snapshot = machine->tree.snapshot();
         bytes = machine->snapshots.last_size = snapshot.payload().size();

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include <fettle/property/acceptance.h>
+#include <fettle/property/pinned.h>
 
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -83,8 +84,11 @@ int call_method(lua_State* L) {
                    method.parameters[static_cast<std::size_t>(i)].name;
         });
     }
-    const Result result = machine.tree.call(
-        self->handle, method, std::span(values.data(), static_cast<std::size_t>(given)));
+    const Result result = [&] {
+        const property::Pinned pinned(machine.tree, "a method that a script calls");
+        return machine.tree.call(self->handle, method,
+                                 std::span(values.data(), static_cast<std::size_t>(given)));
+    }();
     if (acceptance) acceptance->finish();
     push_result(L, result);
     return 1;

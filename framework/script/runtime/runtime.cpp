@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <string>
 
+#include <fettle/property/storage/game_saves.h>
+#include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
@@ -47,7 +49,11 @@ void require_seconds(const char* what, double seconds) {
                                                  ": expected a time in seconds, at least 0");
 }
 
-Options checked(Options options) {
+Options checked(const property::Tree& tree, Options options) {
+    if (options.tweaks != nullptr && !options.tweaks->are_of(tree))
+        throw Error(ErrorKind::rejected, "Options::tweaks: those of another tree");
+    if (options.saves != nullptr && !options.saves->are_of(tree))
+        throw Error(ErrorKind::rejected, "Options::saves: those of another tree");
     require_seconds("Options::call_seconds", options.call_seconds);
     constexpr std::size_t least = std::size_t{1} << 20;
     if (options.memory_limit < least)
@@ -61,7 +67,7 @@ Options checked(Options options) {
 }  // namespace
 
 Runtime::Runtime(property::Tree& tree, Options options)
-    : state_(std::make_unique<State>(tree, checked(std::move(options)))) {
+    : state_(std::make_unique<State>(tree, checked(tree, std::move(options)))) {
     state_->host.on_error = [](const ScriptError& error) {
         std::fprintf(stderr, "%s\n%s", error.message.c_str(), error.traceback.c_str());
     };

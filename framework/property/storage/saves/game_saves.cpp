@@ -110,8 +110,10 @@ void GameSaves::load(const std::string& slot) {
         GameSaves& self = **alive;
         try {
             self.tree().restore(found.empty() ? self.saved(slot) : found);
-            for (const std::string& remark : restore_remarks(self.tree()))
-                self.warn("the saved game \"" + slot + "\": " + remark);
+            // `warn` may restore another game, or end this object.
+            const std::vector<std::string> remarks = restore_remarks(self.tree());
+            for (const std::string& remark : remarks)
+                if (*alive != nullptr) self.warn("the saved game \"" + slot + "\": " + remark);
         } catch (const Error& error) {
             self.warn("the saved game \"" + slot + "\" was not loaded: " + error.what());
         }

@@ -30,7 +30,10 @@ class Detached {
   public:
     explicit Detached(Tree& tree) : tree_(tree) {}
     ~Detached() {
-        if (top && tree_.alive(top)) tree_.destroy(top);
+        if (top && tree_.alive(top)) try {
+                tree_.destroy(top);
+            } catch (const std::exception&) {  // why the scene cannot be loaded is told instead
+            }
     }
     Detached(const Detached&) = delete;
     Detached& operator=(const Detached&) = delete;

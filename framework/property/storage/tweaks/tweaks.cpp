@@ -420,7 +420,18 @@ Tweaks::~Tweaks() {
     state_->tell_lost();
 }
 
+Tweaks::State& Tweaks::usable() const {
+    if (state_->tree_life.expired())
+        throw Error(ErrorKind::deleted, "the tree of these tweaks was destroyed");
+    return *state_;
+}
+
+bool Tweaks::are_of(const Tree& tree) const {
+    return !state_->tree_life.expired() && &state_->tree == &tree;
+}
+
 void Tweaks::barrier() {
+    if (state_->tree_life.expired()) return;
     try {
         state_->kept.settle();
         state_->barrier();
@@ -429,23 +440,23 @@ void Tweaks::barrier() {
     }
 }
 TweakReport Tweaks::keep(std::string_view pattern) {
-    return state_->keep(pattern);
+    return usable().keep(pattern);
 }
 TweakReport Tweaks::reapply(std::string_view pattern) {
-    return state_->reapply(pattern);
+    return usable().reapply(pattern);
 }
 TweakReport Tweaks::drop(std::string_view pattern) {
-    return state_->drop(pattern);
+    return usable().drop(pattern);
 }
 void Tweaks::scene_loaded(const std::filesystem::path& file,
                           const std::vector<SceneInstance>& instances, bool named_by_script) {
-    state_->origins.loaded(state_->tree, file, instances, named_by_script);
+    usable().origins.loaded(state_->tree, file, instances, named_by_script);
 }
 void Tweaks::placed(Handle instance) {
-    state_->kept.apply_values(instance);
+    usable().kept.apply_values(instance);
 }
 void Tweaks::game_loaded() {
-    state_->kept.apply_all();
+    usable().kept.apply_all();
 }
 std::filesystem::path Tweaks::journal() const {
     return state_->journal ? state_->journal->file() : std::filesystem::path();

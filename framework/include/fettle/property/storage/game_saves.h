@@ -60,6 +60,9 @@ class GameSaves {
     bool waits() const { return !waiting_.empty(); }
     void finish(const Thumbnail& picture);
 
+    /// Whether they are of that tree, and it lives.
+    bool are_of(const Tree& tree) const { return !life_.expired() && &tree_ == &tree; }
+
   private:
     struct Waiting {
         std::string slot;

@@ -84,6 +84,7 @@ class Tweaks {
     /// These tweaks, for a recording.
     std::vector<TweakWords> earlier_in_words() const;
 
+    // After the end of the tree the functions below throw Error(deleted).
     // `pattern` as for watching; a pattern without stars that names an instance means all tweaks of
     // it. Throw Error for a text that is no pattern.
 
@@ -105,12 +106,15 @@ class Tweaks {
     /// The game is loaded: kept values replace the values that its script has set since.
     void game_loaded();
 
+    /// Whether they are the tweaks of that tree, and it lives.
+    bool are_of(const Tree& tree) const;
     /// Path of the journal; empty before the first commit.
     std::filesystem::path journal() const;
 
     struct FETTLE_STORAGE_PRIVATE State;
 
   private:
+    FETTLE_STORAGE_PRIVATE State& usable() const;
     std::unique_ptr<State> state_;
 };
 
