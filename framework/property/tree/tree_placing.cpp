@@ -90,6 +90,11 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     s.instances.require_movable(instance);
     s.underway.require_staying(s.instances, instance, "move it");
+    if (new_parent && node.parent == new_parent.index) {
+        s.instances.require(new_parent);
+        if (!name.empty()) rename(instance, name);
+        return;
+    }
     if (new_parent) {
         if (s.instances.require(new_parent).dying)
             s.underway.require_staying(s.instances, new_parent, "move an instance below it");
@@ -101,18 +106,16 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     }
     NodeName chosen = node.name;
     if (!name.empty()) {
-        if (s.instances.nodes.child(new_parent.index, NodeName::look_up(name)) != instance.index ||
-            !new_parent)
-            s.instances.check_child_name(new_parent, name);
+        s.instances.check_child_name(new_parent, name);
         chosen = NodeName::make(name);
-    } else if (new_parent && node.parent != new_parent.index) {
+    } else if (new_parent) {
         if (!node.named || s.instances.is_taken(new_parent.index, node.name)) {
             const std::string_view stem =
                 node.named ? node.name.base.text() : class_of(instance).stem();
             chosen = first_plain ? s.instances.plain_name(new_parent.index, stem)
                                  : s.structure.free_name(new_parent.index, stem);
         }
-    } else if (node.parent == new_parent.index) {
+    } else if (node.parent == 0) {
         return;
     }
     const bool named = node.named || !name.empty();
