@@ -1,5 +1,4 @@
-// `fettle-bench`: what Fettle costs, beside engines that anyone can install. Never part of the
-// tests.
+// `fettle-bench`: the costs of Fettle compared with other engines. It is not part of the tests.
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -94,7 +93,7 @@ void add_hosting(CLI::App& app, HostingOptions& options) {
     add_output(*command, options.output);
 }
 
-/// Not for people: what `hosting` runs under valgrind.
+/// Internal: `hosting` runs this command under valgrind.
 void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
     CLI::App* command = app.add_subcommand("hosted-steps", "Steps for valgrind to count");
     command->group("");

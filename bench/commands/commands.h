@@ -1,6 +1,6 @@
 #pragma once
-// What `fettle-bench` can do. Each command returns an exit status: 0, or 1 when something it checks
-// on the way is wrong.
+// The subcommands of `fettle-bench`. Each returns an exit status: 0, or 1 if a check during the run
+// failed.
 
 #include <string>
 #include <vector>
@@ -8,26 +8,26 @@
 namespace fettle::bench {
 
 struct OutputOptions {
-    bool json = false;  // a line a result instead of a table
+    bool json = false;  // one line per result instead of a table
     std::string svg;    // also draw the table into this file
 };
 
 struct ScenesOptions {
-    std::vector<std::string> scenes;   // none: all that are run by default
-    std::vector<std::string> engines;  // none: all
+    std::vector<std::string> scenes;   // empty: all that run by default
+    std::vector<std::string> engines;  // empty: all
     int threads = 1;
     int runs = 3;
-    int steps = 0;                // 0: as the scene says
-    bool processor_time = false;  // instead of wall time: for a machine that others use too
+    int steps = 0;                // 0: the number of the scene
+    bool processor_time = false;  // instead of wall time; for machines with other load
     OutputOptions output;
 };
 int run_scenes(const ScenesOptions& options);
 
 struct ThreadsOptions {
-    std::vector<std::string> scenes;  // none: all
+    std::vector<std::string> scenes;  // empty: all
     int threads = 2;
     int runs = 3;
-    int steps = 0;  // 0: as the scene says
+    int steps = 0;  // 0: the number of the scene
     bool json = false;
 };
 int run_threads(const ThreadsOptions& options);
@@ -41,7 +41,7 @@ struct HostingOptions {
 };
 int run_hosting(const HostingOptions& options);
 
-/// The steps of one way of hosting, to be counted by callgrind.
+/// Options of the steps that callgrind counts.
 struct HostedStepsOptions {
     std::string engine = "hosted";
     double watched = 0;  // share of positions, 0 to 1
@@ -52,14 +52,14 @@ int run_hosted_steps(const HostedStepsOptions& options);
 
 struct PastOptions {
     int bodies = 10000;
-    int seconds = 60;  // that are simulated
+    int seconds = 60;  // simulated time
     bool json = false;
 };
 int run_past(const PastOptions& options);
 
 struct TreeOptions {
     int repetitions = 7;
-    std::string only;  // rows whose name has this in it, and what they are compared with
+    std::string only;  // only rows with this text, and those they are compared with
     OutputOptions output;
 };
 int run_tree(const TreeOptions& options);
@@ -86,7 +86,7 @@ int run_growth(const GrowthOptions& options);
 struct SolversOptions {
     std::vector<std::string> scenes;
     bool json = false;
-    std::string plots;  // a folder for curves, as SVG and as numbers
+    std::string plots;  // folder for the curves as SVG and as numbers
 };
 int run_solvers(const SolversOptions& options);
 

@@ -1,4 +1,5 @@
-// `fettle-bench growth`: what a body costs in worlds of a thousand to a hundred thousand, in time
+// `fettle-bench growth`: time and memory per body in worlds with a thousand to a hundred thousand
+// bodies.
 // and in memory.
 
 #include <fettle/physics/physics.h>
@@ -21,17 +22,17 @@
 namespace fettle::bench {
 namespace {
 
-// Of the time a body takes, from the first world to the last.
+// Time per body in the last world divided by that in the first.
 const Bound growth_bound = at_most(1.5);
-const Bound body_bytes_bound = below(1024);  // of a sleeping body with a shape
-constexpr int steps_in_all = 40000;  // over the number of pyramids: each world gets as much time
-constexpr int settling_steps = 30;   // steps: the pyramids have settled
+const Bound body_bytes_bound = below(1024);             // for a sleeping body with one shape
+constexpr int steps_in_all = 40000;                     // divided by the number of pyramids
+constexpr int settling_steps = 30;                      // steps until the pyramids have settled
 constexpr std::array pyramid_counts = {18, 182, 1818};  // pyramids of 55 bodies
 
 struct TimeRow {
     std::size_t bodies = 0;
-    std::vector<double> us;  // a body and step, by run
-    // Wall time a body and step by stage, µs; the mean of all runs.
+    std::vector<double> us;  // per body and step, by run
+    // Wall time per body and step by stage, µs; mean of all runs.
     double narrow = 0, solve = 0, finish = 0, other = 0;
     int steps = 0;
 };
@@ -45,7 +46,7 @@ void add_stages(const physics::StepStatistics& step, TimeRow& row) {
     ++row.steps;
 }
 
-/// All worlds side by side, in turns: a noisy moment meets all of them.
+/// Runs all worlds in turns, so that a disturbance affects all of them.
 std::vector<TimeRow> time_rows(const GrowthOptions& options, Progress& progress) {
     std::vector<TimeRow> rows(pyramid_counts.size());
     std::vector<std::unique_ptr<Engine>> worlds;
@@ -75,7 +76,7 @@ std::vector<TimeRow> time_rows(const GrowthOptions& options, Progress& progress)
     return rows;
 }
 
-/// Bodies that sleep, and what their world takes by purpose.
+/// Sleeping bodies, and the memory of their world by purpose.
 struct Sleepers {
     double bodies = 0;
     std::vector<physics::MemoryShare> memory;
@@ -91,7 +92,7 @@ Sleepers sleepers_of(Scene scene) {
     return {static_cast<double>(scene.bodies.size()), world.memory()};
 }
 
-/// Boxes that rest on the ground, apart from each other.
+/// Boxes that rest on the ground without touching each other.
 Scene row_of(int count) {
     Scene scene{.name = "row"};
     scene.bodies.push_back(fixed_box({0, -1}, {2.0f * static_cast<float>(count), 1}));
@@ -123,7 +124,7 @@ void print_times(const std::vector<TimeRow>& rows, const OutputOptions& output, 
     if (!output.json) std::cout << table.text() << "\n";
 }
 
-/// Bytes a body, by purpose: what is there, and the room for more included.
+/// Prints bytes per body by purpose. Reserved memory is included.
 void print_memory(const Sleepers& row, const Sleepers& pyramids, const OutputOptions& output,
                   Verdict& verdict) {
     Table table(

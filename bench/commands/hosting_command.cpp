@@ -1,5 +1,4 @@
-// `fettle-bench hosting`: what it costs to have a world in the property tree, over the bare
-// library.
+// `fettle-bench hosting`: the cost of a world in the property tree compared with the bare library.
 
 #include <malloc.h>
 
@@ -23,10 +22,10 @@
 namespace fettle::bench {
 namespace {
 
-const Bound bytes_bound = at_most(64);  // an instance
-constexpr int warm_up = 30;             // steps: the crowd has fallen onto itself
+const Bound bytes_bound = at_most(64);  // per instance
+constexpr int warm_up = 30;             // steps until the crowd has fallen together
 
-/// A way of hosting, compared with the bare library.
+/// A way of hosting that is compared with the bare library.
 struct Way {
     const char* name;
     double watched;  // share of the positions, 0 to 1
@@ -43,7 +42,8 @@ struct Result {
     double ratio = 0;
     std::optional<Interval> interval;
     Bound bound{};
-    /// Time is too noisy to be judged by its median: it misses a bound that its interval is beyond.
+    /// The figure that is compared with the bound. Times are noisy, so a time misses its bound only
+    /// if its whole interval does.
     double judged() const { return interval ? interval->low : ratio; }
 };
 
@@ -59,8 +59,8 @@ std::unique_ptr<Engine> hosted(const Scene& scene, double watched) {
     return engine;
 }
 
-/// Time of each way over that of the bare library, pair by pair. The same steps are made by all
-/// one after another, in an order that rotates.
+/// Time of each way divided by the time of the bare library, for each pair. All ways make the same
+/// steps in turns; their order rotates.
 std::vector<Result> time_ratios(const HostingOptions& options, Progress& progress) {
     const int steps = warm_up + options.pairs * options.steps_a_pair;
     const Scene scene = hosting_scene(options.bodies, steps);
@@ -124,14 +124,14 @@ std::size_t heap_in_use() {
 #endif
 }
 
-/// Bytes that instances take in the tree beyond what their objects take in the bare library.
+/// Bytes per instance in the tree in addition to its object in the bare library.
 struct Bytes {
-    double body = 0;   // alone
-    double shape = 0;  // on its body
+    double body = 0;   // without its shape
+    double shape = 0;  // in addition to its body
 };
 
-/// Bytes of a scene in the tree beyond the bare library, in all. The past that is kept for
-/// rewinding is not counted: it has a bound of its own (`time.rewind_memory`).
+/// Bytes of a whole scene in the tree in addition to the bare library. The stored past for
+/// rewinding is not counted: it has its own bound (`time.rewind_memory`).
 double bytes_over_bare(const Scene& scene) {
     const auto size_of = [&](auto make) {
         const std::size_t before = heap_in_use();
@@ -150,7 +150,7 @@ Bytes bytes_of(int bodies) {
     Scene none = scene;
     none.bodies.clear();
     const auto count = static_cast<double>(scene.bodies.size());
-    bytes_over_bare(none);  // what is made once in a process
+    bytes_over_bare(none);  // allocates what a process needs only once
     const double without = bytes_over_bare(none);
     const double of_bodies = bytes_over_bare(alone);
     const double of_all = bytes_over_bare(scene);

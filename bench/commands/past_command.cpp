@@ -1,4 +1,4 @@
-// `fettle-bench past`: what it costs a game that its past is kept, and to go back into it.
+// `fettle-bench past`: the cost of storing a game's past, and of going back to it.
 
 #include <algorithm>
 #include <iostream>
@@ -20,16 +20,16 @@ namespace fettle::bench {
 namespace {
 
 constexpr double mebibyte = 1048576;
-constexpr int bounded_bodies = 10000;     // what the bounds are for
-constexpr std::int64_t first_steps = 60;  // steps: the first keyframe finds its memory
+constexpr int bounded_bodies = 10000;     // the bounds are for this number
+constexpr std::int64_t first_steps = 60;  // steps; the first keyframe allocates its memory then
 
 struct Run {
-    double first_ms = 0;              // step, with the first keyframe
+    double first_ms = 0;              // the first keyframe included
     std::vector<double> plain_ms;     // steps without a keyframe, after the warm-up
     std::vector<double> keyframe_ms;  // steps with one
     double memory = 0;                // bytes
-    double kept_s = 0;                // how far back it goes
-    std::vector<double> travel_ms;    // to moments spread over all of it
+    double kept_s = 0;                // length of the stored past
+    std::vector<double> travel_ms;    // travel to moments that are spread over all of it
 };
 
 Run measure(const PastOptions& options, Progress& progress) {
@@ -56,7 +56,7 @@ Run measure(const PastOptions& options, Progress& progress) {
     run.memory = static_cast<double>(past.memory());
     const std::uint64_t present = engine.game().loop.hash();
     constexpr int moments = 8;
-    // The present comes last.
+    // The last target is the present.
     const std::int64_t oldest = past.oldest();
     run.kept_s = static_cast<double>(steps - oldest) / 60;
     for (int i = 0; i <= moments; ++i) {

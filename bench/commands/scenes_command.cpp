@@ -1,4 +1,4 @@
-// `fettle-bench scenes`: the same scenes in every engine, in turns.
+// `fettle-bench scenes`: runs the same scenes in every engine, in turns.
 
 #include <algorithm>
 #include <cinttypes>
@@ -21,7 +21,7 @@ namespace fettle::bench {
 namespace {
 
 struct Cell {
-    std::vector<double> ms;  // a step, one a run
+    std::vector<double> ms;  // per step, one value per run
     std::size_t bodies = 0;
     std::size_t contacts = 0;
     std::uint64_t hash = 0;
@@ -31,8 +31,8 @@ struct Cell {
 struct Row {
     std::string scene;
     int steps = 0;
-    Bound bound{};                             // of the time of a step, over that of Box2D
-    std::vector<std::optional<Cell>> cells{};  // one an engine
+    Bound bound{};                             // of the time per step divided by that of Box2D
+    std::vector<std::optional<Cell>> cells{};  // one per engine
 };
 
 std::string hash_text(std::uint64_t hash) {
@@ -62,7 +62,8 @@ class SceneRunner {
             Progress progress(static_cast<double>(scenes_.size()) * options_.runs);
             for (const CatalogueEntry* entry : scenes_) {
                 rows_.push_back(run_scene(*entry, progress));
-                if (options_.output.json) print_json(rows_.back());  // a long run may be cut short
+                if (options_.output.json)
+                    print_json(rows_.back());  // in case the run is interrupted
             }
         }
         print_table();
@@ -84,13 +85,13 @@ class SceneRunner {
         return kind.make && options_.threads <= kind.max_threads;
     }
 
-    /// Whether the table has a column for its ratio to Box2D.
+    /// Whether the table has a column with the ratio to Box2D.
     bool compared(const EngineKind& kind) const {
         const auto is_box2d = [](const EngineKind* other) { return other->name == "box2d"; };
         return kind.name != "box2d" && std::ranges::any_of(engines_, is_box2d);
     }
 
-    /// What will be missing from the table, and why.
+    /// Prints which figures will be missing, and why.
     void explain_gaps() const {
         if (options_.scenes.empty()) {
             for (const CatalogueEntry& entry : catalogue()) {
@@ -115,7 +116,7 @@ class SceneRunner {
         if (options_.steps > 0) scene.steps = options_.steps;
         Row row{.scene = scene.name, .steps = scene.steps};
         row.cells.resize(engines_.size());
-        // The bounds are for the whole scene on one thread.
+        // The bounds hold for a complete scene on one thread.
         if (entry.over_box2d > 0 && options_.steps == 0 && options_.threads == 1)
             row.bound = at_most(entry.over_box2d);
         for (int run = 0; run < options_.runs; ++run) {
@@ -126,8 +127,8 @@ class SceneRunner {
         return row;
     }
 
-    /// One run: every engine makes a twentieth of the steps, then it is the next one's turn, so
-    /// that whatever else the machine does meets all of them alike.
+    /// One run: the engines take turns, each with a twentieth of the steps, so that disturbances of
+    /// the machine affect all of them.
     void run_once(const Scene& scene, int run, Row& row, Progress& progress) {
         constexpr int turns = 20;
         const std::size_t count = engines_.size();
@@ -137,7 +138,7 @@ class SceneRunner {
             if (!able(*engines_[i]) || !scene.runs_on(engines_[i]->name)) continue;
             simulations[i] = std::make_unique<Simulation>(scene, *engines_[i]);
             simulations[i]->engine().set_threads(options_.threads);
-            simulations[i]->advance(1);  // the first step finds every pair anew: not counted
+            simulations[i]->advance(1);  // not counted, because the first step finds every pair
         }
         for (int turn = 1; turn <= turns; ++turn) {
             const int goal = 1 + (scene.steps - 1) * turn / turns;
@@ -197,7 +198,7 @@ class SceneRunner {
         Verdict verdict("scenes");
         Table table(headers);
         for (const Row& row : rows_) {
-            std::size_t bodies = 0, contacts = 0;  // in the first engine
+            std::size_t bodies = 0, contacts = 0;  // of the first engine
             for (auto cell = row.cells.rbegin(); cell != row.cells.rend(); ++cell) {
                 bodies = *cell ? (*cell)->bodies : bodies;
                 contacts = *cell ? (*cell)->contacts : contacts;
@@ -224,7 +225,7 @@ class SceneRunner {
         verdict.print(options_.output.json ? std::cerr : std::cout);
     }
 
-    /// Whether the table has a column for bounds.
+    /// Whether the table has a column with bounds.
     bool bounded() const {
         return std::ranges::any_of(engines_, [this](const EngineKind* kind) {
             return kind->name == "fettle" && compared(*kind);
@@ -254,7 +255,7 @@ class SceneRunner {
                   << " times the time they had a processor; --processor-time measures that\n";
     }
 
-    /// The tree must not change what is simulated.
+    /// Checks that hosting in the tree does not change the simulation.
     bool hashes_agree() const {
         bool agree = true;
         for (const Row& row : rows_) {
@@ -272,7 +273,7 @@ class SceneRunner {
     std::vector<const EngineKind*> engines_;
     std::vector<const CatalogueEntry*> scenes_;
     std::vector<Row> rows_;
-    double busy_ = 1;  // most wall time over processor time
+    double busy_ = 1;  // largest ratio of wall time to processor time
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `fettle-bench shapes`: what a contact costs by the number of vertices.
+// `fettle-bench shapes`: the cost of a contact by the number of vertices.
 
 #include <fettle/physics/physics.h>
 
@@ -17,7 +17,8 @@ namespace {
 
 constexpr int pairs = 100;
 
-/// A regular polygon, half a metre from center to corner; of no corners: an ellipse as large.
+/// A regular polygon with half a meter from center to corner; with 0 corners, an ellipse of the
+/// same size.
 physics::Geometry rounded(int corners) {
     if (corners == 0) return physics::Ellipse{.radius_x = 0.5f, .radius_y = 0.499f};
     physics::Polygon polygon;
@@ -29,8 +30,8 @@ physics::Geometry rounded(int corners) {
     return polygon;
 }
 
-/// Nanoseconds that one of them costs in a step while it spins on `ground`, whose top is at
-/// `height`: another part of the rim touches in every step.
+/// Nanoseconds per step for one shape that spins on `ground`, whose top is at `height`: in every
+/// step another part of the rim touches.
 double spinning(const physics::Geometry& form, const physics::Geometry& ground, float height) {
     physics::World world({.sleeping = false, .continuous = false});
     for (int i = 0; i < pairs; ++i) {
@@ -51,7 +52,7 @@ double spinning(const physics::Geometry& form, const physics::Geometry& ground, 
     return 1e6 * clock.elapsed_ms() / (steps * pairs);
 }
 
-/// A hundred of them that stand still, 3 m apart in rows of ten.
+/// A hundred bodies at rest, 3 m apart in rows of ten.
 struct Field {
     physics::World world;
     std::vector<physics::Shape> shapes;
@@ -69,7 +70,7 @@ struct Field {
     }
 };
 
-/// Nanoseconds of the distance between two of them.
+/// Nanoseconds for the distance between two of them.
 double distance_between(const physics::Geometry& form) {
     const Field field(form);
     const auto& shapes = field.shapes;
@@ -83,8 +84,8 @@ double distance_between(const physics::Geometry& form) {
     return 1e6 * elapsed / (pairs * (pairs - 1) / 2.0);
 }
 
-/// Nanoseconds of a question about each of them, asked from a metre beside its center; it answers
-/// whether it found the shape.
+/// Nanoseconds for a query about each of them, from a point one meter beside its center. The query
+/// returns whether it found the shape.
 template <class Question>
 double asking(const physics::Geometry& form, Question&& question) {
     Field field(form);
@@ -120,7 +121,7 @@ double closest(const physics::Geometry& form) {
             return world.closest(center + beside, 1.0f).has_value();
         });
 }
-/// A box that is moved against it.
+/// Casts a box against the shape.
 double shape_cast(const physics::Geometry& form) {
     physics::World world;
     const physics::Shape box =
@@ -132,7 +133,7 @@ double shape_cast(const physics::Geometry& form) {
         });
 }
 
-/// What a polygon rolls on, its top half a metre up.
+/// Grounds on which a polygon rolls; their tops are half a meter high.
 const physics::Geometry box = physics::Box{.width = 3, .height = 1};
 const physics::Geometry round_hill = physics::Ellipse{.radius_x = 1, .radius_y = 0.5f};
 const physics::Geometry chain = physics::Chain{{{-2, 0.5f}, {0.01f, 0.5f}, {2, 0.5f}}};
@@ -158,7 +159,7 @@ const Column columns[] = {
 
 struct ShapeRow {
     int corners;
-    std::vector<double> values;  ///< one a column
+    std::vector<double> values;  ///< one per column
 };
 
 template <class Measure>

@@ -1,5 +1,5 @@
-// `fettle-bench solvers`: the three solvers of the library on the stability scenes, how long a step
-// takes them, and curves.
+// `fettle-bench solvers`: the three solvers of the library in the stability scenes, with times per
+// step and curves.
 
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@ namespace {
 struct SolverRow {
     std::string scene;
     Figure figure;
-    std::vector<double> values;  // one a solver
+    std::vector<double> values;  // one per solver
 };
 
 std::vector<SolverRow> accuracy_rows(const Trial& trial, Progress& progress) {
@@ -64,7 +64,7 @@ std::string table_of(const std::vector<SolverRow>& rows, Verdict& verdict) {
                                          words_of(row.figure.bound)};
         for (std::size_t k = 0; k < row.values.size(); ++k) {
             const double value = row.values[k];
-            // The bounds are those of the usual solver; the others are there to compare with.
+            // The bounds hold for the default solver; the others are for comparison.
             const bool usual = solver_kinds()[k].solver == physics::Solver::soft_step;
             line.push_back(usual ? verdict.look(row.scene + ", " + row.figure.name, value,
                                                 row.figure.bound, figure(value), row.figure.unit)
@@ -88,7 +88,7 @@ void print_json(const std::vector<SolverRow>& rows) {
     }
 }
 
-/// The numbers of a plot: a line a point.
+/// Writes the numbers of a plot, one point per line.
 void write_data(const Plot& plot, const std::filesystem::path& file) {
     std::ofstream out(file, std::ios::trunc);
     out << "# " << plot.title << ": solver, " << plot.x_label << ", " << plot.y_label << "\n";

@@ -1,4 +1,4 @@
-// `fettle-bench stability`: figures of small scenes with a known answer, in every engine.
+// `fettle-bench stability`: figures of small scenes with a known result, for every engine.
 
 #include <iostream>
 #include <optional>
@@ -15,7 +15,7 @@ namespace {
 struct FigureRow {
     std::string scene;
     Figure figure;                              // name, unit, bound
-    std::vector<std::optional<double>> values;  // one an engine
+    std::vector<std::optional<double>> values;  // one per engine
 };
 
 std::vector<const EngineKind*> engines_of(const StabilityOptions& options) {
@@ -60,7 +60,7 @@ std::string table_of(const std::vector<FigureRow>& rows,
                                          words_of(row.figure.bound)};
         for (std::size_t e = 0; e < engines.size(); ++e) {
             const std::string shown = row.values[e] ? figure(*row.values[e]) : "";
-            // The peers are there to compare with: nothing is asked of them.
+            // The bounds hold for Fettle only; the other engines are for comparison.
             const bool own = row.values[e] && engines[e]->name == "fettle";
             line.push_back(own ? verdict.look(row.scene + ", " + row.figure.name, *row.values[e],
                                               row.figure.bound, shown, row.figure.unit)

@@ -1,5 +1,4 @@
-// `fettle-bench threads`: how many times as fast a step is when several threads share it out, and
-// which of its stages.
+// `fettle-bench threads`: the speedup of a step, and of its stages, on several threads.
 
 #include <fettle/physics/physics.h>
 
@@ -25,7 +24,7 @@ namespace fettle::bench {
 namespace {
 
 const Bound least_speedup = at_least(1.7);  // on two threads
-constexpr int steps_a_turn = 100;  // in shorter ones it shows that threads that wait fall asleep
+constexpr int steps_a_turn = 100;  // in shorter turns, the waking of sleeping threads would count
 
 constexpr std::array<const char*, 5> stage_names = {"pairs", "narrow", "solve", "finish", "other"};
 using Stages = std::array<double, stage_names.size()>;  // ms
@@ -37,12 +36,12 @@ Stages stages_of(const physics::StepStatistics& s) {
             static_cast<double>(other)};
 }
 
-/// A scene on some threads.
+/// A scene on a number of threads.
 class Side {
   public:
     Side(const Scene& scene, int threads) : simulation_(scene, "fettle", make_fettle(scene)) {
         simulation_.engine().set_threads(threads);
-        simulation_.advance(1);  // finds every pair anew: not counted
+        simulation_.advance(1);  // not counted, because the first step finds every pair
     }
 
     void advance(int steps) {
@@ -71,12 +70,12 @@ class Side {
     Stages stages_ = {};
 };
 
-/// Of one run, or the median of several.
+/// Result of one run, or the median of several.
 struct ThreadsResult {
-    double one_ms = 0, several_ms = 0;  // the mean step
-    double speedup = 0;                 // of the mean step
-    double median_speedup = 0;          // of the median step, which other work spoils less
-    double round_trip_ns = 0;           // the worse of before and after
+    double one_ms = 0, several_ms = 0;  // mean step
+    double speedup = 0;                 // for the mean step
+    double median_speedup = 0;          // less sensitive to other load
+    double round_trip_ns = 0;           // the larger of the values before and after
     Stages one = {}, several = {};
 };
 
@@ -102,7 +101,7 @@ ThreadsResult run_once(const Scene& scene, int threads, int run, Progress& progr
             .several = several.stages()};
 }
 
-/// Each figure for itself.
+/// The median of each figure by itself.
 ThreadsResult median_of(const std::vector<ThreadsResult>& runs) {
     const auto of = [&](auto&& figure_of) {
         std::vector<double> values;
@@ -138,7 +137,7 @@ void print_json(const std::string& scene, int threads, int steps, const ThreadsR
                                 {"one_ms", result.one[k]},
                                 {"several_ms", result.several[k]}})
                   << "\n";
-    std::cout.flush();  // a long run may be cut short
+    std::cout.flush();  // a long run may be interrupted
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// `fettle-bench tree`: what the live property tree costs, in nanoseconds and against the least that
-// would do.
+// `fettle-bench tree`: the cost of the live property tree in nanoseconds, compared with the least
+// possible cost.
 
 #include <iostream>
 
@@ -24,7 +24,7 @@ int run_tree(const TreeOptions& options) {
     for (const Cost& row : rows) {
         std::vector<Comparison> comparisons = row.comparisons;
         if (comparisons.empty()) comparisons.emplace_back();
-        bool first = true;  // a row that is compared twice says only once what it is
+        bool first = true;  // a row with two comparisons prints its name once
         for (const Comparison& beside : comparisons) {
             const bool compared = !beside.against.empty();
             if (options.output.json) {

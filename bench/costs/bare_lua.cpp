@@ -28,7 +28,7 @@ BareLua::BareLua(const std::string& script) : lua_(luaL_newstate()) {
     if (!lua_) throw std::bad_alloc();
     luaL_openlibs(lua_);
     new (lua_newuserdatauv(lua_, sizeof(Ball), 0)) Ball;
-    // Roomy, as ours is: in a full table one of the two may stand behind the other.
+    // Large, like the table of our runtime: in a full table, keys may collide.
     lua_createtable(lua_, 0, 256);
     lua_pushcfunction(lua_, index_of_ball);
     lua_setfield(lua_, -2, "__index");

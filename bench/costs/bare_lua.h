@@ -1,6 +1,6 @@
 #pragma once
-// The least that a property of a userdata can cost in Lua: metamethods that look at nothing. They
-// ignore which property is asked for, check no type and no handle.
+// The least cost of a property of a userdata in Lua: metamethods that ignore the name of the
+// property and check neither type nor handle.
 
 #include <memory>
 #include <string>
@@ -11,7 +11,7 @@ namespace fettle::bench {
 
 class BareLua {
   public:
-    /// Runs `script`, in which the global `ball` is a userdata that has one number.
+    /// Runs `script`. Its global `ball` is a userdata with one number.
     explicit BareLua(const std::string& script);
     ~BareLua();
     BareLua(const BareLua&) = delete;

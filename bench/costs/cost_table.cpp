@@ -20,7 +20,7 @@ class Collector : public benchmark::BenchmarkReporter {
                                                                 : run.GetAdjustedCPUTime());
         }
     }
-    std::map<std::string, std::vector<double>> times;  // ns an iteration
+    std::map<std::string, std::vector<double>> times;  // ns per iteration
 };
 
 }  // namespace
@@ -46,7 +46,7 @@ void CostTable::keep(const std::string& text) {
     for (std::size_t i = 0; i < rows_.size(); ++i) kept[i] = meant(rows_[i]);
     if (std::ranges::find(kept, true) == kept.end())
         throw std::invalid_argument("no row has \"" + text + "\" in its name");
-    // A row that is needed may need another.
+    // Repeated, because a required row may require another one.
     for (bool more = true; more;) {
         more = false;
         for (std::size_t i = 0; i < rows_.size(); ++i) {

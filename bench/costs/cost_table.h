@@ -1,6 +1,6 @@
 #pragma once
-// Small costs: each a loop that Google Benchmark times, repeated with the others in random order so
-// that a noisy moment hits no row alone.
+// Small costs. Each is a loop that Google Benchmark times. The repetitions of all loops run in
+// random order, so that a disturbance does not affect one row alone.
 
 #include <benchmark/benchmark.h>
 
@@ -12,11 +12,11 @@
 
 namespace fettle::bench {
 
-/// A row beside another.
+/// Comparison of a row with another one.
 struct Comparison {
     std::string against;
     double ratio = 0;
-    Bound bound{};  // of the ratio
+    Bound bound{};  // bound of the ratio
 };
 
 struct Cost {
@@ -35,32 +35,33 @@ class CostTable {
     };
     struct Row {
         std::string name;
-        double operations = 1;  // of what is measured, in an iteration of the loop
+        double operations = 1;  // measured operations in one iteration of the loop
         CostLoop loop;
-        std::vector<Against> against{};      // rows it is compared with, where there are such
-        std::vector<std::string> without{};  // rows whose time is taken off
-        bool own_clock = false;              // the loop says itself how long an iteration took
+        std::vector<Against> against{};      // rows it is compared with, if they exist
+        std::vector<std::string> without{};  // rows whose time is subtracted
+        bool own_clock = false;              // the loop measures the time of an iteration itself
         bool shown = true;
     };
     void add(Row row);
     void add(std::string name, std::string against, double operations, CostLoop loop);
-    /// Leaves out every row that neither has `text` in its name nor is what such a row needs.
-    /// Throws std::invalid_argument when no row is left.
+    /// Keeps only the rows whose names contain `text`, and the rows they require. Throws
+    /// std::invalid_argument if no row is left.
     void keep(const std::string& text);
-    /// Medians of processor time over the repetitions, in the order of `add`.
+    /// Median processor time over the repetitions, in the order of `add`.
     std::vector<Cost> run(int repetitions) const;
 
   private:
     std::vector<Row> rows_;
 };
 
-/// Properties of instances, by every way there is in C++, and what watching them costs.
+/// Adds accesses to properties by every function of C++, and the cost of watching.
 void add_tree_costs(CostTable& table);
-/// Properties from Lua, beside the least that Lua can do and beside LÖVE where it is installed.
+/// Adds accesses to properties from Lua, with bare Lua and, if it is installed, LÖVE for
+/// comparison.
 void add_lua_costs(CostTable& table);
-/// Formulas, beside the functions they are made of.
+/// Adds formulas, with their plain functions for comparison.
 void add_formula_costs(CostTable& table);
-/// Watchers of many instances at once.
+/// Adds watchers of many instances.
 void add_pattern_costs(CostTable& table);
 
 }  // namespace fettle::bench

@@ -1,4 +1,4 @@
-// What a formula costs beyond the function it is made of.
+// The cost of a formula in addition to its function.
 
 #include <fettle/property/tree.h>
 
@@ -15,7 +15,7 @@ using property::Property;
 using property::Tree;
 using property::Value;
 
-/// `twice` is what the formula computes from `source`; `plain` nobody reads.
+/// `twice` is a formula that reads `source`; nothing reads `plain`.
 struct FormulaTree {
     FormulaTree() {
         property::ClassDescriptor cell{.name = "Cell"};

@@ -11,7 +11,7 @@
 namespace fettle::bench {
 namespace {
 
-// Physics and the clock, nothing that would need a display.
+// Physics and the clock only; no display is necessary.
 constexpr const char* configuration = R"(
 function love.conf(t)
   t.window = nil
@@ -21,7 +21,7 @@ function love.conf(t)
 end
 )";
 
-// Processor time, as on our side.
+// Processor time, as in our own measurements.
 constexpr const char* game = R"(
 world = love.physics.newWorld(0, 0, true)
 ball = love.physics.newBody(world, 0, 8, "dynamic")
@@ -87,7 +87,7 @@ void Love::start() {
     close(out[1]);
     requests_ = fdopen(in[1], "w");
     answers_ = fdopen(out[0], "r");
-    std::signal(SIGPIPE, SIG_IGN);  // a LÖVE that died shows in its answers
+    std::signal(SIGPIPE, SIG_IGN);  // if LÖVE ends, the error shows in its missing answer
 }
 
 void Love::stop() {

@@ -1,6 +1,6 @@
 #pragma once
-// What people use today: bodies in LÖVE, from its own Lua. A process of `love` waits beside the
-// benchmark for functions to time, so that both meet the same moments of a noisy machine.
+// LÖVE for comparison: bodies used from its own Lua. A process of `love` runs beside the benchmark
+// and times functions on request, so that both are measured under the same load.
 
 #include <cstdio>
 #include <filesystem>
@@ -12,15 +12,16 @@ namespace fettle::bench {
 
 class Love {
   public:
-    /// `functions`: Lua text that defines global functions of a number of rounds, for which `world`
-    /// and `ball` (a body of 0.5 m radius in it) are there. Without LÖVE `running` is false.
+    /// `functions`: Lua text that defines global functions with the number of rounds as their
+    /// argument. They may use `world` and `ball`, a body in it with a radius of 0.5 m. Without LÖVE
+    /// `running` is false.
     explicit Love(const std::string& functions);
     ~Love();
     Love(const Love&) = delete;
     Love& operator=(const Love&) = delete;
 
     bool running() const { return answers_ != nullptr; }
-    /// Processor time of one call, in seconds. Throws std::runtime_error when LÖVE does not answer.
+    /// Processor time of one call in seconds. Throws std::runtime_error if LÖVE does not answer.
     double seconds(const std::string& function, long long rounds);
 
   private:

@@ -1,4 +1,4 @@
-// What properties cost in Lua, in a function that the host calls as it calls a game's callbacks.
+// The cost of properties in Lua, in a function that the host calls like a game's callbacks.
 
 #include <iostream>
 #include <stdexcept>
@@ -12,13 +12,13 @@
 namespace fettle::bench {
 namespace {
 
-constexpr int unrolled = 10;  // so that the loop itself counts little
-constexpr int rounds = 200;   // a call
+constexpr int unrolled = 10;  // reduces the share of the loop itself
+constexpr int rounds = 200;   // per call
 constexpr int operations = unrolled * rounds;
-// A step after as many accesses as a busy game makes. One that makes none for long has too much to
-// note for going back in time, and notes nothing any more: that would be left out.
+// A step follows after as many accesses as a busy game makes. With many more accesses per step, the
+// log for going back in time would reach its limit and stop, and its cost would not be measured.
 constexpr int calls_a_step = 10;
-// LÖVE's clock ticks in microseconds: it runs longer at a time.
+// LÖVE's clock has a resolution of microseconds, so its runs are longer.
 constexpr int rounds_in_love = 100 * rounds;
 
 std::string repeated(const std::string& first, const std::string& second) {
@@ -27,19 +27,19 @@ std::string repeated(const std::string& first, const std::string& second) {
     return text;
 }
 
-/// Of the same text in both: a global function that does one thing again and again.
+/// The same text for both: a global function that repeats one operation.
 std::string function_of(const std::string& name, const std::string& ball, const std::string& before,
                         const std::string& inside) {
     return "function " + name + "(rounds)\n  local ball = " + ball + "\n  " + before +
            "\n  for i = 1, rounds do " + inside + "end\nend\n";
 }
 
-/// What every loop costs that does nothing.
+/// The cost of the loop itself.
 std::string empty_loop(const std::string& ball) {
     return function_of("nothing", ball, "local x", "");
 }
 
-// Values alternate: an equal one would stop half way.
+// Values alternate, because a write of an equal value stops early.
 std::string scalar_get(const std::string& ball, const std::string& property) {
     const std::string get = "x = ball." + property + " ";
     return function_of("get_" + property, ball, "local x", repeated(get, get));
@@ -55,7 +55,7 @@ std::string vec2_set(const std::string& ball, const std::string& property) {
                        repeated("ball." + property + " = a ", "ball." + property + " = b "));
 }
 
-/// The same loops over the methods of a body in LÖVE.
+/// The same loops with the methods of a body in LÖVE.
 std::string functions_in_love() {
     const std::string mass = "x = ball:getMass() ", position = "x, y = ball:getPosition() ";
     return empty_loop("ball") + function_of("getMass", "ball", "local x", repeated(mass, mass)) +
@@ -82,7 +82,7 @@ HeadlessGame& bench_game() {
                 scalar_get(ball, "position") + scalar_set(ball, "angular_velocity") +
                 scalar_set(ball, "linear_damping") + vec2_set(ball, "velocity"),
             "bench");
-        // What an edit leaves to do has been done by a step, as in any game that runs.
+        // Steps complete the work that edits left, as in a running game.
         for (int i = 0; i < 10; ++i) made.loop.turn();
         return loaded;
     }();
@@ -177,8 +177,8 @@ void add_lua_costs(CostTable& table) {
                    .against = std::move(against),
                    .without = {loop_itself}});
     };
-    // What the design allows: a scalar and a vec2 over the barest metamethod, and a vec2 over
-    // LÖVE's.
+    // Bounds of the design: a scalar and a vec2 relative to the bare metamethod, and a vec2
+    // relative to LÖVE.
     const Bound scalar = at_most(1.75), vec2 = at_most(3), vec2_in_love = at_most(1.5);
     bare(get, "get_mass");
     row("Lua: get ball.mass", "get_mass", {{get, scalar}, {"L\u00d6VE: body:getMass()"}});

@@ -1,4 +1,4 @@
-// Watchers of many instances at once: patterns over a hundred thousand of them.
+// Watchers of many instances: patterns that match a hundred thousand instances.
 
 #include <fettle/property/tree.h>
 
@@ -20,7 +20,7 @@ constexpr std::size_t groups = 100;
 constexpr std::size_t in_a_group = 1000;
 constexpr std::size_t all = groups * in_a_group;
 
-/// `world.group_1.speck_1` ... with a property that a simulation writes.
+/// `world.group_1.speck_1` ... with a property that the simulation writes.
 class SpeckTree {
   public:
     SpeckTree() : array(all + 1) {
@@ -66,7 +66,7 @@ SpeckTree& specks() {
     return tree;
 }
 
-/// A pattern a group: each is about a thousand specks.
+/// One pattern for each group of a thousand specks.
 struct ManyPatterns {
     ManyPatterns() {
         for (std::size_t g = 0; g < groups; ++g)

@@ -1,4 +1,4 @@
-// What the property tree costs in C++.
+// The cost of the property tree in C++.
 
 #include <fettle/property/path.h>
 #include <fettle/property/tree.h>
@@ -22,14 +22,14 @@ using property::Vec2;
 
 constexpr std::size_t probes = 1024;
 
-/// What a module computes with.
+/// Data of a module for one instance.
 struct Probe {
     float position[2] = {0, 0};
     float mass = 1;
     float spare = 0;
 };
 
-/// A tree with a class whose properties lie in an array of a module's own, as those of bodies do.
+/// A tree with a class whose properties are in an array of its module, as for bodies.
 class ProbeTree {
   public:
     ProbeTree() : array(probes) {
@@ -50,8 +50,8 @@ class ProbeTree {
     std::vector<Handle> handles;
     const Property* mass = nullptr;
     const Property* position = nullptr;
-    const Property* drift = nullptr;  // as position, written by a simulation
-    const Property* score = nullptr;  // kept by the tree
+    const Property* drift = nullptr;  // like position, but written by the simulation
+    const Property* score = nullptr;  // stored by the tree
 
   private:
     property::ClassDescriptor describe() {
@@ -86,7 +86,7 @@ ProbeTree& shared_probes() {
     return tree;
 }
 
-/// Calls `body(i)` for all probes again and again.
+/// Calls `body(i)` for all probes repeatedly.
 template <class Body>
 CostLoop each_probe(Body body) {
     return [body](benchmark::State& state) {
@@ -100,7 +100,7 @@ void add_reads(CostTable& table) {
     table.add("C++: read a float through a pointer", "", probes,
               each_probe([](ProbeTree& t, std::size_t i) {
                   const Probe* probe = &t.array[i];
-                  DoNotOptimize(probe);  // the compiler must not know where it points
+                  DoNotOptimize(probe);  // prevents the compiler from knowing the address
                   float mass = probe->mass;
                   DoNotOptimize(mass);
               }));
@@ -163,7 +163,7 @@ void add_writes(CostTable& table) {
         ProbeTree& t = shared_probes();
         double mass = 1;
         for (auto _ : state) {
-            mass = mass == 1 ? 2 : 1;  // an equal value would stop half way
+            mass = mass == 1 ? 2 : 1;  // a write of an equal value would stop early
             for (const Handle probe : t.handles) t.tree.set(probe, *t.mass, mass);
         }
     });
@@ -204,7 +204,7 @@ void add_writes(CostTable& table) {
               });
 }
 
-/// A tree of probes of which every one has a watched property.
+/// A tree of probes; each of them has a watched property.
 struct WatchedProbes : ProbeTree {
     explicit WatchedProbes(const Property* ProbeTree::*watched) {
         for (const Handle probe : handles)
@@ -243,7 +243,7 @@ void add_watching(CostTable& table) {
               [](benchmark::State& state) {
                   WatchedProbes t(&ProbeTree::drift);
                   for (auto _ : state) {
-                      t.tree.set_step(t.tree.step() + 1);  // else nothing is compared
+                      t.tree.set_step(t.tree.step() + 1);  // otherwise nothing is compared
                       t.tree.stepped();
                       t.tree.barrier();
                   }

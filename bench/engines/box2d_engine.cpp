@@ -54,8 +54,8 @@ struct FixtureMaker {
     void operator()(const EllipseShape&) const {
         throw std::invalid_argument("Box2D has no ellipses");
     }
-    /// Solid on the right of its points: ours, backwards. An open one needs a point before and
-    /// after.
+    /// Box2D's chains are solid on the right side of their points, so ours are reversed. An open
+    /// chain needs one more point at each end.
     void operator()(const ChainShape& chain) const {
         std::vector<b2Vec2> points;
         for (auto point = chain.points.rbegin(); point != chain.points.rend(); ++point)

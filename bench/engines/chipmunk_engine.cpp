@@ -1,7 +1,7 @@
-// A scene in Chipmunk 7: 10 iterations, its default. It mixes surfaces by products, so that each
-// shape gets the square root of its friction and restitution: the product is then the geometric
-// mean that the other engines use for friction. Its allowed overlap is made for lengths in pixels;
-// Box2D's half a centimetre is used instead.
+// A scene in Chipmunk 7 with 10 iterations, its default. Chipmunk multiplies the friction and the
+// restitution of two surfaces. Each shape gets the square root of its values, so the product is the
+// geometric mean that the other engines use for friction. Its allowed overlap is made for lengths
+// in pixels; Box2D's half a centimeter is used instead.
 
 #include <chipmunk/chipmunk.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ Point point(cpVect v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
-/// Makes one shape on `body`, with its mass where the body is dynamic.
+/// Makes one shape on `body`; on a dynamic body with its mass.
 struct ShapeMaker {
     cpBody& body;
 
@@ -53,7 +53,7 @@ struct ShapeMaker {
     }
 };
 
-/// A chain as Chipmunk has it: segments that know their neighbors.
+/// A chain in Chipmunk: segments with known neighbors.
 std::vector<cpShape*> make_chain(cpBody& body, const ChainShape& chain) {
     const std::size_t n = chain.points.size(), segments = chain.closed ? n : n - 1;
     std::vector<cpShape*> made;
@@ -68,8 +68,8 @@ std::vector<cpShape*> make_chain(cpBody& body, const ChainShape& chain) {
     return made;
 }
 
-/// The first space greets on standard output, which belongs to tables and JSON lines: it is sent to
-/// the error stream.
+/// The first space prints a greeting to standard output, which is only for tables and JSON lines.
+/// So it is redirected to the error stream.
 cpSpace* new_space() {
     std::fflush(stdout);
     const int output = dup(STDOUT_FILENO);
@@ -129,7 +129,7 @@ class ChipmunkEngine : public Engine {
     }
 
     std::size_t contacts() const override {
-        std::size_t seen = 0;  // each from both of its bodies
+        std::size_t seen = 0;  // each contact is counted from both bodies
         for (cpBody* body : bodies_) cpBodyEachArbiter(body, count_arbiter, &seen);
         return seen / 2;
     }

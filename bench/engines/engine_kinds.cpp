@@ -1,3 +1,5 @@
+// The list of all engines.
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>

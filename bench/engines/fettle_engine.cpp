@@ -70,7 +70,7 @@ class FettleEngine : public Engine {
         for (const SceneBody& body : scene.bodies) bodies_.push_back(make(body));
         for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
         groups_.resize(scene.groups.size());
-        // Last, since whoever comes to touch a sleeping body wakes it.
+        // Last, because a new contact wakes a sleeping body.
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (!scene.bodies[i].awake) bodies_[i].set_awake(false);
         }
@@ -91,8 +91,8 @@ class FettleEngine : public Engine {
         bodies_[body].set_velocity(vec(velocity));
     }
 
-    /// What is there goes from last to first, shapes before their bodies, as in the tree: the
-    /// order decides which slots are free next, and with them the order of the contacts.
+    /// Removes existing bodies from last to first, shapes before their bodies, as the tree does.
+    /// The order determines the next free slots, and so the order of the contacts.
     void arrive(std::size_t group, const SceneGroup& description) override {
         Group& of = groups_[group];
         for (auto joint = of.joints.rbegin(); joint != of.joints.rend(); ++joint) joint->destroy();

@@ -1,5 +1,5 @@
 #pragma once
-// The bare library, with what only it has.
+// The bare library, and access to its own features.
 
 #include <fettle/physics/physics.h>
 
@@ -11,7 +11,7 @@ namespace fettle::bench {
 
 std::unique_ptr<Engine> make_fettle(const Scene& scene, physics::Solver solver, int substeps);
 
-/// Of an engine that `make_fettle` made.
+/// The world of an engine that `make_fettle` made.
 physics::World& fettle_world(Engine& engine);
 
 }  // namespace fettle::bench

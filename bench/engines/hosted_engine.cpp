@@ -23,7 +23,7 @@ property::List values(const std::vector<Point>& points) {
     return all;
 }
 
-/// Makes one shape below `body` and gives it its geometry.
+/// Makes one shape below `body` and sets its geometry.
 struct ShapeMaker {
     Tree& tree;
     Handle body;
@@ -119,7 +119,7 @@ HostedEngine::HostedEngine(const Scene& scene, bool keeps_past)
     for (const SceneJoint& joint : scene.joints) tie(bodies_, scene.bodies, joint);
     groups_.resize(scene.groups.size());
     tree.barrier();
-    // Last, since whoever comes to touch a sleeping body wakes it.
+    // Last, because a new contact wakes a sleeping body.
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (!scene.bodies[i].awake) tree.set(bodies_[i], "awake", false);
     }
@@ -144,7 +144,8 @@ Handle HostedEngine::make(const SceneBody& description) {
         tree.set(made, "category", std::int64_t{shape.category});
         tree.set(made, "mask", std::int64_t{shape.mask});
         tree.set(made, "group", shape.group);
-        // In the tree, impacts are reported once somebody listens. Here nobody does.
+        // The tree enables impact events when a handler is registered. Here there is none, so they
+        // are enabled directly.
         if (shape.hit_events) game_.physics.shape(made).set_hit_events(true);
     }
     return body;
@@ -172,7 +173,7 @@ void HostedEngine::tie(const std::vector<Handle>& bodies, const std::vector<Scen
     tree.set(made, "upper_angle", joint.upper);
 }
 
-/// A group is a node with its bodies and joints below it, which goes as a whole.
+/// A group is a node with its bodies and joints below it; it is deleted as a whole.
 void HostedEngine::arrive(std::size_t group, const SceneGroup& description) {
     Tree& tree = game_.tree;
     Group& of = groups_[group];
@@ -238,7 +239,7 @@ void HostedEngine::watch_positions(double share) {
     const auto count =
         static_cast<std::size_t>(std::lround(share * static_cast<double>(bodies_.size())));
     for (std::size_t i = 0; i < count; ++i) {
-        // Spread evenly, so that a few watched bodies are not all neighbors in memory.
+        // Spread evenly, so that watched bodies are not all neighbors in memory.
         const Handle body = bodies_[i * bodies_.size() / count];
         game_.tree.watch(body, *position_, [this](const property::Change&) { ++changes_seen_; });
     }

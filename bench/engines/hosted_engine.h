@@ -1,5 +1,5 @@
 #pragma once
-// A scene in the property tree, run by the loop that `fettle run` runs.
+// A scene in the property tree, run by the same loop as `fettle run`.
 
 #include <fettle/app/loop.h>
 #include <fettle/app/services.h>
@@ -14,8 +14,7 @@
 
 namespace fettle::bench {
 
-/// Everything a headless `fettle run` consists of, put together in the same order. Its game is
-/// empty.
+/// All components of a headless `fettle run`, created in the same order. Its game is empty.
 struct HeadlessGame {
     HeadlessGame();
 
@@ -31,14 +30,14 @@ struct HeadlessGame {
 
 class HostedEngine : public Engine {
   public:
-    /// `keeps_past`: for rewinding, as a game does unless it is told otherwise.
+    /// `keeps_past`: stores the past for rewinding, as games do by default.
     explicit HostedEngine(const Scene& scene, bool keeps_past = true);
 
     /// Barrier, update, barrier, timers, step, barrier, modules, barrier.
     void step() override;
     BodyMotion motion(std::size_t body) const override;
     void set_velocity(std::size_t body, Point velocity) override;
-    /// By path, as it is typed into a console.
+    /// By path, as typed into a console.
     void edit_velocity(std::size_t body, Point velocity) override;
     void set_threads(int threads) override;
     void mix_groups(std::uint64_t& hash) const override;
@@ -46,7 +45,7 @@ class HostedEngine : public Engine {
     std::size_t contacts() const override;
     std::size_t bodies() const override;
 
-    /// Watches the position of that share of the bodies, 0 to 1, with a handler that counts.
+    /// Watches the positions of that share of the bodies, 0 to 1, with a handler that counts.
     void watch_positions(double share);
     std::uint64_t changes_seen() const { return changes_seen_; }
 

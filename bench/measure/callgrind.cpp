@@ -15,7 +15,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// What a command writes to either stream; empty when it fails.
+/// The output of a command on both streams; empty if the command fails.
 std::string output_of(const std::string& command) {
     struct Close {
         void operator()(std::FILE* pipe) const { pclose(pipe); }

@@ -1,6 +1,6 @@
 #pragma once
-// Instructions, counted by valgrind: a clock on a busy machine is too noisy for differences of a
-// percent.
+// Counting of instructions with valgrind. On a machine with other load, a clock is too noisy for
+// differences of a percent.
 
 #include <cstdint>
 #include <optional>
@@ -12,8 +12,8 @@ namespace fettle::bench {
 /// Whether valgrind can be started here.
 bool callgrind_available();
 
-/// Runs this program again with `arguments` under callgrind and returns the instructions spent in
-/// `measured_steps` and what it calls; nothing when valgrind did not say.
+/// Runs this program again with `arguments` under callgrind. Returns the instructions in
+/// `measured_steps` and its callees; nullopt if valgrind printed no number.
 std::optional<std::uint64_t> count_instructions(const std::vector<std::string>& arguments);
 
 }  // namespace fettle::bench

@@ -12,9 +12,9 @@
 namespace fettle::bench {
 namespace {
 
-constexpr int warm_up = 30;             // steps: the boxes have come to rest
-constexpr int timings = 15;             // of each, in turns
-constexpr int events_a_timing = 40000;  // at least
+constexpr int warm_up = 30;             // steps until the boxes are at rest
+constexpr int timings = 15;             // of each kind, in turns
+constexpr int events_a_timing = 40000;  // minimum
 
 Scene boxes_on_a_floor(int boxes) {
     Scene scene;
@@ -27,7 +27,7 @@ Scene boxes_on_a_floor(int boxes) {
     return scene;
 }
 
-/// The class of bodies is listened to, so that both sides of each touch are told.
+/// Registers a handler for the class of bodies, so that both bodies of each touch get the event.
 class Listened {
   public:
     Listened(const Scene& scene, const std::string& script, bool native) : engine_(scene, false) {

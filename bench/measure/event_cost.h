@@ -1,6 +1,6 @@
 #pragma once
-// What it costs to hear of an event, where one body has very many contacts: boxes that rest side by
-// side on one floor, with a listener to the touches that go on.
+// The cost of receiving an event when one body has very many contacts: boxes that rest side by side
+// on one floor, with a handler for continuing touches.
 
 #include <functional>
 #include <vector>
@@ -9,11 +9,11 @@ namespace fettle::bench {
 
 struct EventCost {
     int boxes = 0;
-    double ns_native = 0;  // an event, with a handler in C++
-    double ns_script = 0;  // with one in Lua that reads all that the event tells
+    double ns_native = 0;  // per event, with a handler in C++
+    double ns_script = 0;  // per event, with a handler in Lua that reads all its data
 };
 
-/// `progress` is told the share that was done since it was told last.
+/// `progress` receives the share of work done since the previous call.
 std::vector<EventCost> event_costs(const std::function<void(double)>& progress);
 
 }  // namespace fettle::bench

@@ -1,11 +1,11 @@
 #pragma once
-// How far apart processors are, as threads that share out work notice it.
+// The communication time between processors.
 
 namespace fettle::bench {
 
-/// Nanoseconds that a word takes from one thread to another and back, the best of some tries. Where
-/// both are halves of one core it is about 50, where they share a cache about 100, else several
-/// hundred; where there is no second processor at the moment, thousands.
+/// Nanoseconds for sending a word from one thread to another and back; the best of several tries.
+/// About 50 if both threads run on one core (hyper-threading), about 100 if their cores share a
+/// cache, several hundred otherwise; thousands if no second processor is free at the moment.
 double round_trip_ns();
 
 }  // namespace fettle::bench

@@ -82,11 +82,11 @@ std::size_t Simulation::topmost(bool free) const {
 }
 
 StepTime Simulation::edited_step() {
-    if (!scene_.groups.empty()) return timed_steps(1);  // its own bodies stand still
+    if (!scene_.groups.empty()) return timed_steps(1);  // the bodies outside groups do not move
     std::size_t body = topmost(true);
     const bool held = body == scene_.bodies.size();
     if (held) body = topmost(false);
-    // What is pressed against a ceiling does not rise, but it comes down.
+    // A body under a ceiling cannot move up, but then it can move down.
     StepTime time;
     float moved = 0;
     for (const float push : {1.0f, -1.0f}) {  // m/s

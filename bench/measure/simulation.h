@@ -1,6 +1,6 @@
 #pragma once
-// A scene being simulated by an engine, with everything that belongs to the scene in time: bodies
-// that follow paths, and an edit in mid-run.
+// A running simulation of a scene in an engine, including events in time: bodies that follow paths,
+// arriving groups, and an edit in the middle.
 
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace fettle::bench {
 
 struct StepTime {
     double wall_ms = 0;
-    double thread_ms = 0;  // on a processor: what others do to the machine counts less
+    double thread_ms = 0;  // processor time, which is less sensitive to other load
     StepTime& operator+=(const StepTime& other) {
         wall_ms += other.wall_ms;
         thread_ms += other.thread_ms;
@@ -25,9 +25,9 @@ class Simulation {
     Simulation(const Scene& scene, const EngineKind& kind);
     Simulation(const Scene& scene, std::string name, std::unique_ptr<Engine> engine);
 
-    /// Steps and returns the time of the steps. At half of the scene's steps the topmost body is
-    /// edited to move up, off the clock; throws std::runtime_error unless the next step moves it
-    /// so.
+    /// Makes steps and returns their time. After half of the scene's steps, the topmost body gets
+    /// an upward velocity, which is not timed. Throws std::runtime_error if the next step does not
+    /// move it accordingly.
     StepTime advance(int steps);
     int steps() const { return made_; }
     const Engine& engine() const { return *engine_; }
@@ -44,12 +44,12 @@ class Simulation {
     std::string name_;
     std::unique_ptr<Engine> engine_;
     std::vector<std::size_t> driven_;
-    std::size_t arrived_ = 0;  // of the scene's arrivals
-    std::vector<bool> tied_;   // by a joint
+    std::size_t arrived_ = 0;  // number of arrivals so far
+    std::vector<bool> tied_;   // whether a joint holds the body
     int made_ = 0;
 };
 
-/// The steps themselves and nothing else: the function a profiler is told to look at.
+/// Makes the steps and nothing else: profilers measure this function.
 [[gnu::noinline]] void measured_steps(Engine& engine, int steps);
 
 }  // namespace fettle::bench

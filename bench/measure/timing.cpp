@@ -23,8 +23,8 @@ double median(std::vector<double> values) {
 Interval median_interval(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const auto n = static_cast<int>(values.size());
-    // The k smallest and the k greatest values are left out, where k is the greatest number for
-    // which at most k of n fair coins show heads with a probability of at most 2.5 %.
+    // Excludes the k smallest and the k largest values. k is the largest number such that at most k
+    // of n fair coins show heads with a probability of at most 2.5 %.
     double probability = std::pow(0.5, n);
     double cumulative = probability;
     int k = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Clocks, and the statistics that make sense of a noisy one.
+// Clocks, and statistics of noisy times.
 
 #include <chrono>
 #include <string>
@@ -20,7 +20,8 @@ class WallClock {
     Clock::time_point start_ = Clock::now();
 };
 
-/// Milliseconds this thread spent on a processor: what others do to the machine counts less.
+/// Milliseconds that this thread spent on a processor. It is less sensitive to other load than wall
+/// time.
 class ThreadClock {
   public:
     ThreadClock() : start_(now_ms()) {}
@@ -31,7 +32,7 @@ class ThreadClock {
     double start_;
 };
 
-/// Of an even number of values, the mean of the middle two. `values` must not be empty.
+/// For an even number of values, the mean of the middle two. `values` must not be empty.
 double median(std::vector<double> values);
 
 struct Interval {
@@ -39,10 +40,9 @@ struct Interval {
     double high = 0;
 };
 
-/// A confidence interval of at least 95 % for the median, from order statistics: needs no
-/// assumption about how the values are distributed (W. J. Conover, Practical Nonparametric
-/// Statistics, section 3.2). With fewer than six values there is none, and the extremes are
-/// returned.
+/// A confidence interval of at least 95 % for the median, from order statistics. It assumes nothing
+/// about the distribution of the values (W. J. Conover, Practical Nonparametric Statistics, section
+/// 3.2). For fewer than six values no such interval exists, and the extremes are returned.
 Interval median_interval(std::vector<double> values);
 
 }  // namespace fettle::bench

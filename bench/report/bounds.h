@@ -1,5 +1,5 @@
 #pragma once
-// What the design asks of a figure, and which figures of a table miss it.
+// Bounds of the design for figures, and reports of figures beyond them.
 
 #include <iosfwd>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace fettle::bench {
 
-/// The bound of a figure. None where `kind` is none; `note` may say in words what is hoped for.
+/// The bound of a figure. There is no bound if `kind` is `none`; `note` may explain in words.
 struct Bound {
     enum class Kind { none, below, at_most, at_least, exactly, other_than };
     Kind kind = Kind::none;
@@ -16,9 +16,10 @@ struct Bound {
     std::string note{};
 
     explicit operator bool() const { return kind != Kind::none; }
-    /// No bound holds for a figure that is not a number; none at all holds always.
+    /// Whether the figure is within the bound. NaN is within no bound, and every figure is valid if
+    /// there is none.
     bool holds(double figure) const;
-    /// "< 50", "<= 1.75", ">= 1.7", "15", "not 0"; nothing where there is none.
+    /// "< 50", "<= 1.75", ">= 1.7", "15", "not 0"; "" if there is no bound.
     std::string text() const;
 };
 
@@ -41,19 +42,20 @@ inline Bound other_than(double value) {
 /// The bound and its note, for a column of a table: "< 50: stands".
 std::string words_of(const Bound& bound);
 
-/// Looks at the figures of one table: marks those beyond their bounds and tells them at the end.
+/// Checks the figures of one table: marks those beyond their bounds and lists them at the end.
 class Verdict {
   public:
-    /// `table` is what the subcommand is called.
+    /// `table`: name of the subcommand.
     explicit Verdict(std::string table) : table_(std::move(table)) {}
 
-    /// Looks at a figure of a row. `shown` is the figure as the table shows it; `against` says what
-    /// it is measured in or compared with. Returns `shown`, with " !" behind it when the figure is
-    /// beyond its bound.
+    /// Checks a figure of a row. `shown`: the figure as the table shows it. `against`: its unit, or
+    /// what it is compared with. Returns `shown`, followed by " !" if the figure is beyond its
+    /// bound.
     std::string look(const std::string& row, double figure, const Bound& bound,
                      const std::string& shown, const std::string& against = {});
-    /// A line for each figure beyond its bound, which `./check --full` collects, and how many
-    /// bounds were looked at: `exceeded: tree "get ball.mass" 1.82 of the barest (bound <= 1.75)`.
+    /// Prints one line for each figure beyond its bound, which `./check --full` collects, and the
+    /// number of checked bounds: `exceeded: tree "get ball.mass" 1.82 of the barest (bound <=
+    /// 1.75)`.
     void print(std::ostream& out) const;
 
   private:

@@ -22,7 +22,7 @@ std::string bar_at(int x, int y, int width, int height, const char* color) {
            "\"/>\n";
 }
 
-/// The bars of one group from `y` on; moves `y` below them.
+/// The bars of one group, beginning at `y`; moves `y` below them.
 std::string bars_of(const Chart& chart, const Chart::Group& group, int& y) {
     double longest = 0;
     for (const auto& value : group.values) longest = std::max(longest, value.value_or(0));

@@ -1,5 +1,5 @@
 #pragma once
-// Results for programs: one JSON object a line.
+// Results for programs: one JSON object per line.
 
 #include <initializer_list>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace fettle::bench {
 
-/// nil prints as null.
+/// A monostate is printed as null.
 using JsonField = std::variant<std::monostate, std::string, double, long long>;
 
-/// {"scene":"smash","ms":1.5}, fields in the order given. Numbers that are not finite become null.
+/// {"scene":"smash","ms":1.5}, with the fields in the given order. Infinity and NaN become null.
 std::string json_line(std::initializer_list<std::pair<const char*, JsonField>> fields);
 
 }  // namespace fettle::bench

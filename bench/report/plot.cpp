@@ -19,14 +19,14 @@ std::string number(double value) {
     return text;
 }
 
-/// A tick as people write it: 0.001, 20, 1e6.
+/// The label of a tick: 0.001, 20, 1e6.
 std::string tick_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
 }
 
-/// One axis: from values to a place between two edges of the frame.
+/// One axis: maps values to positions between two edges of the frame.
 class Axis {
   public:
     Axis(bool logarithmic, double from, double to)
@@ -38,7 +38,7 @@ class Axis {
         high_ = std::max(high_, scaled(value));
     }
 
-    /// Widens the range to whole ticks.
+    /// Extends the range to whole ticks.
     void settle() {
         if (!(low_ <= high_)) low_ = 0, high_ = 1;
         if (logarithmic_) {

@@ -1,5 +1,5 @@
 #pragma once
-// Lines in a frame with axes, as SVG.
+// Plots as SVG: lines in a frame with axes.
 
 #include <filesystem>
 #include <string>
@@ -21,9 +21,9 @@ struct Plot {
     std::vector<Curve> curves{};
 };
 
-/// Of logarithmic axes only positive values show.
+/// On logarithmic axes, only positive values are shown.
 std::string svg_of(const Plot& plot);
-/// Throws std::runtime_error that names the file when it cannot be written.
+/// Throws std::runtime_error with the name of the file if it cannot be written.
 void write_svg(const Plot& plot, const std::filesystem::path& file);
 
 }  // namespace fettle::bench

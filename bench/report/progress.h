@@ -1,6 +1,6 @@
 #pragma once
-// How far a long run is: a bar on a terminal, plain lines elsewhere. On the error stream, so that
-// tables and JSON lines stay clean.
+// Progress of a long run: a bar on a terminal, otherwise plain lines. It is written to the error
+// stream, so that tables and JSON lines contain nothing else.
 
 #include <string>
 
@@ -8,13 +8,13 @@ namespace fettle::bench {
 
 class Progress {
   public:
-    /// `units` of work in all.
+    /// `units`: total amount of work.
     explicit Progress(double units);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// A new piece of work begins: where there is no terminal, this makes a line.
+    /// Begins a new part of the work; without a terminal this prints a line.
     void begin(const std::string& what);
     void add(double units);
 

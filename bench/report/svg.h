@@ -1,5 +1,5 @@
 #pragma once
-// What all pictures have in common: colors, texts, the frame of the file.
+// Common parts of all pictures: colors, texts, and the frame of the file.
 
 #include <cstddef>
 #include <filesystem>
@@ -7,13 +7,13 @@
 
 namespace fettle::bench {
 
-/// Of the n-th of several series.
+/// The color of the n-th of several series.
 const char* color_of(std::size_t series);
-/// As text between tags.
+/// Escapes text for XML.
 std::string escaped(const std::string& text);
-/// A whole picture, px, on white.
+/// A complete picture on white; size in pixels.
 std::string svg_of_size(int width, int height, const std::string& body);
-/// Throws std::runtime_error that names the file and why it cannot be written.
+/// Throws std::runtime_error with the name of the file and the reason if it cannot be written.
 void write_svg_text(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace fettle::bench

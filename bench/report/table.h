@@ -1,5 +1,5 @@
 #pragma once
-// What a benchmark prints: a table of texts for people, a chart of the same figures.
+// Output of a benchmark: a text table, and a chart of the same figures.
 
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,7 @@ class Table {
   public:
     explicit Table(std::vector<std::string> headers);
     void add(std::vector<std::string> row);
-    /// Fixed width, a rule under the headers.
+    /// The table with columns of fixed width and a line under the headers.
     std::string text() const;
 
   private:
@@ -27,7 +27,7 @@ class Table {
 struct Chart {
     struct Group {
         std::string label;
-        std::vector<std::optional<double>> values{};  // one a series; none: no bar
+        std::vector<std::optional<double>> values{};  // one per series; nullopt: no bar
     };
     std::string title{};
     std::string unit{};
@@ -35,10 +35,9 @@ struct Chart {
     std::vector<Group> groups{};
 };
 
-/// Bars are to scale within a group, whose longest fills the width: groups differ by orders of
-/// magnitude.
+/// The longest bar of each group fills the width, because groups differ by orders of magnitude.
 std::string svg_of(const Chart& chart);
-/// Throws std::runtime_error that names the file when it cannot be written.
+/// Throws std::runtime_error with the name of the file if it cannot be written.
 void write_svg(const Chart& chart, const std::filesystem::path& file);
 
 }  // namespace fettle::bench

@@ -1,5 +1,5 @@
 #pragma once
-// Every benchmark scene by name.
+// All benchmark scenes by name.
 
 #include <span>
 #include <string_view>
@@ -10,25 +10,25 @@ namespace fettle::bench {
 
 struct CatalogueEntry {
     std::string_view name;
-    /// Null where the scene cannot be built yet; `missing` says what it lacks.
+    /// Null if the scene cannot be built yet; `missing` contains the reason.
     Scene (*make)();
     std::string_view missing;
-    /// Run when nobody asks for scenes by name.
+    /// Whether it runs when no scene is named.
     bool by_default = true;
-    /// What a step may take at most, over that of Box2D 2.4; 0: the design sets no bound.
+    /// Maximum time per step divided by that of Box2D 2.4; 0: the design sets no bound.
     double over_box2d = 0;
 };
 
 std::span<const CatalogueEntry> catalogue();
-/// Throws std::invalid_argument that lists the names for one that does not exist, or says what is
-/// missing.
+/// Throws std::invalid_argument for a name that does not exist, with a list of the names, or with
+/// what the scene is missing.
 const CatalogueEntry& scene_named(std::string_view name);
 
 Scene large_pyramid();
 /// The same with `base` squares in its lowest row.
 Scene pyramid_of(int base);
 Scene many_pyramids();
-/// The same with so many pyramids, twenty a row.
+/// The same with that number of pyramids, twenty per row.
 Scene pyramids_of(int count);
 Scene joint_grid();
 Scene tumbler();
@@ -38,7 +38,7 @@ Scene compounds();
 Scene junkyard();
 Scene spinner();
 Scene rain();
-/// 10 000 boxes and circles in a bin, all awake: where the cost of hosting is measured.
+/// 10 000 boxes and circles in a bin, all awake; used for measuring the cost of hosting.
 Scene crowd();
 /// The same with `columns` × `rows` bodies.
 Scene crowd_of(int columns, int rows);

@@ -1,4 +1,4 @@
-// Joints: many of them, and one that turns a drum.
+// Scenes with joints: many joints, and one that turns a drum.
 
 #include <cmath>
 #include <limits>
@@ -23,7 +23,7 @@ Scene joint_grid() {
             const std::size_t self = scene.bodies.size();
             scene.bodies.push_back(body);
             if (i > 0) scene.joints.push_back({self - 1, self, {x, y + 0.5f}});
-            // Nothing is to be held between two that cannot move.
+            // No joint is necessary between two fixed bodies.
             if (k > 0 && !(held && scene.bodies[self - side].motion == Motion::fixed))
                 scene.joints.push_back({self - side, self, {x - 0.5f, y}});
         }
@@ -58,7 +58,7 @@ Scene spinner() {
     constexpr int corners = 360, count = 6076;
     constexpr float radius = 40;
     Scene scene{.name = "spinner", .steps = 500};
-    // The polygons of Box2D cannot be rounded.
+    // Box2D has no rounded polygons.
     scene.peers = {{"chipmunk"}};
     SceneBody ring{.motion = Motion::fixed};
     const auto corner = [](int i) {
@@ -66,7 +66,7 @@ Scene spinner() {
         return Point{radius * static_cast<float>(std::cos(angle)),
                      32 + radius * static_cast<float>(std::sin(angle))};
     };
-    // Counter-clockwise: it holds what is inside.
+    // Counter-clockwise, so that the chain is solid outside and holds the bodies inside.
     ChainShape chain;
     chain.closed = true;
     for (int i = 0; i < corners; ++i) chain.points.push_back(corner(i));

@@ -1,4 +1,4 @@
-// Falling and hitting: contacts that come and go.
+// Scenes with falling and colliding bodies: contacts begin and end.
 
 #include <cmath>
 #include <numbers>
@@ -64,7 +64,7 @@ Scene junkyard() {
     };
     scene.bodies.push_back(pusher);
 
-    // Five points round a circle, named in the order in which they are met when going round.
+    // Five points on a circle, in their order around it.
     PolygonShape pentagon;
     for (const int n : {0, 2, 4, 1, 3}) {
         const double angle = n * std::numbers::pi * (std::sqrt(5.0) - 1);

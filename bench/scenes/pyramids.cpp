@@ -1,12 +1,12 @@
-// Stacking: the solver and the narrow phase at work on boxes that hardly move.
+// Scenes with stacks: load for the solver and the narrow phase, while the boxes hardly move.
 
 #include "scenes/catalogue.h"
 
 namespace fettle::bench {
 namespace {
 
-/// A pyramid of squares of half-extent 0.5 that stands on `ground`; its lower left square lies at
-/// `left`.
+/// A pyramid of squares with half-extent 0.5 that stands on `ground`. `left`: position of its lower
+/// left square.
 void add_pyramid(Scene& scene, int base, float left, float ground) {
     constexpr float half = 0.5f;
     for (int i = 0; i < base; ++i) {

@@ -1,5 +1,5 @@
-// Ragdolls rain on five floors, column by column; when forty columns lie there, the oldest goes and
-// falls anew. The figures of a doll are those of `scripts/ragdoll`.
+// Ragdolls fall on five floors, column by column. When there are forty columns, the oldest is
+// removed and falls again. The dimensions of a doll are those of `scripts/ragdoll`.
 
 #include <numbers>
 
@@ -9,10 +9,10 @@ namespace fettle::bench {
 namespace {
 
 struct Bone {
-    int parent;  // among the bones; -1: none
+    int parent;  // index of the bone; -1: none
     float y, low, high, radius;
     float pivot, lower, upper;  // m, half turns
-    float friction;             // of the pin, a share of 0.05 N m
+    float friction;             // of the pin, as a share of 0.05 N m
     float reference = 0;        // half turns
     float damping = 0;
     bool foot = false;
@@ -46,7 +46,7 @@ SceneShape foot(std::int32_t group) {
     return {.geometry = sole, .friction = 0.05f, .category = 2, .mask = 1, .group = group};
 }
 
-/// A doll whose feet are at `place`, the `number`th of its group.
+/// A doll with its feet at `place`. `number`: its index in the group.
 void add_doll(SceneGroup& to, Point place, int number) {
     constexpr auto half_turn = static_cast<float>(std::numbers::pi);
     const std::size_t first = to.bodies.size();
@@ -75,7 +75,7 @@ void add_doll(SceneGroup& to, Point place, int number) {
 Scene rain() {
     constexpr int columns = 40, rows = 5, dolls = 5, interval = 8;
     Scene scene{.name = "rain", .steps = 1000};
-    // Box2D's pins have no springs, and those of Chipmunk no friction.
+    // Box2D's revolute joints have no springs, and Chipmunk's have no friction.
     scene.peers.emplace();
     for (int row = 0; row < rows; ++row) {
         SceneBody floor{.motion = Motion::fixed};

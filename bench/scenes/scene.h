@@ -1,6 +1,6 @@
 #pragma once
-// A scene: bodies and their shapes in words that no engine owns, so that every engine builds the
-// same one. Metres, kilograms, seconds, radians; y is up.
+// A scene: bodies and shapes in a form that does not depend on an engine, so that every engine
+// builds the same scene. Units: meters, kilograms, seconds, radians; y is up.
 
 #include <cstddef>
 #include <cstdint>
@@ -30,10 +30,10 @@ struct CircleShape {
 struct BoxShape {
     Point half = {0.5f, 0.5f};
     Point center{};
-    float rounding = 0;  // grows it all round
+    float rounding = 0;  // radius added all around
 };
 
-/// With a radius a capsule.
+/// A segment with a radius is a capsule.
 struct SegmentShape {
     Point from{};
     Point to{};
@@ -43,14 +43,14 @@ struct SegmentShape {
 /// Convex, counter-clockwise.
 struct PolygonShape {
     std::vector<Point> vertices;
-    float rounding = 0;  // grows it all round
+    float rounding = 0;  // radius added all around
 };
 
 struct EllipseShape {
     Point radii{};
 };
 
-/// Solid on its left, as one walks from point to point.
+/// Solid on its left side in the order of the points.
 struct ChainShape {
     std::vector<Point> points;
     bool closed = false;
@@ -62,26 +62,26 @@ using Geometry =
 struct SceneShape {
     Geometry geometry;
     float density = 1;      // kg/m²
-    float friction = 0.6f;  // a contact has the geometric mean of both
-    float restitution = 0;  // a contact has the greater of both
+    float friction = 0.6f;  // a contact uses the geometric mean of both
+    float restitution = 0;  // a contact uses the larger of both
     std::uint16_t category = 1;
-    std::uint16_t mask = 0xffff;  // what it collides with: both must agree
-    std::int32_t group = 0;       // shapes of the same negative one do not collide
-    bool hit_events = false;      // reports impacts, in engines that have such events
+    std::uint16_t mask = 0xffff;  // categories it collides with; both shapes must agree
+    std::int32_t group = 0;       // shapes with the same negative group do not collide
+    bool hit_events = false;      // reports impacts, if the engine has such events
 };
 
 inline constexpr float unlimited = std::numeric_limits<float>::infinity();
 
-/// A pin that holds two bodies together at a point, and turns b against a where it has a motor.
+/// A pin that holds two bodies together at a point; with a motor, it turns b relative to a.
 struct SceneJoint {
-    std::size_t body_a = 0;  // indices into the scene's bodies
+    std::size_t body_a = 0;  // indices of bodies in the scene
     std::size_t body_b = 0;
-    Point anchor{};          // world, when the scene begins; the bodies have no angle then
+    Point anchor{};          // world coordinates at the start; the bodies have angle 0 then
     float motor_speed = 0;   // rad/s, of b relative to a
-    float motor_torque = 0;  // N m, at most; 0: no motor
-    float reference = 0;     // rad, of b relative to a: counts as 0 below
+    float motor_torque = 0;  // maximum torque in N m; 0: no motor
+    float reference = 0;     // rad; the angle of b relative to a that counts as 0
     float lower = -unlimited, upper = unlimited;  // rad
-    float hertz = 0, damping_ratio = 0;           // of a spring to 0; 0 Hz: none
+    float hertz = 0, damping_ratio = 0;           // spring to angle 0; 0 Hz: no spring
 };
 
 enum class Motion : std::uint8_t { fixed, kinematic, dynamic };
@@ -97,19 +97,19 @@ struct SceneBody {
     bool can_sleep = true;
     float linear_damping = 0;  // 1/s
     std::vector<SceneShape> shapes{};
-    /// Where a kinematic body heads for in every step, by the time at the end of the step.
+    /// Target of a kinematic body in every step, by the time at the end of the step.
     std::function<Point(double time)> path{};
 };
 
-/// Bodies that come together and go together, with joints among themselves.
+/// Bodies that are added and removed together, with joints between them.
 struct SceneGroup {
     std::vector<SceneBody> bodies{};
-    std::vector<SceneJoint> joints{};  // of bodies of the group
+    std::vector<SceneJoint> joints{};  // between bodies of the group
 };
 
-/// Before a step, a group goes (if it is there) and comes again as it was.
+/// Before a step, a group is removed (if it exists) and added again in its initial state.
 struct Arrival {
-    int step = 0;  // the first is 0
+    int step = 0;  // the first step is 0
     std::size_t group = 0;
 };
 
@@ -122,23 +122,23 @@ struct Scene {
     std::vector<SceneBody> bodies{};
     std::vector<SceneJoint> joints{};
     std::vector<SceneGroup> groups{};
-    std::vector<Arrival> arrivals{};  // by step
-    /// The peers that can express it; nothing: all.
+    std::vector<Arrival> arrivals{};  // sorted by step
+    /// Engines that can represent the scene; nullopt: all.
     std::optional<std::vector<std::string_view>> peers{};
     bool runs_on(std::string_view engine) const;
 
-    /// Where the joint holds its bodies, in their coordinates.
+    /// The anchor of a joint in the coordinates of its bodies.
     Point anchor_a(const SceneJoint& joint) const;
     Point anchor_b(const SceneJoint& joint) const;
 };
 
-/// The same where the joint is one of these bodies.
+/// The anchor in the coordinates of one of these bodies.
 Point local_anchor(const std::vector<SceneBody>& bodies, std::size_t body, Point anchor);
 
-/// Length of a step of every scene, s.
+/// Length of a step in every scene, s.
 inline constexpr float time_step = 1.0f / 60;
 
-/// A body of one shape at `position`.
+/// A body with one shape at `position`.
 SceneBody body_of(Motion motion, Point position, Geometry geometry);
 SceneBody dynamic_box(Point position, float half);
 SceneBody fixed_box(Point position, Point half);

@@ -1,4 +1,4 @@
-// A drum that turns and tumbles what is inside.
+// A drum that turns and tumbles the bodies inside it.
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ Point on_circle(double radius, double angle) {
             static_cast<float>(radius * std::sin(angle))};
 }
 
-/// A piece of a ring between two radii and two angles, with straight sides.
+/// A piece of a ring between two radii and two angles. Its sides are straight.
 PolygonShape ring_piece(double inner, double outer, double from, double to) {
     return {{on_circle(inner, from), on_circle(outer, from), on_circle(outer, to),
              on_circle(inner, to)}};

@@ -11,7 +11,7 @@
 namespace fettle::bench {
 namespace {
 
-/// One curve a solver.
+/// One curve per solver.
 template <class Fill>
 std::vector<Curve> curves(Fill&& fill) {
     std::vector<Curve> all;
@@ -27,7 +27,7 @@ double lowest_gap(const Engine& engine, std::size_t body, double supposed) {
     return supposed - static_cast<double>(engine.motion(body).position.y);
 }
 
-/// A rod of two metres, let go from the horizontal.
+/// A rod of two meters that is released from the horizontal.
 Scene pendulum() {
     Scene scene{.name = "pendulum", .sleeping = false};
     scene.bodies.push_back({.motion = Motion::fixed});
@@ -138,7 +138,7 @@ Plot energy_plot() {
             run_for(*engine, 0.5);
             const BodyMotion ball = engine->motion(1);
             const double speed = std::hypot(ball.velocity.x, ball.velocity.y);
-            // A disc of 20 cm that turns with the rod, which is rigid.
+            // A disc of 20 cm on a rigid rod rotates with the rod.
             const double spin = static_cast<double>(ball.angular_velocity);
             const double energy = 0.5 * speed * speed + 0.25 * 0.04 * spin * spin +
                                   10 * static_cast<double>(ball.position.y);

@@ -1,5 +1,5 @@
 #pragma once
-// What the three solvers of the library do differently, as curves.
+// Differences between the three solvers of the library, as curves.
 
 #include <span>
 #include <string_view>
@@ -15,14 +15,14 @@ struct SolverKind {
     physics::Solver solver;
 };
 std::span<const SolverKind> solver_kinds();
-/// The bare library under a solver.
+/// The bare library with one solver.
 EngineKind engine_of(const SolverKind& kind, int substeps = 4);
 
-/// Milliseconds a step, the median of several, after the first ten.
+/// Milliseconds per step: the median of several steps after the first ten.
 double step_time(Engine& engine, int steps);
 
 struct Experiment {
-    std::string_view name;  // of its file, too
+    std::string_view name;  // also the name of its file
     Plot (*run)();
 };
 std::span<const Experiment> experiments();

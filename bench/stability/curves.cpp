@@ -1,4 +1,4 @@
-// Chains and ellipses: what slides over seams, and what rocks.
+// Chains and ellipses: bodies that slide over seams, and bodies that rock.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double gravity = 10;
 
-/// The fastest upward speed of what slides along a level chain at a speed, m/s.
+/// The largest upward speed of a body that slides along a level chain at `speed`, m/s.
 double kick(const EngineKind& kind, const Geometry& geometry, float speed) {
     Scene scene{.name = "seams", .sleeping = false};
     SceneBody ground{.motion = Motion::fixed};
@@ -40,13 +40,14 @@ double worst_kick(const EngineKind& kind, const Geometry& geometry) {
     return worst;
 }
 
-/// How high the center of an ellipse is, and how that changes with its angle.
+/// The height of the center of an ellipse on the ground at an angle.
 double height(double a, double b, double angle) {
     return std::hypot(a * std::sin(angle), b * std::cos(angle));
 }
 
-/// Of an ellipse that rocks without slipping: ½(I + r²)·θ'² = g·(h₀ - h), with r the way from the
-/// contact to the center and I that of unit mass; a quarter of the period is ∫ dθ/θ'.
+/// The period of an ellipse that rocks without slipping: ½(I + r²)·θ'² = g·(h₀ - h). r is the
+/// distance from the contact to the center, I the moment of inertia for unit mass; a quarter of the
+/// period is ∫ dθ/θ'.
 double analytic_period(double a, double b, double start) {
     constexpr int parts = 4000;
     double sum = 0;
@@ -70,9 +71,9 @@ std::vector<Figure> seams_trial(const EngineKind& kind) {
             {"kick of a capsule", 1000 * worst_kick(kind, capsule), "mm/s", below(10)}};
 }
 
-/// An ellipse twice as wide as high, let go at 0.2 rad: five swings.
+/// An ellipse twice as wide as high, released at 0.2 rad; five swings.
 std::vector<Figure> ellipse_trial(const EngineKind& kind) {
-    if (kind.name != "fettle" && kind.name != "hosted") return {};  // the others have none
+    if (kind.name != "fettle" && kind.name != "hosted") return {};  // others have no ellipses
     constexpr double a = 1, b = 0.5, start = 0.2;
     Scene scene{.name = "ellipse", .sleeping = false};
     scene.bodies.push_back(fixed_box({0, -1}, {20, 1}));

@@ -1,4 +1,4 @@
-// Pushing apart and hitting.
+// Overlap recovery and impacts.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ struct Motions {
 
 }  // namespace
 
-/// 625 circles that overlap at first, in a box without gravity that is 80 % full.
+/// 625 circles that overlap at first, in a box without gravity; the box is 80 % full.
 std::vector<Figure> confined_trial(const EngineKind& kind) {
     Scene scene{.name = "confined", .gravity = {0, 0}, .sleeping = false};
     constexpr float half = 10.5f;
@@ -37,7 +37,7 @@ std::vector<Figure> confined_trial(const EngineKind& kind) {
     return {{"RMS speed after 20 s", 1000 * speed, "mm/s", below(50, "at rest")}};
 }
 
-/// A box sunk by a quarter into the ground: how fast it comes out, and where it ends.
+/// A box with a quarter of it inside the ground: its exit speed and its final position.
 std::vector<Figure> overlap_trial(const EngineKind& kind) {
     Scene scene{.name = "overlap", .sleeping = false};
     scene.bodies.push_back(fixed_box({0, -1}, {20, 1}));
@@ -54,13 +54,13 @@ std::vector<Figure> overlap_trial(const EngineKind& kind) {
             {"thrown up", 1000 * std::max(0.0, highest - 0.5), "mm", below(100)}};
 }
 
-/// Balls of 10 cm at 300 m/s against a line, and against a wall 10 cm thick: five metres a step.
+/// Balls of 10 cm at 300 m/s (five meters per step) against a line, and against a wall 10 cm thick.
 std::vector<Figure> bullets_trial(const EngineKind& kind) {
     Scene scene{.name = "bullets", .gravity = {0, 0}};
     scene.bodies.push_back(body_of(Motion::fixed, {}, SegmentShape{{50, -100}, {50, -0.5f}}));
     scene.bodies.push_back(fixed_box({50, 50}, {0.05f, 50}));
     for (int i = -40; i < 40; ++i) {
-        // Each starts a little farther away, so that they meet the wall anywhere in a step.
+        // The start distances differ, so that the impacts are spread over a step.
         SceneBody ball = body_of(Motion::dynamic,
                                  {-0.0625f * static_cast<float>(i), static_cast<float>(i) + 0.25f},
                                  CircleShape{0.05f});
@@ -76,7 +76,7 @@ std::vector<Figure> bullets_trial(const EngineKind& kind) {
     return {{"went through", static_cast<double>(through), "of 80", exactly(0)}};
 }
 
-/// Oblique frictionless collision of a ball with one three times as heavy, restitution 1.
+/// Oblique frictionless collision of a ball with one three times as heavy; restitution 1.
 std::vector<Figure> elastic_trial(const EngineKind& kind) {
     Scene scene{.name = "elastic", .gravity = {0, 0}};
     const auto add = [&](Point position, Point velocity, float density) {
@@ -104,7 +104,7 @@ std::vector<Figure> elastic_trial(const EngineKind& kind) {
     const Motions before = total();
     run_for(*engine, 2);
     const Motions after = total();
-    const double scale = 1 * 8 + 3 * 4;  // kg m/s, what both carry
+    const double scale = 1 * 8 + 3 * 4;  // kg m/s; sum of the magnitudes of momentum
     const double momentum = std::hypot(after.x - before.x, after.y - before.y) / scale;
     return {{"momentum lost", momentum, "of all", below(1e-5)},
             {"energy changed", 100 * std::abs(after.energy / before.energy - 1), "%", below(1)},

@@ -1,4 +1,4 @@
-// Sliding and rolling, against the analytic result.
+// Sliding and rolling, compared with the analytic result.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@ namespace {
 constexpr double sliding_gravity = 10;
 constexpr double slope = 20 * std::numbers::pi / 180;
 
-/// A plank through the origin that falls towards +x by `slope`, its top 0 m above the origin.
+/// A plank through the origin that descends towards +x by `slope`; its top surface passes through
+/// the origin.
 SceneBody plank(float friction) {
     constexpr double half_thickness = 1;
     SceneBody body = body_of(Motion::fixed,
@@ -24,7 +25,7 @@ SceneBody plank(float friction) {
     return body;
 }
 
-/// On the plank at the origin, `height` above its surface.
+/// A point above the origin at distance `height` from the surface of the plank.
 Point above_plank(double height) {
     return {static_cast<float>(height * std::sin(slope)),
             static_cast<float>(height * std::cos(slope))};
@@ -37,7 +38,7 @@ double descent(const Engine& engine, std::size_t body, Point from) {
            (static_cast<double>(now.y) - from.y) * std::sin(slope);
 }
 
-/// How far a box with friction μ slides down the plank in two seconds.
+/// The distance that a box with friction μ slides down the plank in two seconds.
 double slide(const EngineKind& kind, double friction) {
     Scene scene{.name = "sliding", .sleeping = false};
     scene.bodies.push_back(plank(static_cast<float>(friction)));
@@ -50,7 +51,7 @@ double slide(const EngineKind& kind, double friction) {
     return descent(*engine, 1, box.position);
 }
 
-/// The fastest upward speed of what slides over forty flush tiles at 5 m/s, m/s.
+/// The largest upward speed of a body that slides over forty flush tiles at 5 m/s, m/s.
 double kick(const EngineKind& kind, Geometry geometry) {
     Scene scene{.name = "tiles", .sleeping = false};
     for (int i = 0; i < 40; ++i)
@@ -75,14 +76,14 @@ std::vector<Figure> tiles_trial(const EngineKind& kind) {
             {"kick of a circle", 1000 * kick(kind, CircleShape{0.5f}), "mm/s", below(50)}};
 }
 
-/// A disc rolls at g sin θ / (1 + I/(m r²)) = ⅔ g sin θ.
+/// A disc rolls with the acceleration g sin θ / (1 + I/(m r²)) = ⅔ g sin θ.
 std::vector<Figure> rolling_trial(const EngineKind& kind) {
     Scene scene{.name = "rolling", .sleeping = false};
     scene.bodies.push_back(plank(1));
     scene.bodies.push_back(body_of(Motion::dynamic, above_plank(0.5), CircleShape{0.5f}));
     scene.bodies.back().shapes[0].friction = 1;
     const auto engine = kind.make(scene);
-    // The difference of two distances leaves out the first contact.
+    // The difference of two distances excludes the first contact.
     run_for(*engine, 1);
     const double first = descent(*engine, 1, scene.bodies[1].position);
     run_for(*engine, 1);
@@ -92,8 +93,8 @@ std::vector<Figure> rolling_trial(const EngineKind& kind) {
     return {{"acceleration off by", 100 * std::abs(acceleration / analytic - 1), "%", below(1)}};
 }
 
-/// Five percent more friction than tan θ holds a box, five percent less lets it slide at
-/// g (sin θ - μ cos θ).
+/// With 5 % more friction than tan θ a box must stay; with 5 % less it must slide with g (sin θ - μ
+/// cos θ).
 std::vector<Figure> sliding_trial(const EngineKind& kind) {
     const double limit = std::tan(slope);
     const double held = slide(kind, 1.05 * limit);

@@ -1,4 +1,4 @@
-// What ought to stand.
+// Structures that must stay upright.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ Scene on_ground(std::string name, bool sleeping) {
     return scene;
 }
 
-/// How far any of the bodies is from where it was put, m.
+/// The largest distance of a body from its initial position, m.
 double farthest_move(const Engine& engine, const Scene& scene) {
     double farthest = 0;
     for (const std::size_t i : dynamic_bodies(scene)) {
@@ -52,13 +52,14 @@ double add_tent(Scene& scene, double x, double y) {
     return y + 2 * half_height;
 }
 
-/// Flat cards from top to top of neighboring tents, `pitch` apart from `left` on. They are longer
-/// than that: every other one lies on the ends of its neighbors. Returns where the tents of the
-/// next level stand: the height of the middle of each card.
+/// Places flat cards between the tops of neighboring tents; they are `pitch` apart, beginning at
+/// `left`. The cards are longer than `pitch`, so every other card lies on the ends of its
+/// neighbors. Returns the ground heights for the next level of tents: the height of the middle of
+/// each card.
 std::vector<double> add_floor(Scene& scene, double left, double pitch,
                               const std::vector<double>& tops) {
     std::vector<double> middles(tops.size() - 1);
-    std::vector<double> heights = tops;  // of what is there already
+    std::vector<double> heights = tops;  // heights of what exists already
     for (const std::size_t first : {0u, 1u}) {
         for (std::size_t i = first; i + 1 < tops.size(); i += 2) {
             const double tilt = std::atan2(heights[i + 1] - heights[i], pitch);
@@ -110,7 +111,7 @@ Scene chain_under(double mass_ratio) {
     return scene;
 }
 
-/// Twelve boxes of a metre, sleeping off. Jitter: RMS speed in the sixth second.
+/// Twelve boxes of one meter, sleeping disabled. Jitter: RMS speed in the sixth second.
 std::vector<Figure> stack_trial(const EngineKind& kind) {
     const Scene scene = stack_of(12);
     const auto engine = kind.make(scene);
@@ -140,7 +141,7 @@ std::vector<Figure> card_house_trial(const EngineKind& kind) {
         {"farthest move in 10 s", 1000 * farthest_move(*engine, scene), "mm", below(50, "stands")}};
 }
 
-/// Seventeen wedges of a half ring between 9 and 11 m.
+/// Seventeen wedges of a half ring with radii 9 and 11 m.
 std::vector<Figure> arch_trial(const EngineKind& kind) {
     Scene scene = on_ground("arch", false);
     constexpr int blocks = 17;
@@ -164,8 +165,8 @@ std::vector<Figure> arch_trial(const EngineKind& kind) {
              below(100, "stands")}};
 }
 
-/// Fifteen upright slabs a metre apart, the first of which is knocked over. A slab has fallen when
-/// it leans by more than 45°.
+/// Fifteen upright slabs one meter apart; the first is pushed over. A slab has fallen when it leans
+/// by more than 45°.
 std::vector<Figure> domino_trial(const EngineKind& kind) {
     Scene scene = on_ground("domino", true);
     constexpr int count = 15;
@@ -193,7 +194,7 @@ std::vector<Figure> domino_trial(const EngineKind& kind) {
     return {{"fallen in order", static_cast<double>(in_order), "of 15", exactly(15)}};
 }
 
-/// A box of 300 kg on one of 1 kg, each a metre high: how far the light one is squashed.
+/// A box of 300 kg on one of 1 kg, each one meter high: the compression of the light one.
 std::vector<Figure> overload_trial(const EngineKind& kind) {
     Scene scene = on_ground("overload", false);
     scene.bodies.push_back(dynamic_box({0, 0.5f}, 0.5f));
@@ -207,7 +208,7 @@ std::vector<Figure> overload_trial(const EngineKind& kind) {
     return {{"deepest overlap", 100 * deepest, "%", below(5)}};
 }
 
-/// How far thirty links stretch under a hundred times the mass of one.
+/// The stretch of thirty links under a ball with a hundred times the mass of a link.
 std::vector<Figure> chain_trial(const EngineKind& kind) {
     const Scene scene = chain_under(100);
     const auto engine = kind.make(scene);

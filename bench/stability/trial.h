@@ -1,5 +1,5 @@
 #pragma once
-// Trials: small scenes with an answer that is known, and how far an engine is from it.
+// Trials: small scenes with a known result, and figures for the error of an engine.
 
 #include <span>
 #include <string>
@@ -20,12 +20,12 @@ struct Figure {
 
 struct Trial {
     std::string_view name;
-    /// Nothing where the engine cannot express the scene.
+    /// Empty if the engine cannot represent the scene.
     std::vector<Figure> (*run)(const EngineKind& kind);
 };
 
 std::span<const Trial> trials();
-/// Throws std::invalid_argument that lists the names.
+/// Throws std::invalid_argument with a list of the names.
 const Trial& trial_named(std::string_view name);
 
 // Standing.
@@ -51,14 +51,14 @@ std::vector<Figure> sliding_trial(const EngineKind& kind);
 std::vector<Figure> seams_trial(const EngineKind& kind);
 std::vector<Figure> ellipse_trial(const EngineKind& kind);
 
-// What the comparison of the solvers measures, too.
-/// Boxes of a metre on each other, sleeping off.
+// Scenes that the comparison of the solvers uses as well.
+/// Boxes of one meter on each other, sleeping disabled.
 Scene stack_of(int boxes);
-/// Thirty links of half a metre hang straight down, with a ball of a metre and so many times a
-/// link's mass at the end.
+/// Thirty links of half a meter hang straight down, with a ball of one meter at the end.
+/// `mass_ratio`: mass of the ball divided by that of a link.
 Scene chain_under(double mass_ratio);
 
-/// Root of the mean square of the bodies' speeds, m/s, over `steps` steps that are made here.
+/// Root mean square of the bodies' speeds, m/s, over `steps` steps, which this function makes.
 double rms_speed(Engine& engine, std::span<const std::size_t> bodies, int steps);
 /// Indices of the dynamic bodies of a scene.
 std::vector<std::size_t> dynamic_bodies(const Scene& scene);

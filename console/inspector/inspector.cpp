@@ -80,7 +80,7 @@ void Inspector::draw_outline(float height) {
     clipper.Begin(static_cast<int>(rows.size()), row_height);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            // A copy: folding a row takes the list anew in the next frame only.
+            // A copy, because folding a row changes the list in the next frame.
             draw_outline_row(InstanceTree::Row(rows[static_cast<std::size_t>(i)]));
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -195,7 +195,7 @@ void Inspector::draw_properties(ImFont* bold) {
             scroll_to_property_.clear();
         }
         bool edited = unfolded && editor_.draw(shown, *property, bold);
-        if (shown != selected_ || !tree_.alive(shown)) break;  // a link was followed
+        if (shown != selected_ || !tree_.alive(shown)) break;  // the user followed a link
         if (edited && tree_.properties(shown).size() != properties.size()) break;
     }
     if (tree_.alive(shown) && shown == selected_) {
@@ -228,7 +228,7 @@ void Inspector::draw_methods() {
 }
 
 void Inspector::draw_children() {
-    constexpr int most = 100;  // the outline above shows them all
+    constexpr int most = 100;  // the outline above shows all of them
     int shown = 0;
     float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     Handle chosen_child;

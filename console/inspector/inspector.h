@@ -1,5 +1,5 @@
 #pragma once
-// The inspector: every instance of the tree, and every property of the one that is selected.
+// The inspector: an outline of all instances, and all properties of the selected instance.
 
 #include <imgui.h>
 
@@ -17,16 +17,17 @@ class Inspector {
   public:
     explicit Inspector(property::Tree& tree);
 
-    /// The user chose another instance here.
+    /// Called when the user chooses another instance in the inspector.
     std::function<void(property::Handle)> chosen;
-    /// A piece of a command: the name of a method that was clicked.
+    /// Called with the name of a clicked method, to be inserted into the command.
     std::function<void(const std::string&)> insert;
 
     property::Handle selected() const { return selected_; }
-    /// Shows this one, unfolding the outline down to it. `property`: its name, to scroll to.
+    /// Selects the instance and unfolds the outline down to it. `property`: name of the property to
+    /// scroll to.
     void select(property::Handle instance, const std::string& property = {});
 
-    /// Fills the current window.
+    /// Draws into the current ImGui window.
     void draw(ImFont* bold);
     bool about_to_type() const { return editor_.about_to_type(); }
     PropertyEditor& editor() { return editor_; }
@@ -47,7 +48,7 @@ class Inspector {
     PropertyEditor editor_;
     std::string search_;
     property::Handle selected_;
-    std::string last_path_;  // of the selected one, to say what was deleted
+    std::string last_path_;  // path of the selected instance; shown when it is deleted
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;
     float outline_share_ = 0.36f;

@@ -8,8 +8,8 @@ using property::Handle;
 
 namespace {
 
-constexpr double refresh_seconds = 0.2;       // after instances came or went
-constexpr double slow_refresh_seconds = 1.0;  // in case some moved or were renamed
+constexpr double refresh_seconds = 0.2;       // after instances were created or deleted
+constexpr double slow_refresh_seconds = 1.0;  // in case instances were moved or renamed
 constexpr std::size_t slow_refresh_rows = 5000;
 
 std::uint64_t key(Handle instance) {
@@ -70,8 +70,8 @@ const std::vector<InstanceTree::Row>& InstanceTree::rows(double now) {
 }
 
 void InstanceTree::take_outline() {
-    // In place of recursion: the next row is the first child, the next sibling, or that of the
-    // nearest parent that has one.
+    // A loop without recursion. The next row is the first child, or the next sibling, or the next
+    // sibling of the nearest parent that has one.
     Handle at = tree_.root();
     std::uint32_t depth = 0;
     while (at) {

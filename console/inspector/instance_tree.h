@@ -1,7 +1,7 @@
 #pragma once
-// The instances as rows of an outline: the unfolded ones, and those that match a search. Only a
-// list of handles is kept; the drawing code reads names and values of the visible rows, so that 100
-// 000 instances cost no more than a screenful.
+// The rows of the outline: unfolded instances, or instances that match a search. Only handles are
+// stored. The drawing code reads names and values only for visible rows, so the cost per frame does
+// not depend on the number of instances.
 
 #include <cstdint>
 #include <string>
@@ -24,14 +24,15 @@ class InstanceTree {
 
     explicit InstanceTree(const property::Tree& tree);
 
-    /// Rows in order. Taken anew when folding, search or the number of instances changed, and from
-    /// time to time for what moved or was renamed; `now`: real seconds, growing.
+    /// Rows in order. The list is made again when folding, the search or the number of instances
+    /// changed, and from time to time because instances may be moved or renamed. `now`: real time
+    /// in seconds, increasing.
     const std::vector<Row>& rows(double now);
-    /// By name or class, letter case ignored; "" shows the outline.
+    /// Searches names and classes, ignoring case; "" shows the outline.
     void search(std::string_view text);
     const std::string& searched() const { return search_; }
     void fold(property::Handle instance, bool unfolded);
-    /// Unfolds everything above the instance.
+    /// Unfolds all parents of the instance.
     void reveal(property::Handle instance);
     /// Row of an instance, or -1.
     std::ptrdiff_t row_of(property::Handle instance) const;

@@ -37,7 +37,7 @@ std::vector<Vec2> points_of(const Value& list) {
     return points;
 }
 
-/// Draws the lines round what it is asked to draw.
+/// A painter that draws outlines instead of figures.
 class Pen : public property::Painter {
   public:
     Pen(ImDrawList& list, const ToPixels& to_pixels, double seconds)
@@ -63,8 +63,8 @@ class Pen : public property::Painter {
             for (const Vec2& vertex : vertices) points_.push_back(pixel(vertex));
             return stroke(n > 2);
         }
-        // Convex and counter-clockwise: at each corner the rounding turns from the normal of one
-        // edge to that of the next.
+        // The polygon is convex and counter-clockwise. At each corner the rounding turns from the
+        // normal of one edge to the normal of the next.
         const auto normal = [&](std::size_t i) {
             const Vec2 edge = vertices[(i + 1) % n] - vertices[i % n];
             return std::atan2(-edge.x(), edge.y());
@@ -72,7 +72,7 @@ class Pen : public property::Painter {
         for (std::size_t i = 0; i < n; ++i) {
             const double before = normal(i + n - 1);
             double turn = std::remainder(normal(i) - before, two_pi);
-            if (turn < -1) turn += two_pi;  // the end of a line
+            if (turn < -1) turn += two_pi;  // at the end of a line
             arc(vertices[i], Vec2(rounding, 0), Vec2(0, rounding), before, before + turn);
         }
         stroke(true);
@@ -97,7 +97,7 @@ class Pen : public property::Painter {
         const Vec2 p = to_pixels_(world);
         return ImVec2(static_cast<float>(p.x()), static_cast<float>(p.y()));
     }
-    /// Points of center + a cos t + b sin t, as many as its size on the screen needs.
+    /// Adds points of center + a cos t + b sin t; their number depends on the size on the screen.
     void arc(const Vec2& center, const Vec2& a, const Vec2& b, double start, double end) {
         const Vec2 middle = to_pixels_(center);
         const double radius = std::max((to_pixels_(center + a) - middle).norm(),
@@ -113,7 +113,7 @@ class Pen : public property::Painter {
         const auto distance = [](const ImVec2& a, const ImVec2& b) {
             return std::hypot(a.x - b.x, a.y - b.y);
         };
-        // The end of a line that is no longer than it is wide would stick out of it.
+        // A very short last segment of a thick line would show as a spike.
         while (closed && points_.size() > 2 && distance(points_.back(), points_.front()) < 0.5f)
             points_.pop_back();
         const auto count = static_cast<int>(points_.size());
@@ -135,7 +135,7 @@ class Pen : public property::Painter {
 
 void draw_outline(ImDrawList& list, const property::Tree& tree, Handle instance,
                   const ToPixels& to_pixels, double seconds) {
-    // A body is the sum of its shapes; of a whole world one sees the world.
+    // A body is drawn by its shapes. A whole world gets no outline.
     const auto box = read(tree, instance, "aabb", Type::list);
     if (!box && tree.find(instance, "position") == nullptr) return;
     Pen pen(list, to_pixels, seconds);

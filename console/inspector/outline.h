@@ -1,5 +1,5 @@
 #pragma once
-// The line around the selected instance in the game's picture.
+// The outline of the selected instance in the picture of the game.
 
 #include <imgui.h>
 
@@ -11,8 +11,8 @@ namespace fettle::console {
 
 using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
 
-/// Goes round what the instance and its children draw, where the picture shows it; round the `aabb`
-/// of what draws nothing. `seconds` lets it pulse.
+/// Draws a line around everything that the instance and its children draw; an instance that draws
+/// nothing gets its `aabb`. `seconds`: time for the pulsing of the line.
 void draw_outline(ImDrawList& list, const property::Tree& tree, property::Handle instance,
                   const ToPixels& to_pixels, double seconds);
 

@@ -7,7 +7,7 @@ namespace fettle::console {
 using property::Handle;
 
 property::Handle pick(property::Tree& tree, property::Vec2 point) {
-    // Asked after the walk: a method may change the tree.
+    // The methods are called after the walk, because a method may change the tree.
     std::vector<Handle> worlds;
     tree.each_below(tree.root(), [&](Handle instance) {
         if (tree.class_of(instance).method("at") != nullptr) worlds.push_back(instance);

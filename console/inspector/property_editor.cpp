@@ -82,7 +82,7 @@ std::string describe(const property::Tree& tree, const Property& property) {
 
 void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
     edited_ = true;
-    // From the press of the mouse to its release all edits are one step of undo.
+    // All edits between press and release of the mouse are one step of undo.
     if (!dragging_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         dragging_ = true;
         tree_.begin_edit("edit " + tree_.path(target.instance, *target.property), false);
@@ -148,7 +148,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     label(target, label_width, resettable, formula != nullptr, bold);
     ImGui::SameLine(start + label_width);
     try {
-        // Of a formula in error the last good value; what is wrong stands below.
+        // If a formula fails, its last valid value is shown, and the error below it.
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
         float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
@@ -165,7 +165,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     }
     if (std::string typed = fields_.take_problem(); !typed.empty()) {
         problems_[&property] = typed;
-        edited_ = true;  // an expression was run
+        edited_ = true;  // an expression ran, which may have changed anything
     }
     if (!gone) {
         remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
@@ -242,7 +242,7 @@ bool PropertyEditor::reset_button(const Target& target) {
 
 void PropertyEditor::widget(const Target& target, const Value& value, float width) {
     Type type = value.is_nil() || target.property->any_type ? value.type() : target.property->type;
-    // What refers elsewhere can be followed even where it cannot be changed.
+    // References can be followed even if they are read-only.
     bool greyed = target.property->read_only && type != Type::reference && type != Type::list;
     ImGui::BeginDisabled(greyed);
     switch (type) {

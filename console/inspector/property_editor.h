@@ -1,6 +1,6 @@
 #pragma once
-// One property as a row: name, the widget its descriptor implies, its error, its way back to the
-// default. Values are read when the row is in sight, and written through the tree like any edit.
+// One property as a row: name, the widget for its type, its error, and a button that restores the
+// default. Values are read while the row is visible, and written through the tree like any edit.
 
 #include <imgui.h>
 
@@ -23,24 +23,23 @@ class PropertyEditor {
     ~PropertyEditor() { end_drag(); }
     PropertyEditor(const PropertyEditor&) = delete;
 
-    /// A reference was clicked.
+    /// Called when a reference is clicked.
     std::function<void(property::Handle)> follow;
 
-    /// True when something was edited: other properties may be gone then.
+    /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
-    /// Call once a frame, before and after all rows.
+    /// Must be called once per frame, before and after all rows.
     void begin_frame();
-    /// The drag that is under way, if any, becomes a step of undo: the editor is going out of
-    /// sight.
+    /// Ends a running drag, which becomes a step of undo. Must be called when the editor is hidden.
     void end_drag();
     void end_frame() { fields_.end_frame(); }
-    /// Where the widget of a property was drawn in the last frame; empty when it was out of sight.
+    /// The rectangle of the property's widget in the last frame; empty if it was not visible.
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type(); }
-    /// Forgets errors shown: another instance is edited.
+    /// Forgets the shown errors, because another instance is edited.
     void forget() { problems_.clear(); }
     std::size_t problems() const { return problems_.size(); }
-    /// Why the last edit of a property of the shown instance was refused; "" when it was not.
+    /// Why the last edit of a property of the shown instance was refused; "" if it was not.
     std::string problem(const property::Property& property) const;
 
     Fields& fields() { return fields_; }
@@ -52,9 +51,9 @@ class PropertyEditor {
     };
     void label(const Target& target, float width, bool overridden, bool formula, ImFont* bold);
     void tooltip(const Target& target, ImFont* bold);
-    /// True when the property is gone.
+    /// True if the property does not exist any more.
     bool reset_button(const Target& target);
-    /// A line of text below the widget.
+    /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
     void widget(const Target& target, const property::Value& value, float width);
     void boolean(const Target& target, const property::Value& value);
@@ -63,19 +62,19 @@ class PropertyEditor {
     void enumerator(const Target& target, const property::Value& value, float width);
     void vector(const Target& target, const property::Value& value, float width);
     void color(const Target& target, const property::Value& value, float width);
-    /// A link to an instance, and beside it the list to choose another from.
+    /// Draws a link to an instance; `editable_reference` adds a list to choose another one.
     void reference(property::Handle to, float width);
     void editable_reference(const Target& target, property::Handle to, float width);
     void nil(const Target& target, float width);
     void list(const Target& target, const property::Value& value, float width);
     void element(const Target& target, const property::List& elements, std::size_t index,
                  float width);
-    /// The new vector when either of its two fields changed.
+    /// The new vector if one of its two fields changed.
     std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
                                                 float width);
     static NumberLook look_of(const property::Property& property);
     void write(const Target& target, const property::Value& value);
-    /// Runs an edit; what it throws is shown below the row.
+    /// Runs an edit; the text of its exception is shown below the row.
     void attempt(const Target& target, const std::function<void()>& edit);
 
     property::Tree& tree_;
@@ -88,7 +87,7 @@ class PropertyEditor {
     std::unordered_map<const property::Property*, Rect> widgets_;
 };
 
-/// "number · kg · 0 to inf · default 1": what a descriptor says in one line.
+/// The descriptor in one line: "number · kg · 0 to inf · default 1".
 std::string describe(const property::Tree& tree, const property::Property& property);
 
 }  // namespace fettle::console

@@ -1,5 +1,5 @@
 #pragma once
-// A list to choose an instance from: those a reference property takes, narrowed by typing.
+// A list for choosing an instance: all valid values of a reference property, filtered by typing.
 
 #include <optional>
 #include <string>
@@ -13,8 +13,8 @@ class ReferencePicker {
   public:
     explicit ReferencePicker(const property::Tree& tree) : tree_(tree) {}
 
-    /// A small button that opens the list. What was chosen: a null handle for none, offered when
-    /// the property takes nil.
+    /// Draws a small button that opens the list. Returns the chosen instance; a null handle means
+    /// nil, which is offered if the property accepts it.
     std::optional<property::Handle> draw(const property::Property& property,
                                          property::Handle current);
 

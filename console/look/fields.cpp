@@ -51,7 +51,7 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
     }
     float room = high.x - style.FramePadding.x - at.x;
     std::string shown = digits;
-    // As many digits as there is room for; typing shows all.
+    // Shows as many digits as fit. While the user types, all digits are shown.
     for (int precision = 8; precision > 1 && text_width(shown) > room; --precision) {
         char shorter[40];
         std::snprintf(shorter, sizeof shorter, "%.*g", precision, value);
@@ -80,7 +80,7 @@ void Fields::start_typing(ImGuiID field, std::string text) {
 }
 
 void Fields::end_frame() {
-    // The field typed into is gone: scrolled away, or its property is.
+    // The edited field was not drawn: it is out of sight, or its property was deleted.
     if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
     typing_seen_ = false;
 }
@@ -112,7 +112,7 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
     if (ImGui::IsItemActive()) {
         moved_ = moved_ || std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 2;
         if (!moved_ || io.MouseDelta.x == 0 || !std::isfinite(start_)) return std::nullopt;
-        // From press to here, the part before the threshold included.
+        // The distance includes the part before the drag threshold.
         travelled_ = travelled_ == 0 ? ImGui::GetMouseDragDelta(0, 0).x
                                      : travelled_ + io.MouseDelta.x * (io.KeyAlt     ? 0.01
                                                                        : io.KeyShift ? 0.1
@@ -125,8 +125,8 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
     return std::nullopt;
 }
 
-// The whole range in 250 pixels, or one percent of the value a pixel; rounded to the decimal that a
-// pixel can tell apart, so that dragging leaves round numbers.
+// 250 pixels are the whole range; without a range, one pixel is one percent of the value. The
+// result is rounded to the decimal place of one pixel, so that dragging gives round numbers.
 double Fields::dragged(double pixels, const NumberLook& look) {
     double span = look.range.max - look.range.min;
     double speed =
@@ -170,7 +170,7 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
     input_line(id, "", mine ? buffer_ : passive, ImGuiInputTextFlags_AutoSelectAll);
     bool active = ImGui::IsItemActive();
     if (!mine) {
-        if (active) {  // clicked into: from now on the text is ours
+        if (active) {  // the field has the focus, so its buffer is used from now on
             start_typing(field, std::move(passive));
             typing_active_ = typing_seen_ = true;
         }
@@ -181,7 +181,7 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
         typing_active_ = true;
         return std::nullopt;
     }
-    if (!typing_active_) return std::nullopt;  // focus is on its way
+    if (!typing_active_) return std::nullopt;  // the field gets the focus in the next frames
     typing_ = 0;
     typing_active_ = false;
     if (buffer_ == before_) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// Fields to edit one number or one text in. Dear ImGui's own drag fields know neither infinity nor
-// units nor the shortest decimal of a float, and round what they are given; these do not.
+// Fields for editing one number or one text. Dear ImGui's drag fields do not support infinity,
+// units or the shortest decimal of a float, and they round values.
 
 #include <imgui.h>
 
@@ -22,20 +22,20 @@ struct NumberLook {
 
 class Fields {
   public:
-    /// What a text that is not a number comes to ("2 * math.pi"); may be missing.
+    /// Computes a text that is not a number ("2 * math.pi"); optional.
     std::function<std::optional<double>(const std::string& expression)> calculate;
 
-    /// Dragged sideways (shift: slower; alt: finest), clicked or ctrl-clicked to type. The new
-    /// value, on each change.
+    /// A number that is dragged sideways (shift: slower; alt: slowest), or clicked for typing.
+    /// Returns the new value on each change.
     std::optional<double> number(const char* id, double value, const NumberLook& look, float width);
-    /// One line; the new text when Enter is pressed or the field is left.
+    /// One line of text. Returns the new text when Enter is pressed or the field loses the focus.
     std::optional<std::string> text(const char* id, const std::string& value, float width);
 
-    /// A field was clicked to be typed into and takes the keyboard within the next frames.
+    /// A field was clicked for typing and gets the keyboard within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
-    /// Call once a frame, after all fields.
+    /// Must be called once per frame, after all fields.
     void end_frame();
-    /// What was typed last and is no number; "" when it was.
+    /// The last typed text if it is not a number, otherwise "".
     std::string take_problem();
 
   private:
@@ -44,7 +44,7 @@ class Fields {
     double dragged(double pixels, const NumberLook& look);
     void start_typing(ImGuiID field, std::string text);
 
-    // One field at a time is dragged or typed into.
+    // Only one field at a time is dragged or edited.
     ImGuiID typing_ = 0;
     bool typing_active_ = false;
     bool typing_seen_ = false;
@@ -56,7 +56,7 @@ class Fields {
     std::string problem_;
 };
 
-/// A line of text that grows as needed. `flags`: ImGuiInputTextFlags.
+/// An input line without a length limit. `flags`: ImGuiInputTextFlags.
 bool input_line(const char* id, const char* hint, std::string& text, int flags);
 
 }  // namespace fettle::console

@@ -11,7 +11,7 @@ namespace fettle::console {
 
 namespace {
 
-/// Debian's place first, then where other systems keep the same fonts.
+/// Debian's folder first, then folders of other systems with the same fonts.
 constexpr std::array<const char*, 4> font_folders = {
     "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu",
     "/usr/share/fonts/dejavu-sans-mono-fonts"};
@@ -25,8 +25,8 @@ std::string font_file(const char* name) {
     return {};
 }
 
-/// Latin, Greek, Cyrillic, punctuation, superscripts, currency, letterlike, arrows, mathematics,
-/// box drawing, geometric shapes, dingbats: what units and names are written in.
+/// Characters for units and names: Latin, Greek, Cyrillic, punctuation, superscripts, currency,
+/// letterlike, arrows, mathematics, box drawing, geometric shapes, dingbats.
 constexpr ImWchar glyphs[] = {0x0020, 0x024f, 0x0370, 0x04ff, 0x2000, 0x214f, 0x2190, 0x22ff,
                               0x2500, 0x25ff, 0x2600, 0x27bf, 0xfffd, 0xfffd, 0};
 
@@ -34,7 +34,7 @@ ImFont* add_font(ImFontAtlas& atlas, const char* name, float size) {
     std::string file = font_file(name);
     if (file.empty()) return nullptr;
     ImFontConfig config;
-    config.OversampleH = 1;  // whole pixels: a fixed-width font stays crisp
+    config.OversampleH = 1;  // whole pixels keep a fixed-width font sharp
     config.OversampleV = 1;
     config.PixelSnapH = true;
     return atlas.AddFontFromFileTTF(file.c_str(), size, &config, glyphs);
@@ -119,7 +119,7 @@ void ImGuiBackend::feed(const app::InputEvent& event) {
 
 void ImGuiBackend::feed_modifiers(const app::InputEvent& event) {
     activate();
-    // The event of the modifier itself may tell the state before it.
+    // The event of a modifier key may contain the state before it.
     bool down = event.kind == app::EventKind::key_pressed;
     auto held = [&](std::string_view name, bool flag) {
         return event.name.ends_with(name) ? down : flag;
@@ -150,7 +150,7 @@ void ImGuiBackend::build_fonts(float font_size) {
     bold_ = add_font(*io.Fonts, "DejaVuSansMono-Bold.ttf", font_size);
     if (regular_ == nullptr) {
         regular_ = io.Fonts->AddFontDefault();
-        io.FontGlobalScale = font_size / 13;  // the size it is drawn for
+        io.FontGlobalScale = font_size / 13;  // scales the built-in font, which is 13 pixels high
     }
     if (bold_ == nullptr) bold_ = regular_;
     compat::prepare_textures(io);
@@ -181,8 +181,8 @@ void ImGuiBackend::draw(app::Surface& surface) {
     for (int i = 0; i < data->CmdListsCount; ++i) draw_list(*data->CmdLists[i], surface);
 }
 
-// Each command gets only the vertices it uses, counted from its own first one: a surface may copy
-// all it is given.
+// Each command gets only the vertices that it uses, with indices from 0, because a surface may copy
+// everything it gets.
 void ImGuiBackend::draw_list(const ImDrawList& list, app::Surface& surface) {
     for (const ImDrawCmd& command : list.CmdBuffer) {
         if (command.UserCallback != nullptr || command.ElemCount == 0) continue;

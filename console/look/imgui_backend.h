@@ -1,6 +1,6 @@
 #pragma once
-// Dear ImGui on our own input events and surface: events in, triangles out. Neither the window
-// library nor any graphics interface is known here.
+// Connects Dear ImGui to Fettle's input events and surface: events go in, triangles come out. This
+// code does not depend on a window library or a graphics interface.
 
 #include <cstdint>
 #include <string>
@@ -16,25 +16,26 @@ namespace fettle::console {
 
 class ImGuiBackend {
   public:
-    /// `clipboard` may be null: then nothing is shared with other programs.
+    /// `clipboard` may be null; then text is not shared with other programs.
     explicit ImGuiBackend(app::Clipboard* clipboard);
     ~ImGuiBackend();
     ImGuiBackend(const ImGuiBackend&) = delete;
 
-    /// Every use of ImGui for this console comes after this: there may be several contexts.
+    /// Must be called before every use of ImGui for this console, because there may be several
+    /// contexts.
     void activate();
-    /// Key events are those meant for widgets; mouse events all of them.
+    /// Accepts the key events for widgets, and all mouse events.
     void feed(const app::InputEvent& event);
-    /// Control, shift and alt, which widgets need to know of even when the key is not theirs.
+    /// Passes the state of control, shift and alt; widgets need it even if the key is not for them.
     void feed_modifiers(const app::InputEvent& key_event);
     void release_all();
-    /// Lists that popped up are walked with the arrows and left with Escape; elsewhere the keys are
-    /// the prompt's.
+    /// Switches keyboard navigation on for popup lists (arrows, Escape). Otherwise the keys belong
+    /// to the prompt.
     void navigate_with_keys(bool on);
-    /// `font_size` in pixels; fonts are built anew when it changes.
+    /// `font_size` in pixels; the fonts are built again when it changes.
     void begin_frame(float width, float height, double seconds, float font_size);
     void end_frame();
-    /// The last finished frame.
+    /// Draws the last finished frame.
     void draw(app::Surface& surface);
 
     ImFont* regular() const { return regular_; }
@@ -47,7 +48,7 @@ class ImGuiBackend {
 
     ImGuiContext* context_;
     app::Clipboard* clipboard_;
-    std::string clipboard_text_;  // what the last read returned lives here
+    std::string clipboard_text_;  // owner of the text that the last read returned
     ImFont* regular_ = nullptr;
     ImFont* bold_ = nullptr;
     float font_size_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The versions of Dear ImGui differ in how keys are fed (1.87), where the clipboard is set (1.91.1)
-// and who makes textures (1.92). All of it is settled here, and nowhere else.
+// Differences between versions of Dear ImGui: passing keys (1.87), setting the clipboard (1.91.1),
+// and making textures (1.92). Only this file depends on the version.
 
 #include <imgui.h>
 
@@ -13,7 +13,7 @@
 namespace fettle::console::compat {
 
 inline ImTextureID texture_id(app::Surface::Texture texture) {
-    // A pointer before 1.91.4, an integer since.
+    // A pointer before 1.91.4, an integer since then.
     return (ImTextureID)(std::uintptr_t)texture;  // NOLINT(performance-no-int-to-ptr)
 }
 
@@ -27,7 +27,7 @@ using KeyCode = ImGuiKey;
 using KeyCode = int;
 #endif
 
-/// The keys that widgets react to, by the names of app::InputEvent.
+/// Keys that widgets use, by their names in app::InputEvent.
 inline constexpr std::pair<std::string_view, KeyCode> keys[] = {
     {"tab", ImGuiKey_Tab},
     {"left", ImGuiKey_LeftArrow},
@@ -62,7 +62,7 @@ using WriteClipboard = void (*)(void* user, const char* text);
 #if IMGUI_VERSION_NUM >= 18700
 
 inline void prepare_keys(ImGuiIO& io) {
-    io.ConfigInputTrickleEventQueue = false;  // our own frames keep events apart
+    io.ConfigInputTrickleEventQueue = false;  // the console separates events by frames of its own
 }
 inline void key(ImGuiIO& io, KeyCode code, bool down) {
     io.AddKeyEvent(code, down);
@@ -121,7 +121,7 @@ inline void mouse_wheel(ImGuiIO& io, float notches) {
 
 #endif
 
-/// Another face in the size in use. Ends with ImGui::PopFont().
+/// Selects another font in the current size. To be ended with ImGui::PopFont().
 inline void push_font(ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200
     ImGui::PushFont(font, 0.0f);
@@ -132,7 +132,7 @@ inline void push_font(ImFont* font) {
 
 #if IMGUI_VERSION_NUM >= 19110
 
-/// `user` comes back as the first argument of both functions.
+/// `user` is passed as the first argument of both functions.
 inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
     static thread_local ReadClipboard reader;
     static thread_local WriteClipboard writer;
@@ -167,8 +167,8 @@ inline void prepare_textures(ImGuiIO& io) {
 inline app::Surface::Texture texture_of(const ImDrawCmd& command) {
     return surface_texture(command.GetTexID());
 }
-/// Before drawing: brings the surface's textures up to date. `stale`: the surface is another one,
-/// or the fonts were built anew.
+/// Updates the textures of the surface before drawing. `stale`: the surface has changed, or the
+/// fonts were built again.
 inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale) {
     if (data.Textures == nullptr) return;
     for (ImTextureData* texture : *data.Textures) {
@@ -181,7 +181,7 @@ inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale)
             texture->SetTexID(texture_id(surface.create_texture(width, height, pixels)));
             texture->SetStatus(ImTextureStatus_OK);
         } else if (texture->Status == ImTextureStatus_WantUpdates) {
-            // Whole rows, so that the pixels lie together.
+            // Complete rows are copied, so that the pixels are contiguous.
             auto top = static_cast<unsigned>(texture->UpdateRect.y);
             auto* pixels =
                 static_cast<const std::uint8_t*>(texture->GetPixelsAt(0, texture->UpdateRect.y));
@@ -200,10 +200,10 @@ inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale)
 inline void prepare_textures(ImGuiIO& io) {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);  // builds the atlas before a frame
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);  // builds the font atlas before a frame
 }
-/// A frame keeps the number its fonts had when it was begun, which another surface does not know.
-/// The fonts are the only texture there is.
+/// A frame stores the texture number at its beginning, but another surface has other numbers. The
+/// fonts are the only texture, so their current number is used.
 inline app::Surface::Texture texture_of(const ImDrawCmd&) {
     return surface_texture(ImGui::GetIO().Fonts->TexID);
 }

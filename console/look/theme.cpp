@@ -122,7 +122,8 @@ ImU32 line_color(LineKind kind) {
     }
 }
 
-// Hues a golden angle apart are far apart however many there are; the hash only picks which.
+// Hues that differ by the golden angle are far apart for any number of classes. The hash selects
+// the index.
 ImU32 class_color(std::string_view class_name) {
     std::uint32_t hash = 2166136261u;  // FNV-1a
     for (char c : class_name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

@@ -1,5 +1,6 @@
 #pragma once
-// The looks: one palette, one scale of distances. Dark, so that the game stays the bright thing.
+// The appearance: one palette and one scale of distances. It is dark, so that the game is brighter
+// than the console.
 
 #include <imgui.h>
 
@@ -16,7 +17,7 @@ inline constexpr ImU32 text = rgb(0xdadde5);
 inline constexpr ImU32 dim = rgb(0x8b93a3);
 inline constexpr ImU32 faint = rgb(0x565e6e);
 inline constexpr ImU32 line = rgb(0x2b313c);
-inline constexpr ImU32 well = rgb(0x0d0f14);    // behind what can be typed into
+inline constexpr ImU32 well = rgb(0x0d0f14);    // background of input fields
 inline constexpr ImU32 panel = rgb(0x14171e);   // windows
 inline constexpr ImU32 raised = rgb(0x1f242d);  // fields, headers
 inline constexpr ImU32 hover = rgb(0x2a313d);
@@ -30,18 +31,18 @@ inline constexpr ImU32 note = rgb(0x74cbb9);
 inline constexpr ImU32 clear = rgb(0, 0);
 }  // namespace palette
 
-/// Distances in font heights are multiplied with the font size; colors are fixed.
+/// Distances are given in font heights and multiplied with the font size; colors are fixed.
 void apply_theme(float font_size);
 ImU32 token_color(Token token);
 ImU32 line_color(LineKind kind);
-/// Each class has a color of its own for its mark in lists.
+/// The color of the mark of a class in lists.
 ImU32 class_color(std::string_view class_name);
 ImU32 with_alpha(ImU32 color, float alpha);
 ImVec4 vector(ImU32 color);
 
-/// A piece of text at a place, in a color; returns its width.
+/// Draws a text and returns its width.
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
-/// The same, cut with an ellipsis at `width`.
+/// The same, shortened with an ellipsis to `width`.
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
 float text_width(std::string_view text);
 

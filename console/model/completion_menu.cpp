@@ -10,7 +10,7 @@ namespace fettle::console {
 
 namespace {
 
-/// What of a candidate's place is typed already; false when the cursor is before it.
+/// The part of the candidate that is already typed. False if the cursor is in front of its place.
 bool typed_part(const script::Completion& completion, std::string_view input, std::size_t cursor,
                 std::string_view& typed) {
     if (completion.replace_from > cursor || cursor > input.size()) return false;
@@ -20,7 +20,7 @@ bool typed_part(const script::Completion& completion, std::string_view input, st
 
 }  // namespace
 
-// The candidates come with the best first.
+// The candidates are sorted, best first.
 void CompletionMenu::show(std::vector<script::Completion> completions, std::string_view input,
                           std::size_t cursor) {
     candidates_.clear();

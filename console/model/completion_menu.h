@@ -1,5 +1,5 @@
 #pragma once
-// The list of candidates under the prompt: opened by Tab, found anew while one types on.
+// The list of completion candidates under the prompt. Tab opens it; typing updates it.
 
 #include <cstddef>
 #include <string>
@@ -14,12 +14,12 @@ class CompletionMenu {
   public:
     struct Candidate {
         script::Completion completion;
-        std::vector<std::size_t> matched;  // bytes of the label that were typed
+        std::vector<std::size_t> matched;  // bytes of the label that match the typed text
     };
 
     bool open() const { return open_; }
     void close() { open_ = false; }
-    /// Shows these; closes when there are none.
+    /// Shows the candidates; closes the list if there are none.
     void show(std::vector<script::Completion> completions, std::string_view input,
               std::size_t cursor);
 
@@ -27,11 +27,11 @@ class CompletionMenu {
     std::size_t selected() const { return selected_; }
     const script::Completion& selection() const { return candidates_[selected_].completion; }
     void select(std::size_t index);
-    /// By so many rows, around the ends.
+    /// Moves by a number of rows; wraps around at the ends.
     void step(std::ptrdiff_t rows);
     void page(std::ptrdiff_t rows);  // stops at the ends
 
-    /// The text all candidates begin with, if all replace from the same place.
+    /// The common beginning of all candidates, if all replace text from the same position.
     std::string common_prefix() const;
 
   private:

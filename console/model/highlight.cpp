@@ -68,7 +68,7 @@ class Lexer {
         char quote = line_[at_];
         std::size_t i = at_ + 1;
         while (i < line_.size() && line_[i] != quote) i += line_[i] == '\\' ? 2 : 1;
-        if (i >= line_.size() && output_) {  // a lone quote in prose
+        if (i >= line_.size() && output_) {  // a single quote in prose
             ++at_;
             return Token::symbol;
         }
@@ -105,7 +105,7 @@ class Lexer {
         while (letter(peek()) || digit(peek())) ++at_;
     }
 
-    /// `.name`, `["odd name"]` or `[2]` behind a path.
+    /// Reads `.name`, `["odd name"]` or `[2]` after a path.
     bool take_step() {
         if (peek() == '.' && letter(peek(1))) {
             ++at_;
@@ -134,7 +134,7 @@ class Lexer {
     std::vector<Span> spans_;
 };
 
-/// Occurrence of `name` in `line` as a whole word.
+/// Finds `name` in `line` as a whole word.
 std::size_t find_word(std::string_view line, std::string_view name) {
     auto inside = [](char c) { return letter(c) || digit(c); };
     for (std::size_t at = line.find(name); at != std::string_view::npos;
@@ -147,7 +147,7 @@ std::size_t find_word(std::string_view line, std::string_view name) {
     return std::string_view::npos;
 }
 
-/// Names the message may be about, the likeliest first: `near 'x'`, quoted names before any
+/// Names that the message may refer to, the most probable first: `near 'x'`, quoted names before a
 /// suggestion, then the last step of each path.
 std::vector<std::string> suspects(std::string_view message) {
     if (std::size_t hint = message.find("(did you mean"); hint != std::string_view::npos)
@@ -185,11 +185,11 @@ Span error_span(std::string_view line, std::string_view message) {
     for (const std::string& name : suspects(message)) {
         std::size_t at = find_word(line, name);
         if (at == std::string_view::npos) continue;
-        std::size_t dot = name.rfind('.');  // of a path, its last step
+        std::size_t dot = name.rfind('.');  // for a path, only its last step
         std::size_t skip = dot == std::string::npos || dot + 1 == name.size() ? 0 : dot + 1;
         return {at + skip, at + name.size(), Token::plain};
     }
-    // Names without a path or quotes: the first word of the message that is in the line.
+    // The message has no quotes or paths: use its first word that occurs in the line.
     for (const Span& word : highlight_output(message)) {
         std::string_view name = message.substr(word.begin, word.end - word.begin);
         if (word.token != Token::plain || name.size() < 3 || !letter(name.front())) continue;

@@ -1,6 +1,5 @@
 #pragma once
-// What the parts of a line are: for coloring commands and output, and for finding the paths in
-// them.
+// Splits a line into tokens, for coloring commands and output and for finding paths in them.
 
 #include <cstddef>
 #include <string_view>
@@ -25,13 +24,13 @@ struct Span {
     Token token;
 };
 
-/// A line of Lua as typed: spans without gaps except blanks. Tolerates anything.
+/// Tokens of a line of Lua as typed; only blanks lie between them. Accepts any text.
 std::vector<Span> highlight_command(std::string_view line);
-/// A printed line: numbers, quoted strings, paths, arrows; prose stays plain.
+/// Tokens of a printed line: numbers, quoted strings, paths, arrows; other text is plain.
 std::vector<Span> highlight_output(std::string_view line);
 
-/// Where the trouble is in a source line, as far as the message tells: the name it quotes, the last
-/// name of the path it complains about, or a word of it; else where the line begins.
+/// The probable position of an error in a source line: the name that the message quotes, the last
+/// name of a path in it, or a word of it; otherwise the beginning of the line.
 Span error_span(std::string_view source_line, std::string_view message);
 
 }  // namespace fettle::console

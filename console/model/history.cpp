@@ -42,7 +42,7 @@ std::string unescaped(std::string_view line) {
     return out;
 }
 
-/// A file descriptor that closes itself.
+/// A file descriptor with an owner that closes it.
 class Descriptor {
   public:
     explicit Descriptor(int fd) : fd_(fd) {}
@@ -88,7 +88,7 @@ void History::load() {
     if (!std::filesystem::is_regular_file(status)) return fail("not a regular file");
     std::ifstream in(file_, std::ios::binary);
     if (!in) return fail(std::strerror(errno));
-    // Of a file grown beyond all measure only the end is read.
+    // Only the end of a very large file is read.
     in.seekg(0, std::ios::end);
     auto size = static_cast<std::size_t>(std::max<std::streamoff>(0, in.tellg()));
     std::size_t skipped = size > max_file_bytes ? size - max_file_bytes : 0;
@@ -102,7 +102,7 @@ void History::load() {
             entries_.push_back(std::move(command));
     }
     if (in.bad()) return fail("cannot be read");
-    // Later repetitions win; one pass from the end instead of a search per line.
+    // Of repeated commands only the last is kept. One pass from the end avoids a search per line.
     std::vector<std::string> sorted;
     std::vector<std::string> kept;
     std::reverse(entries_.begin(), entries_.end());

@@ -1,10 +1,10 @@
 #pragma once
-// What was typed before: walked by prefix, searched, and kept in a file from run to run.
+// Earlier commands: stepping through them by prefix, searching, and a file for all runs.
 //
-// The file holds one command a line, `\` and newline escaped. A command is appended in one write,
-// so two games running at once both keep theirs and a crash can only lose the last line; a file
-// grown long is rewritten beside itself and renamed over. Whatever is wrong with the file, the
-// console goes on without it and says so once.
+// The file contains one command per line, with `\` and newline escaped. A command is appended in
+// one write, so two games that run at once both keep their commands, and a crash can lose only the
+// last line. A long file is written again under a temporary name, which then replaces it. After an
+// error of the file, the console continues without it and reports the error once.
 
 #include <cstddef>
 #include <filesystem>
@@ -21,21 +21,21 @@ class History {
     static constexpr std::size_t max_entry_bytes = 64 * 1024;
     static constexpr std::size_t max_file_bytes = std::size_t{4} << 20;
 
-    /// In memory only when `file` is empty.
+    /// Without a `file`, the history exists only in memory.
     explicit History(std::filesystem::path file = {});
 
-    /// Oldest first. No command appears twice: one typed again moves to the end.
+    /// Oldest first. Each command occurs once: a repeated one moves to the end.
     const std::vector<std::string>& entries() const { return entries_; }
     void add(std::string_view command);
     /// The nearest entry before index `from` that begins with `prefix` and is not `except`.
     std::optional<std::size_t> older(std::string_view prefix, std::size_t from,
                                      std::string_view except = {}) const;
     std::optional<std::size_t> newer(std::string_view prefix, std::size_t from) const;
-    /// The nearest entry before index `from` that contains `part`, letter case ignored unless
-    /// `part` has a capital.
+    /// The nearest entry before index `from` that contains `part`. Case is ignored unless `part`
+    /// contains a capital letter.
     std::optional<std::size_t> containing(std::string_view part, std::size_t from) const;
 
-    /// What went wrong with the file since last asked, "" when nothing did.
+    /// Returns and clears the last error of the file, "" if there was none.
     std::string take_problem();
 
   private:

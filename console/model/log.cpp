@@ -9,7 +9,7 @@ namespace fettle::console {
 
 namespace {
 
-/// Whether the traceback leads through more lines of code than the one shown.
+/// Whether the traceback contains more lines of code than the one shown.
 bool leads_elsewhere(const script::ScriptError& error) {
     std::size_t places = 0, begin = 0;
     const std::string& trace = error.traceback;
@@ -25,13 +25,13 @@ bool leads_elsewhere(const script::ScriptError& error) {
     return places > 1;
 }
 
-/// The word at a column counted from 1.
+/// The word at a column, counted from 1.
 Span span_at(std::string_view source, std::size_t column) {
     std::size_t begin = std::min(code_point_offset(source, column - 1), source.size());
     std::size_t end = begin;
     for (const Span& span : highlight_command(source))
         if (span.begin <= begin && begin < span.end) end = span.end;
-    // Of a path only the step in question.
+    // In a path, only the step at the column.
     end = std::min(end, source.find('.', begin));
     return {begin, end, Token::plain};
 }
@@ -61,7 +61,7 @@ void Log::add(LineKind kind, std::string_view text) {
         begin = end + 1;
         if (kind == LineKind::command) kind = LineKind::continuation;
     }
-    // A text that ends with a newline has no further, empty line.
+    // A newline at the end of the text does not begin another line.
     if (begin < clean.size() || begin == 0) push(kind, clean.substr(begin));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the console has printed: lines of text with a kind each, the oldest dropped when there are
+// The output of the console: lines of text, each with a kind. Old lines are dropped when there are
 // too many.
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 namespace fettle::console {
 
 enum class LineKind : std::uint8_t {
-    command,       // first line of what was typed
-    continuation,  // its further lines
-    output,        // results, echoes of assignments, printed text
-    note,          // what the console itself says
+    command,       // first line of a typed command
+    continuation,  // further lines of it
+    output,        // results, reports of assignments, printed text
+    note,          // messages of the console itself
     error,
-    source,  // the line of code an error is about
+    source,  // the line of code with an error
     caret,   // spaces and carets below it
     trace    // traceback and locals
 };
@@ -36,16 +36,16 @@ class Log {
     void command(std::string_view text);
     void output(std::string_view text) { add(LineKind::output, text); }
     void note(std::string_view text) { add(LineKind::note, text); }
-    /// Message, source line with a caret below the trouble, traceback when it says more than the
-    /// message.
+    /// Adds the message, the source line with carets below the error, and the traceback if it
+    /// contains more than the message.
     void error(const script::ScriptError& error);
     void error(std::string_view message) { add(LineKind::error, message); }
     void clear();
 
     const std::deque<LogLine>& lines() const { return lines_; }
-    /// Lines ever dropped from the front: line i of `lines` is number `dropped() + i`.
+    /// Number of lines dropped so far: line i of `lines` has number `dropped() + i`.
     std::uint64_t dropped() const { return dropped_; }
-    /// Increases by one each time `clear` is called.
+    /// Number of calls of `clear`.
     std::uint64_t clearings() const { return clearings_; }
 
   private:

@@ -28,14 +28,14 @@ constexpr std::array<MotionKey, 6> motions = {{
     {"down", Motion::line_down, Motion::text_end},
 }};
 
-/// While one of these is typed the candidates follow; any other character ends a name.
+/// While the user types one of these, candidates are shown; any other character ends a name.
 bool continues_name(char32_t c) {
     return c >= 0x80 || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
            (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == ':';
 }
 
-/// Keys that take the cursor away from the name being typed, or end the line. Keys that type a
-/// character do not: their text follows as an event of its own.
+/// Keys that move the cursor out of the typed name, or end the line. Keys with a character do not:
+/// their text follows as a separate event.
 bool moves_or_ends(const Key& key) {
     bool motion = std::any_of(motions.begin(), motions.end(),
                               [&](const MotionKey& m) { return m.name == key.name; });
@@ -111,7 +111,7 @@ void Prompt::complete() {
     show_candidates();
     if (menu_.candidates().size() == 1) return apply_candidate();
     if (!menu_.open()) return;
-    // What all candidates share is typed for the user, but never at the cost of what is there.
+    // The common beginning of all candidates is inserted, unless that would remove typed text.
     std::string common = menu_.common_prefix();
     std::size_t from = menu_.selection().replace_from;
     std::string_view typed = std::string_view(edit_.text()).substr(from, edit_.cursor() - from);
@@ -158,7 +158,7 @@ bool Prompt::menu_key(const Key& key) {
         std::string_view typed =
             std::string_view(edit_.text())
                 .substr(chosen.replace_from, edit_.cursor() - chosen.replace_from);
-        if (typed == chosen.text) {  // nothing left to complete: Enter means run
+        if (typed == chosen.text) {  // nothing is left to complete, so Enter runs the command
             menu_.close();
             return false;
         }
@@ -227,7 +227,7 @@ bool Prompt::search_key(const Key& key) {
     } else if (moves_or_ends(key)) {
         search_.reset();
         text_changed();
-        return key.name == "tab";  // Tab keeps what was found; other keys then act on it
+        return key.name == "tab";  // only Tab keeps the key for itself
     }
     return true;
 }
@@ -317,7 +317,7 @@ bool Prompt::erase_key(const Key& key) {
 // --- Running
 // --------------------------------------------------------------------------------------------------------
 
-/// Enter inside an open block: the next line starts where this one does.
+/// For Enter inside an open block: the next line gets the indentation of the current one.
 void Prompt::new_line() {
     std::string_view line = edit_.line(edit_.line_of(edit_.cursor()));
     std::size_t indent = std::min(line.find_first_not_of(' '), line.size());

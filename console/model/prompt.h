@@ -1,7 +1,7 @@
 #pragma once
-// The command line without its looks: what every key does to the text, the history, the candidates
-// and the log. Driven by key names and characters, so that it works (and is tested) without a
-// window.
+// The command line without its appearance: the effect of every key on the text, the history, the
+// candidates and the log. Its input are key names and characters, so it works (and is tested)
+// without a window.
 
 #include <cstddef>
 #include <optional>
@@ -27,11 +27,11 @@ class Prompt {
   public:
     Prompt(Interpreter interpreter, Log& log, History& history, app::Clipboard* clipboard);
 
-    /// False when the key means nothing here (the caller may scroll, close ...).
+    /// False if the key has no effect here; the caller may use it.
     bool key(const Key& key);
     void type(char32_t character);
     void paste(std::string_view text);
-    /// Runs what is typed; a chunk that is not complete gets another line instead, unless forced.
+    /// Runs the typed command. An incomplete chunk gets another line instead, unless forced.
     void submit(bool force);
 
     TextEdit& edit() { return edit_; }
@@ -39,11 +39,11 @@ class Prompt {
     const CompletionMenu& menu() const { return menu_; }
     void accept_candidate(std::size_t index);
     void close_menu() { menu_.close(); }
-    /// Of reverse search: what is looked for; nullopt outside of it.
+    /// The text of the reverse search; nullopt outside a search.
     const std::optional<std::string>& search() const { return search_; }
     bool search_failed() const { return search_failed_; }
-    /// The rest of the latest command that begins with what is typed, shown dim behind the cursor
-    /// and taken by Right or End.
+    /// The rest of the latest command that begins with the typed text. It is shown dim behind the
+    /// cursor, and Right or End accepts it.
     std::string_view suggestion() const;
 
   private:
@@ -68,7 +68,8 @@ class Prompt {
     TextEdit edit_;
     CompletionMenu menu_;
 
-    // Walking the history: what was typed, and the entry shown (none: what was typed).
+    // Stepping through the history: the typed text, and the index of the shown entry (nullopt: the
+    // typed text is shown).
     std::optional<std::size_t> walk_at_;
     std::string walk_prefix_;
 

@@ -4,7 +4,7 @@
 
 namespace fettle::console {
 
-/// A part of the screen, in pixels.
+/// A rectangle on the screen, in pixels.
 struct Rect {
     ImVec2 low{0, 0}, high{0, 0};
     bool contains(float x, float y) const {
@@ -14,7 +14,7 @@ struct Rect {
     bool empty() const { return low.x >= high.x || low.y >= high.y; }
 };
 
-/// Of the window being drawn, and of the widget drawn last.
+/// The rectangle of the current window; the next function gives that of the last widget.
 inline Rect window_rect() {
     ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     return {at, ImVec2(at.x + size.x, at.y + size.y)};

@@ -108,7 +108,7 @@ std::string Settings::text(std::string_view name) {
 
 void Settings::set(std::string_view name, const Value& value) {
     property::Tree::CauseScope cause(tree_,
-                                     property::Writer::module);  // looks are no edit to be undone
+                                     property::Writer::module);  // no edits for undo
     tree_.set(instance(), name, value);
 }
 

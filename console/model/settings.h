@@ -1,5 +1,5 @@
 #pragma once
-// The console's own properties: the instance `console` under `game`.
+// Settings of the console: the properties of the instance `console` under `game`.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@ namespace fettle::console {
 
 class Settings {
   public:
-    /// Defines the class `Console` unless the tree has it, and creates the instance.
+    /// Defines the class `Console` if the tree does not have it, and creates the instance.
     explicit Settings(property::Tree& tree);
     ~Settings();
     Settings(const Settings&) = delete;
@@ -18,11 +18,11 @@ class Settings {
     bool flag(std::string_view name);
     float number(std::string_view name);
     std::string text(std::string_view name);
-    /// Written as an edit by the console.
+    /// Writes a setting as an edit by the console.
     void set(std::string_view name, const property::Value& value);
 
   private:
-    /// The instance; created again after it was deleted.
+    /// The instance; it is created again if it was deleted.
     property::Handle instance();
 
     property::Tree& tree_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t undo_steps = 200;
 
-/// Letters of any script, digits and underscores belong to words.
+/// Letters of any script, digits and underscores are parts of words.
 bool word_byte(char c) {
     auto u = static_cast<unsigned char>(c);
     return u >= 0x80 || (u >= '0' && u <= '9') || (u >= 'a' && u <= 'z') ||

@@ -1,6 +1,6 @@
 #pragma once
-// The text being typed: cursor, selection, motions by character, word and line, its own undo. Knows
-// nothing of keys or pixels. Offsets are bytes at code point boundaries.
+// The text being typed: cursor, selection, motions by character, word and line, and undo. It does
+// not depend on keys or pixels. Offsets are bytes at code point boundaries.
 
 #include <cstddef>
 #include <string>
@@ -31,17 +31,17 @@ class TextEdit {
     bool empty() const { return text_.empty(); }
     std::size_t cursor() const { return cursor_; }
     bool selecting() const { return cursor_ != anchor_; }
-    /// Begin and end of the selection; both the cursor when there is none.
+    /// Begin and end of the selection; without one, both are the cursor.
     std::pair<std::size_t, std::size_t> selection() const;
     std::string_view selected() const;
 
-    /// Replaces everything; the cursor goes to the end.
+    /// Replaces the whole text and moves the cursor to the end.
     void assign(std::string_view text);
-    /// Types over the selection. What would exceed `max_bytes` is left out.
+    /// Replaces the selection. Text beyond `max_bytes` is dropped.
     void insert(std::string_view text);
     void replace(std::size_t from, std::size_t to, std::string_view text);
     void move(Motion motion, bool select);
-    /// Deletes the selection or, without one, what the motion would pass over.
+    /// Deletes the selection or, without one, the text that the motion would skip.
     void erase(Motion motion);
     void place(std::size_t offset, bool select);
     void select(std::size_t from, std::size_t to);
@@ -71,7 +71,7 @@ class TextEdit {
     std::string text_;
     std::size_t cursor_ = 0, anchor_ = 0;
     std::vector<State> undo_, redo_;
-    bool typing_ = false;  // the last change was typing, and so belongs to one step of undo
+    bool typing_ = false;  // more typing is the same step of undo
 };
 
 }  // namespace fettle::console

@@ -58,8 +58,8 @@ void append_code_point(std::string& text, char32_t c) {
 
 namespace {
 
-/// Length of the well-formed sequence at the start of `text`, 0 when there is none (Unicode 15,
-/// table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF).
+/// Length of the valid sequence at the start of `text`, 0 if there is none (Unicode 15, table 3-7:
+/// no overlong forms, no surrogates, nothing above U+10FFFF).
 std::size_t sequence_length(std::string_view text) {
     auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     unsigned char lead = byte(0);

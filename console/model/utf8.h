@@ -1,6 +1,6 @@
 #pragma once
-// Stepping through UTF-8 by code points. Offsets are bytes; text that is not UTF-8 never leads
-// outside the string.
+// Moving through UTF-8 text by code points. Offsets are bytes. For text that is not valid UTF-8,
+// results never exceed the string.
 
 #include <cstddef>
 #include <string>
@@ -19,12 +19,13 @@ std::size_t previous_code_point(std::string_view text, std::size_t offset);
 /// The nearest boundary at or before `offset`.
 std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 std::size_t code_point_count(std::string_view text);
-/// Offset of the code point number `index` (from 0), or the length when there are fewer.
+/// Offset of the code point number `index` (from 0), or the length of the text if there are fewer.
 std::size_t code_point_offset(std::string_view text, std::size_t index);
 void append_code_point(std::string& text, char32_t character);
 
-/// Text from outside made fit for one of our lines: line ends become "\n", tabs two spaces, other
-/// control characters vanish, what is not UTF-8 becomes U+FFFD.
+/// Converts text for one line of the log: line ends become "
+/// ", a tab becomes two spaces, other control characters are removed, and invalid UTF-8 becomes
+/// U+FFFD.
 std::string clean_text(std::string_view text);
 
 }  // namespace fettle::console

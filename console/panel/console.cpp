@@ -1,3 +1,5 @@
+// The console as a layer: opening, closing, selection, and links in the log.
+
 #include <fettle/console/console.h>
 
 #include <fettle/property/path.h>
@@ -11,7 +13,7 @@ using property::Value;
 
 namespace {
 
-/// The game's `time`, where it has one that can be paused.
+/// The game's `time`, if it has one that can be paused.
 const property::Property* pause_property(const property::Tree& tree, Handle& time) {
     time = tree.child(tree.root(), "time");
     if (!time) return nullptr;
@@ -66,7 +68,7 @@ void Console::State::open(bool opened) {
     follow_settings();
 }
 
-/// Any code may set `console.open` and `console.pauses` at any time.
+/// Any code may set `console.open` and `console.pauses`, so the settings are read every time.
 void Console::State::follow_settings() {
     bool opened = is_open();
     if (opened && !was_open && !greeted) {
@@ -125,7 +127,7 @@ void Console::State::follow_link(std::string_view path, bool insert) {
         choose(place.instance);
         if (place.property != nullptr) inspector.select(place.instance, place.property->name);
     } catch (const property::Error&) {
-        // Not a path after all, or no longer one.
+        // The text is not a path (any more).
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The receiver of the press of a key or button also gets its release, whatever has the focus by
-// then: a game does not run on because the console opened over a held arrow key.
+// The receiver of the press of a key or button also gets its release, even if the focus has
+// changed. So a game does not keep running when the console opens while an arrow key is held.
 
 #include <set>
 #include <string>

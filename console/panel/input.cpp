@@ -1,4 +1,4 @@
-// Where events go.
+// Routing of input events.
 
 #include <algorithm>
 
@@ -44,7 +44,7 @@ void Console::State::lose_focus() {
 // --- Keyboard
 // -------------------------------------------------------------------------------------------------------
 
-// With shift the grave key is a tilde, which Lua needs.
+// Shift and the grave key give a tilde, which Lua needs.
 bool Console::State::press_key(const InputEvent& event) {
     bool bare = !event.shift && !event.control && !event.alt;
     if (bare && event.name == settings.text("key")) {
@@ -59,7 +59,7 @@ bool Console::State::press_key(const InputEvent& event) {
         keys.press(event.name, HeldKeys::Owner::game);
         return false;
     }
-    if (keys.held_by_game(event.name)) return true;  // auto-repeat of a key the game knows is down
+    if (keys.held_by_game(event.name)) return true;  // auto-repeat of a key that the game holds
     keys.press(event.name, HeldKeys::Owner::console);
     if (widgets_have_keyboard()) {
         feed(event);
@@ -82,7 +82,7 @@ bool Console::State::type_text(const InputEvent& event) {
     if (swallow_text) return true;
     if (!was_open) return false;
     if (event.character == U'`' && settings.text("key") == "grave") return true;
-    // What ctrl and a letter type is a control character; widgets and prompt want neither.
+    // Control and a letter give a control character, which widgets and the prompt do not use.
     if (event.character < 0x20 || event.character == 0x7f) return true;
     if (widgets_have_keyboard())
         feed(event);
@@ -92,8 +92,8 @@ bool Console::State::type_text(const InputEvent& event) {
 }
 
 bool Console::State::widgets_have_keyboard() {
-    // A press not yet seen by a frame may be what gives a field the keyboard, and a field that was
-    // clicked takes it one frame later.
+    // A press that no frame has processed yet may give a field the keyboard. A clicked field gets
+    // the keyboard one frame later.
     if (fed_button) frame(0);
     for (int i = 0; i < 3 && inspector.about_to_type(); ++i) frame(0);
     ui.activate();

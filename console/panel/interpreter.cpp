@@ -1,4 +1,4 @@
-// The console on a Lua runtime: the one place here that needs more of it than its types.
+// Connects the console to a Lua runtime; only this file calls the runtime.
 
 #include <fettle/console/interpreter.h>
 

@@ -1,5 +1,5 @@
-// How the console is laid out: the panel from the top, the inspector on the right, the list of
-// candidates over both.
+// Layout of the console: the panel at the top, the inspector on the right, the list of candidates
+// above both.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int panel_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
 constexpr float margin = 8;       // pixels around the windows
-constexpr float handle_size = 6;  // pixels at the edge that resize
+constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 
 }  // namespace
 
@@ -52,7 +52,7 @@ float Console::State::panel_height() {
     return std::max(1.0f, std::min(settings.number("height") * height, height - 2 * margin));
 }
 
-/// Along the lower edge, beside the inspector where that reaches down to it.
+/// Draws the time bar along the lower edge, beside the inspector if that reaches down so far.
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
     const float low = height - margin;
@@ -156,7 +156,7 @@ void Console::State::draw_height_handle() {
         settings.set("height", property::Value(std::clamp<double>(share, 0.15, 1)));
     }
     ImGui::SetCursorScreenPos(before);
-    ImGui::Dummy(ImVec2(0, 0));  // newer versions want an item where the cursor was moved to
+    ImGui::Dummy(ImVec2(0, 0));  // newer Dear ImGui needs an item after a cursor move
 }
 
 // --- The inspector
@@ -164,7 +164,7 @@ void Console::State::draw_height_handle() {
 
 void Console::State::draw_inspector(float left, float inspector_width) {
     ImGui::SetNextWindowPos(ImVec2(left, margin));
-    // With nothing selected there is only the outline, and the game shows below it.
+    // If nothing is selected, there is only the outline, and the game is visible below it.
     float tall = tree.alive(inspector.selected()) ? height : panel_height() + 2 * margin;
     ImGui::SetNextWindowSize(ImVec2(inspector_width, tall - 2 * margin));
     ImGui::SetNextWindowBgAlpha(settings.number("opacity"));

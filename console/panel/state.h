@@ -1,6 +1,6 @@
 #pragma once
-// What a console is made of, and how an event finds its way: to the toggle key, to a widget of Dear
-// ImGui, to the prompt, to the game.
+// State of a console, and the receivers of an event in order: the toggle key, a widget of Dear
+// ImGui, the prompt, the game.
 
 #include <string>
 
@@ -21,7 +21,7 @@
 
 namespace fettle::console {
 
-/// Keeps copies when there is no system clipboard.
+/// Stores copied text if there is no system clipboard.
 class MemoryClipboard : public app::Clipboard {
   public:
     std::string read() override { return text_; }
@@ -42,14 +42,14 @@ struct Console::State {
     bool mouse(const app::InputEvent& event);
     void prompt_key(const app::InputEvent& event);
     void lose_focus();
-    /// To widgets. What one frame cannot tell apart, such as a press and a release, is kept apart
-    /// by a frame of its own in between.
+    /// Passes an event to the widgets. Events that one frame could not distinguish, such as a press
+    /// and a release, are separated by an extra frame.
     void feed(const app::InputEvent& event);
     bool widgets_have_keyboard();
     bool over_windows(float x, float y) const;
     void click_game(float x, float y);
 
-    // --- What it does (console.cpp)
+    // --- Actions (console.cpp)
     bool is_open() { return settings.flag("open"); }
     void open(bool opened);
     void follow_settings();
@@ -58,7 +58,7 @@ struct Console::State {
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
 
-    // --- Looks (layout.cpp)
+    // --- Appearance (layout.cpp)
     void frame(double seconds);
     float panel_height();
     void draw_panel(float width, float height, float cell);
@@ -87,16 +87,16 @@ struct Console::State {
 
     HeldKeys keys, buttons;
     bool was_open = false;
-    bool swallow_text = false;  // the toggle key's own character is on its way
+    bool swallow_text = false;  // the character of the toggle key follows and is dropped
     bool greeted = false;
-    bool pausing = false;  // we paused time
+    bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
 
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect;
     bool popup_open = false;
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
-    bool building = false;  // a frame is being made: no other within it
+    bool building = false;  // a frame is being built; no other may begin inside it
 };
 
 }  // namespace fettle::console

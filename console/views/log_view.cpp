@@ -44,7 +44,7 @@ void LogView::wrap_line(std::uint64_t number, const std::string& text) {
     do {
         std::size_t end = begin + code_point_offset(std::string_view(text).substr(begin), columns_);
         if (end < text.size()) {
-            // Break behind a blank, unless that would leave the row half empty.
+            // Break after a blank, unless the row would be less than half full.
             std::size_t space = text.rfind(' ', end - 1);
             if (space != std::string::npos && space > begin + columns_ / 2) end = space + 1;
         }
@@ -76,7 +76,7 @@ void LogView::scroll(float line_height) {
         ImGui::SetScrollHereY(1.0f);
         stick_ = false;
     } else if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1) {
-        ImGui::SetScrollHereY(1.0f);  // at the end already: follow what is printed
+        ImGui::SetScrollHereY(1.0f);  // the view is at the end, so it follows new output
     }
 }
 
@@ -88,7 +88,7 @@ void LogView::draw(float height, float cell) {
 
     ImVec2 origin = ImGui::GetCursorScreenPos();
     float total = static_cast<float>(rows_.size()) * line_height;
-    // Few lines lie at the bottom, next to the prompt.
+    // A few lines are placed at the bottom, next to the prompt.
     float slack = std::max(0.0f, height - total);
     origin.y += slack;
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width), std::max(1.0f, slack + total)));

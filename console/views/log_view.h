@@ -1,6 +1,6 @@
 #pragma once
-// The log as it is seen: wrapped to the width, colored, scrolled, selected and copied; paths in it
-// are links. Only the rows in sight are looked at, however long the log is.
+// The view of the log: wrapped to the width, colored, scrolled, selected and copied; paths in it
+// are links. Only visible rows are processed, however long the log is.
 
 #include <imgui.h>
 
@@ -19,12 +19,12 @@ class LogView {
   public:
     explicit LogView(const Log& log) : log_(log) {}
 
-    /// Whether a path in the text names something; asked for the one under the mouse only.
+    /// Whether a path in the text leads to something; called only for the one under the mouse.
     std::function<bool(std::string_view path)> is_link;
-    /// A link was clicked. `insert`: with control or shift held.
+    /// Called when a link is clicked. `insert`: control or shift is held.
     std::function<void(std::string_view path, bool insert)> follow;
 
-    /// Fills the rest of the window down to `height`. `cell`: width of a character in pixels.
+    /// Fills the window down to `height`. `cell`: width of a character in pixels.
     void draw(float height, float cell);
     void scroll_pages(float pages) { pages_ += pages; }
     void scroll_to_end() { stick_ = true; }
@@ -33,18 +33,18 @@ class LogView {
     void clear_selection() { selection_.reset(); }
     std::string selected() const;
 
-    // As last drawn, in pixels.
+    // Sizes of the last drawing, in pixels.
     float cell() const { return cell_; }
     float line_height() const { return line_height_; }
     float scrolled() const { return scrolled_; }
-    /// Left end of the line below the last one.
+    /// Left end of the position below the last line.
     ImVec2 text_end() const { return text_end_; }
 
   private:
     struct Row {
-        std::uint64_t line;      // number since the beginning
-        std::size_t begin, end;  // bytes of it
-        bool first;              // of its line
+        std::uint64_t line;      // number of the line since the beginning
+        std::size_t begin, end;  // bytes of the line
+        bool first;              // the first row of its line
     };
     struct Point {
         std::uint64_t line = 0;
@@ -52,7 +52,7 @@ class LogView {
         friend auto operator<=>(const Point&, const Point&) = default;  // NOLINT: no pointer here
     };
     struct Selection {
-        Point from, to;  // in the order they were made
+        Point from, to;  // in the order of selection; `from` may be behind `to`
     };
     void wrap(std::size_t columns);
     void wrap_line(std::uint64_t number, const std::string& text);
@@ -66,7 +66,7 @@ class LogView {
     const Log& log_;
     std::deque<Row> rows_;
     std::size_t columns_ = 0;
-    std::uint64_t wrapped_ = 0;  // lines below this number have rows
+    std::uint64_t wrapped_ = 0;  // lines with smaller numbers have rows
     std::uint64_t clearings_ = 0;
     std::optional<Selection> selection_;
     bool dragging_ = false;

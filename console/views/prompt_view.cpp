@@ -217,7 +217,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     ImVec2 text(at.x + cell, at.y + (height - ImGui::GetTextLineHeight()) / 2);
     const std::string& label = candidate.completion.label;
     draw_text_fit(list, text, palette::text, label, label_width);
-    // Matched letters once more in the accent color.
+    // Draws the matched letters again in the accent color.
     for (std::size_t byte : candidate.matched) {
         std::string_view before = std::string_view(label).substr(0, byte);
         float x = columns(before) * cell;

@@ -1,6 +1,6 @@
 #pragma once
-// The prompt as it is seen: colored text, caret and selection, the dim suggestion, the reverse
-// search, and the list of candidates below.
+// The view of the prompt: colored text, caret and selection, the dim suggestion, the reverse
+// search, and the list of candidates.
 
 #include <imgui.h>
 
@@ -13,12 +13,12 @@ class PromptView {
   public:
     explicit PromptView(Prompt& prompt) : prompt_(prompt) {}
 
-    /// Pixels it needs, growing with the lines typed up to a third of `available`.
+    /// Required height in pixels; it grows with the number of lines up to a third of `available`.
     float height(float available) const;
     void draw(float height, float cell, bool focused);
-    /// In a window of its own, so that it lies over everything.
+    /// Draws the list in a separate window, so that it is above everything.
     void draw_menu(float cell, ImFont* bold);
-    /// Where the list of candidates was drawn; empty when it was not.
+    /// The rectangle of the list of candidates; empty if it is not shown.
     const Rect& menu_rect() const { return menu_rect_; }
     const Rect& rect() const { return rect_; }
     /// Whether the prompt was clicked in the last frame.

@@ -18,7 +18,7 @@ namespace {
 constexpr int flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
                       ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr float knob = 5;  // pixels, half its width
+constexpr float knob = 5;  // half its width in pixels
 
 std::string seconds_text(double seconds) {
     char text[32];
@@ -26,7 +26,7 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
-/// Above the bar, which it would cover.
+/// Draws a tooltip above the bar, because below it would cover the bar.
 void tip(const Rect& bar, const std::string& text) {
     const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
     const float x = std::max(ImGui::GetIO().MousePos.x, bar.low.x + half);
@@ -36,7 +36,7 @@ void tip(const Rect& bar, const std::string& text) {
 
 }  // namespace
 
-// --- What it knows and does
+// --- State and actions
 // -------------------------------------------------------------------------------------------
 
 Value TimeBar::value(const char* name) const {
@@ -62,14 +62,14 @@ TimeBar::Times TimeBar::times() const {
     return now;
 }
 
-// Looking at the game is no edit of it.
+// Pausing is no edit by a person, so undo does not revert it.
 void TimeBar::set(const char* name, bool on) {
     const Handle time = tree_.child(tree_.root(), "time");
     const property::Tree::CauseScope cause(tree_, property::Writer::module);
     tree_.set(time, name, Value(on));
 }
 
-// As a command, so that a recording of the run holds it.
+// It runs as a command, so that a recording of the run contains it.
 void TimeBar::go_to(std::int64_t step) {
     if (step == asked_) return;
     asked_ = step;
@@ -77,7 +77,7 @@ void TimeBar::go_to(std::int64_t step) {
     if (interpreter_.evaluate) interpreter_.evaluate("time:go_to(" + std::to_string(step) + ")");
 }
 
-// --- How it looks
+// --- Appearance
 // -----------------------------------------------------------------------------------------------------
 
 float TimeBar::height() {
@@ -196,7 +196,7 @@ void TimeBar::draw_track(const Times& now, float width) {
     }
 }
 
-/// A mark every second, or as many seconds as leave room between them.
+/// Draws a mark every second, or at the shortest interval that leaves room between marks.
 void TimeBar::draw_ruler(const Times& now) const {
     const double span = static_cast<double>(now.newest - now.oldest) * now.dt;
     const double wide = track_.high.x - track_.low.x - 2 * knob;

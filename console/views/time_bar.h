@@ -1,5 +1,5 @@
 #pragma once
-// The time bar: pause, step, go back to any moment that is kept, and go on from there.
+// The time bar: pause, step, go back to any stored moment, and continue from there.
 
 #include <cstdint>
 #include <string>
@@ -18,15 +18,15 @@ class TimeBar {
     TimeBar(property::Tree& tree, const Interpreter& interpreter)
         : tree_(tree), interpreter_(interpreter) {}
 
-    /// Whether the game has a past to show.
+    /// Whether the game stores its past.
     bool available() const;
     static float height();
-    /// A window of its own, of that width, its lower left corner at `corner`.
+    /// Draws a window of that width with its lower left corner at `corner`.
     void draw(ImVec2 corner, float width, float opacity, ImFont* bold);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = {}; }
 
-    // Where things are, for tests.
+    // Rectangles of the parts, for tests.
     const Rect& track() const { return track_; }
     const Rect& play_button() const { return play_; }
     const Rect& step_button() const { return step_; }
@@ -53,7 +53,7 @@ class TimeBar {
     property::Tree& tree_;
     const Interpreter& interpreter_;
     Rect rect_, track_, play_, step_, return_;
-    std::int64_t asked_ = -1;  // where the drag has gone to last
+    std::int64_t asked_ = -1;  // the last step that the drag requested
 };
 
 }  // namespace fettle::console

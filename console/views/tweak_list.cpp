@@ -9,7 +9,7 @@ namespace fettle::console {
 
 namespace {
 
-constexpr double patience = 0.25;  // s until the list is asked for again
+constexpr double patience = 0.25;  // seconds until the list is read again
 
 std::string when(const property::Tweak& tweak) {
     const auto time = static_cast<std::time_t>(tweak.time);
@@ -26,7 +26,7 @@ void colored(ImU32 color, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-/// Cut with an ellipsis at `width`; all of it is shown where the mouse rests on it.
+/// Draws a text shortened to `width`; a tooltip shows all of it.
 void fitted(ImU32 color, const std::string& text, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float whole = text_width(text);
@@ -37,7 +37,7 @@ void fitted(ImU32 color, const std::string& text, float width) {
                           text.c_str());
 }
 
-/// As Lua reads it.
+/// The text as a Lua string.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -66,7 +66,7 @@ std::size_t TweakList::open_count() {
         std::count_if(rows_.begin(), rows_.end(), [](const Tweak& tweak) { return !tweak.kept; }));
 }
 
-// As a command, so that a recording of the run holds it.
+// Runs a command, so that a recording of the run contains it.
 void TweakList::act(const char* function, const std::string& pattern) {
     if (!evaluate) return;
     const script::Evaluation said = evaluate(function + ("(" + quoted(pattern) + ")"));
@@ -119,7 +119,7 @@ void TweakList::draw_change(const Tweak& tweak) {
     if (tweak.value) {
         const std::string arrow = " → ";
         const float both = room - text_width(arrow);
-        // The new value gets what the old one leaves, and half of the room at least.
+        // The new value gets the room that the old one does not need, and at least half of it.
         const float was =
             std::min(text_width(tweak.was), std::max(both / 2, both - text_width(tweak.now)));
         fitted(palette::dim, tweak.was, was);
@@ -132,7 +132,7 @@ void TweakList::draw_change(const Tweak& tweak) {
 }
 
 void TweakList::draw_row(int row) {
-    const Tweak tweak = rows_[static_cast<std::size_t>(row)];  // acting changes the list
+    const Tweak tweak = rows_[static_cast<std::size_t>(row)];  // a copy: buttons change the list
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     fitted(palette::path, tweak.path, ImGui::GetContentRegionAvail().x);

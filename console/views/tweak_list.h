@@ -1,5 +1,6 @@
 #pragma once
-// The tweaks, as a list over the log: what was changed to what, and when; keep, make again, drop.
+// The list of tweaks above the log: old and new values, times, and buttons to keep, apply again or
+// drop them.
 
 #include <imgui.h>
 
@@ -19,20 +20,20 @@ class TweakList {
   public:
     explicit TweakList(property::Tweaks* tweaks) : tweaks_(tweaks) {}
 
-    /// Performs a command as if it had been typed.
+    /// Runs a command as if it were typed.
     std::function<script::Evaluation(std::string_view command)> evaluate;
 
-    /// Told what came of a button, a line each.
+    /// Receives the result of a button, one line per call.
     std::function<void(const std::string& line)> say;
-    /// The path of a tweak was clicked.
+    /// Called when the path of a tweak is clicked.
     std::function<void(std::string_view path)> follow;
 
     bool available() const { return tweaks_ != nullptr; }
-    /// How many are neither kept nor dropped.
+    /// Number of tweaks that are neither kept nor dropped.
     std::size_t open_count();
     void draw(float height);
 
-    /// As last drawn, in pixels: of the button of a row, or of all (row -1). For tests.
+    /// The rectangle of a button of a row, or of the header (row -1), in pixels. For tests.
     Rect button(int row, std::string_view label) const;
 
   private:

@@ -23,15 +23,15 @@ struct BoxBucket {
     static constexpr uint32_t capacity = BucketBoxes::capacity;
 
     BucketBoxes now;
-    BucketBoxes before;  ///< of that epoch: the boxes when all their pairs were known
+    BucketBoxes before;  ///< valid in that epoch: the boxes when all their pairs were known
     uint32_t item[capacity];
     uint32_t count = 0;
     uint32_t moved = 0;  ///< one bit for each box that moved in that epoch
     uint32_t epoch = 0;
 };
 
-/// Writes for each of the first boxes of a which boxes of b overlap it, one bit each. Boxes beyond
-/// the count of b are `no_box`.
+/// For each of the first `count` boxes of a, writes which boxes of b overlap it, one bit each.
+/// Unused boxes of b are `no_box`.
 using FindOverlaps = void (*)(const BucketBoxes& a, uint32_t count, const BucketBoxes& b,
                               uint32_t* rows);
 

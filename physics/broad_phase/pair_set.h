@@ -41,7 +41,7 @@ class PairSet {
             if (slots_[hole].is_empty()) return;
             hole = after(hole);
         }
-        // Entries that were inserted after the hole because it was in use move back.
+        // Entries behind the hole move back if the hole is nearer to their home.
         for (std::size_t i = after(hole); !slots_[i].is_empty(); i = after(i)) {
             if (distance(home(slots_[i].pair), i) >= distance(hole, i)) {
                 slots_[hole] = slots_[i];
@@ -53,8 +53,8 @@ class PairSet {
     }
 
     std::size_t size() const { return count_; }
-    /// False if the deserialized data are damaged: every contact is below `contacts`, and a search
-    /// ends.
+    /// False if deserialized data are damaged. If true, every contact is below `contacts`, and
+    /// every search ends.
     bool is_walkable(uint32_t contacts) const {
         std::size_t used = 0;
         for (const Slot& slot : slots_) {
@@ -82,8 +82,8 @@ class PairSet {
     static_assert(sizeof(Slot) == 12);
 
     static Pair pair_of(uint32_t a, uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
-    /// The upper half of a hash, as a fraction of the table: any table size works, and a growing
-    /// table is read and written from front to back.
+    /// The upper half of a hash, scaled to the size of the table. So any table size works, and a
+    /// growing table is read and written in order.
     std::size_t home(Pair pair) const {
         uint64_t key = uint64_t{pair.upper} << 32 | pair.lower;
         key ^= key >> 29;

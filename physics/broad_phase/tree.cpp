@@ -43,7 +43,7 @@ void Tree::remove(int32_t leaf) {
 
 void Tree::follow(int32_t leaf) {
     built_ = std::min(built_, epoch_ - 1);
-    ++worn_;
+    ++enlarged_;
     update_bucket(leaf, false);
     const Box4& box = nodes_[size_t(leaf)].box;
     for (int32_t i = nodes_[size_t(leaf)].parent; i != none; i = nodes_[size_t(i)].parent) {
@@ -180,7 +180,7 @@ void Tree::rotate(int32_t index) {
         const int32_t other = sides[1 - k];
         const Box4& moved = nodes_[size_t(other)].box;
         const float area = perimeter(inner.box);
-        // `other` replaces one grandchild and is united with the remaining one.
+        // `other` replaces one grandchild and is joined with the remaining one.
         const float gain_left = area - perimeter(unite(moved, nodes_[size_t(inner.right)].box));
         const float gain_right = area - perimeter(unite(moved, nodes_[size_t(inner.left)].box));
         if (gain_left > best_gain) {
@@ -216,7 +216,8 @@ void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& p
     if (!has_pairs(other)) return;
     const size_t begin = parts.size();
     parts.push_back({root_, other.root_});
-    // The oldest first: level by level. A pair at the bottom stays, in the place of an opened one.
+    // The oldest part first, so level by level. A pair of leaves cannot be opened and stays in the
+    // list.
     size_t next = begin, bottom = begin;
     for (; next < parts.size() && parts.size() - next + bottom - begin < enough; ++next) {
         const NodePair pair = parts[next];

@@ -13,12 +13,12 @@
 namespace fettle::physics::detail {
 
 /// A dynamic tree of boxes. New boxes are inserted by the surface-area heuristic. If few leaves
-/// move, the boxes above them are enlarged; if many move, all boxes are computed again (`refit`),
-/// and when they have become larger than after the last build, the tree is built again from the
-/// top. Several threads do either; the tree does not depend on their number. Pairs are found by one
-/// walk of the tree against itself, which skips nodes without a moved leaf and takes up to sixteen
-/// leaves as one bucket; or, if few have moved, by a search around each. Plain indices in one
-/// vector, so that a copy of it is a snapshot that behaves identically.
+/// move, the boxes above them are enlarged. If many move, all boxes are computed again (`refit`),
+/// and if they have become much larger than after the last build, the tree is built again from the
+/// top. Several threads share both tasks; the tree does not depend on their number. Pairs are found
+/// by one walk of the tree against itself, which skips nodes without a moved leaf and processes up
+/// to sixteen leaves as one bucket. If few leaves have moved, a search around each is used instead.
+/// The tree consists of plain indices in one vector, so a copy of it behaves identically.
 class Tree {
   public:
     static constexpr int32_t none = -1;
@@ -31,8 +31,8 @@ class Tree {
         place(leaf, box);
         follow(leaf);
     }
-    /// The first half of `move`: before any other call, call `follow` for the leaf, or `refit`.
-    /// Several threads may place different leaves at once.
+    /// The first half of `move`: before any other call, `follow` must be called for the leaf, or
+    /// `refit`. Several threads may place different leaves at once.
     void place(int32_t leaf, const Box4& box) {
         nodes_[size_t(leaf)].box = box;
         nodes_[size_t(leaf)].moved = epoch_;
@@ -40,19 +40,19 @@ class Tree {
     /// True if it is faster to call `follow` for each of this many placed leaves than to call
     /// `refit`.
     bool are_few(std::size_t leaves) const {
-        return 16 * leaves <= leaves_ && 2 * (worn_ + leaves) <= leaves_;
+        return 16 * leaves <= leaves_ && 2 * (enlarged_ + leaves) <= leaves_;
     }
     /// Enlarges the boxes above a leaf that was placed.
     void follow(int32_t leaf);
     /// Computes all boxes from the leaves; builds the tree again if that saves time. `before`: see
     /// `settle`.
     void refit(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
-    /// Marks the leaf as moved, and none of its pairs as known.
+    /// Marks the leaf as moved and all of its pairs as unknown.
     void touch(int32_t leaf);
 
-    /// If leaves were inserted or removed since the last call, builds the parts again that have
-    /// moved since they were built. Leaves keep their indices. `before`: for each item, its box
-    /// when `rest` was called, or no box if it had none or was touched since.
+    /// If leaves were inserted or removed since the last call, builds the moved parts of the tree
+    /// again. Leaves keep their indices. `before`: for each item, its box when `rest` was called;
+    /// no box if it had none or was touched since.
     void settle(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
 
     /// A part of a walk: two nodes, or one node against itself.
@@ -60,7 +60,7 @@ class Tree {
         int32_t a, b;
     };
     /// Calls `visit(item, item)` for every two overlapping leaves, one of this tree and one of the
-    /// other (which may be this tree), of which one has moved. Skips most of the pairs that
+    /// other (which may be this tree), if one of them has moved. Skips most of the pairs that
     /// overlapped at the last `rest`.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
@@ -92,8 +92,8 @@ class Tree {
     /// True if every parent contains its children, has moved if one of them has, and every link is
     /// mutual.
     bool is_consistent() const;
-    /// False if the deserialized data are damaged: every index is in range and each node is reached
-    /// once.
+    /// False if deserialized data are damaged. If true, every index is in range and each node is
+    /// reached once.
     bool is_walkable(uint32_t items) const;
     bool is_leaf(int32_t node) const {
         return node >= 0 && size_t(node) < nodes_.size() && nodes_[size_t(node)].is_leaf();
@@ -104,7 +104,7 @@ class Tree {
     /// For saving and restoring.
     static void members(auto& io, auto& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
-        io(self.breadth_), io(self.settled_), io(self.built_), io(self.worn_);
+        io(self.breadth_), io(self.settled_), io(self.built_), io(self.enlarged_);
     }
     /// Scratch: data that can be built again.
     static void scratch(auto& io, auto& self) {
@@ -118,7 +118,7 @@ class Tree {
         Box4 box;
         int32_t parent = none;
         int32_t left = none;   // none in a leaf
-        int32_t right = none;  // of a leaf: its item; of a free node: the next free node
+        int32_t right = none;  // in a leaf: its item; in a free node: the next free node
         uint32_t moved = 0;    // the last epoch in which it, or a node below it, moved
 
         bool is_leaf() const { return left == none; }
@@ -132,26 +132,28 @@ class Tree {
         V2 middle;  // twice the center of its box
         int32_t node;
     };
-    /// A subtree to be built of the `count` parts from `part` on. It needs one inner node less than
-    /// it has parts: those of the list of inner nodes from `inner` on, itself the first, then those
-    /// of its left side, then those of its right side. So its nodes are known before it is built.
+    /// A subtree to be built from the `count` parts beginning at `part`. It needs one inner node
+    /// less than parts. These nodes are consecutive in the list of inner nodes from `inner` on:
+    /// first the top of the subtree, then the nodes of its left side, then those of its right side.
+    /// So they are known before the subtree is built.
     struct Fork {
         uint32_t part, count, inner;
         uint32_t left = 0;  // number of parts on the left
     };
-    /// The work of one thread in building and fitting: all nodes below a node, or below a few.
+    /// The work of one thread in building and fitting: one subtree, or several.
     struct Bough {
         Fork fork;
         uint32_t buckets = 0, first_bucket = 0;
         float breadth = 0.0f;
     };
-    /// Place of a bucket.
+    /// Position of a bucket in the tree.
     struct Spot {
         int32_t node;
         uint32_t part, count;
     };
 
-    /// Nodes still to be visited. Trees are shallow; a tree of extreme coordinates may be deep.
+    /// Nodes that are still to be visited. Trees are shallow, but extreme coordinates may make a
+    /// tree deep.
     template <typename Entry>
     class Stack {
       public:
@@ -207,7 +209,7 @@ class Tree {
         if (index >= bucket_of_.size() || bucket_of_[index] < 0) return nullptr;
         return &buckets_[size_t(bucket_of_[index])];
     }
-    /// Which of its boxes have moved.
+    /// The boxes of the bucket that have moved, one bit each.
     uint32_t moved_in(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.moved : 0;
     }
@@ -241,21 +243,20 @@ class Tree {
     int32_t free_ = none;
     uint32_t leaves_ = 0;
     uint32_t epoch_ = 1;
-    float breadth_ = 0.0f;  ///< sum of the perimeters of the buckets after the last complete build;
-                            ///< 0: parts were built since
-    bool settled_ = true;   ///< no leaf was inserted or removed since the last build
-    uint32_t built_ = 0;    ///< the next build includes the parts that moved in later epochs
-    uint32_t worn_ = 0;     ///< how often the boxes above a leaf were enlarged since the last fit
-    // Dropped if the tree changes in other ways than its boxes: without them, pairs are found one
+    float breadth_ = 0.0f;   ///< sum of the buckets' perimeters; 0: parts were built since
+    bool settled_ = true;    ///< no leaf was inserted or removed since the last build
+    uint32_t built_ = 0;     ///< the next build includes parts that moved after this epoch
+    uint32_t enlarged_ = 0;  ///< how often the boxes above a leaf were enlarged since the last fit
+    // Dropped if the tree changes other than by moving boxes. Without buckets, pairs are found one
     // by one.
     std::vector<int32_t> bucket_of_;  ///< by node; -1: none
     std::vector<BoxBucket> buckets_;
     std::vector<Spot> spots_;
     // Scratch of building, and lists of the nodes.
     std::vector<Part> parts_;
-    std::vector<int32_t> inner_;  ///< top down, left before right
+    std::vector<int32_t> inner_;  ///< from the top down, left before right
     std::vector<Bough> boughs_;
-    std::vector<uint32_t> stems_;  ///< places of the inner nodes above the boughs
+    std::vector<uint32_t> stems_;  ///< inner nodes above the boughs, as indices in the list
     std::vector<Fork> forks_;      ///< used while they are divided
 };
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-// Building a tree from the top and computing its boxes from the leaves. Threads share out both by
-// boughs. The nodes of a bough follow from the division of the parts above it, and sums are added
-// bough after bough: the tree does not depend on the number of threads.
+// Building a tree from the top, and computing its boxes from the leaves. Threads share both tasks;
+// a unit of work is a bough. The division of the parts determines the nodes of each bough, and sums
+// are added in the order of the boughs, so the tree does not depend on the number of threads.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Leaves of a bough: enough work to share out, and enough boughs for all threads.
+/// Limits for boughs: each is worth a task, and there are enough for all threads.
 constexpr uint32_t least_bough = 128, most_boughs = 64;
 
 uint32_t greatest_bough(std::size_t parts) {
@@ -22,15 +22,15 @@ constexpr float greatest_wear = 1.1f;
 
 }  // namespace
 
-/// The boxes in buckets at the last `rest`.
+/// Boxes of the items at the last `rest`.
 struct Tree::Before {
     std::span<const Box4> boxes;    ///< of each item
-    bool still_in_buckets = false;  ///< the buckets have the same leaves as then
+    bool still_in_buckets = false;  ///< the buckets still have the same leaves
 };
 
 void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     built_ = std::min(built_, epoch_ - 1);
-    worn_ = 0;
+    enlarged_ = 0;
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
     const bool listed = is_listed();
     if (!listed) list();
@@ -51,14 +51,13 @@ void Tree::settle(ThreadPool* threads, std::span<const Box4> before) {
     settled_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
-    if (4 * worn_ > leaves_)
-        built_ = 0;  // build all parts, so that all leaves are in buckets
-                     // again
+    if (4 * enlarged_ > leaves_)
+        built_ = 0;  // include all parts, so that all leaves are in buckets again
     take_apart();
     const float breadth = build(threads, before);
     breadth_ = is_listed() ? breadth : 0.0f;
     built_ = epoch_;
-    worn_ = 0;
+    enlarged_ = 0;
 }
 
 void Tree::forget_build() {
@@ -70,9 +69,9 @@ void Tree::forget_build() {
 
 // --- The parts
 
-/// Lists the parts that did not move, at least leaves, and the nodes above them, which are used
-/// again. Top down and left before right, the order in which they are used: neighbors in the tree
-/// are neighbors in memory.
+/// Lists the subtrees that did not move (at least leaves), and the nodes above them, which are used
+/// again. The order is top down and left before right, so that neighbors in the tree are neighbors
+/// in memory.
 void Tree::take_apart() {
     parts_.clear();
     inner_.clear();
@@ -91,7 +90,7 @@ void Tree::take_apart() {
     }
 }
 
-/// Lists the whole tree as after a build.
+/// Lists the whole tree in the order of a build.
 void Tree::list() {
     parts_.clear();
     inner_.clear();
@@ -110,7 +109,8 @@ void Tree::list() {
         open.push(node.right);
         open.push(node.left);
     }
-    // Backwards, since children come after their parent: first the left side, then the right.
+    // Backwards, because children come after their parent: the left side first, then the right
+    // side.
     count.resize(inner_.size());
     for (size_t i = inner_.size(); i-- > 0;) {
         const Node& node = nodes_[size_t(inner_[i])];
@@ -120,7 +120,7 @@ void Tree::list() {
     list_boughs(first_part, count);
 }
 
-/// `first_part`, `count`: of each inner node.
+/// `first_part`, `count`: the parts of each inner node.
 void Tree::list_boughs(std::span<const uint32_t> first_part, std::span<const uint32_t> count) {
     bucket_of_.assign(nodes_.size(), -1);
     buckets_.clear();
@@ -165,7 +165,7 @@ float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     return fit(threads, {before});
 }
 
-/// Divides the parts into boughs, one level at a time: threads share out a level.
+/// Divides the parts into boughs, one level at a time; threads share the work of a level.
 void Tree::divide(ThreadPool* threads) {
     const uint32_t greatest = greatest_bough(parts_.size());
     boughs_.clear();
@@ -222,8 +222,8 @@ void Tree::build_below(Fork fork, Bough& bough, bool in_bucket) {
                 in_bucket);
 }
 
-/// A bucket has at least two leaves: the buckets of each bough begin at half the place of its
-/// leaves.
+/// A bucket has at least two leaves. So the buckets of a bough have room from half of the position
+/// of its first leaf on.
 void Tree::add_spot(const Fork& fork, Bough& bough) {
     spots_[bough.fork.part / 2 + bough.buckets++] = {inner_[fork.inner], fork.part, fork.count};
 }
@@ -279,7 +279,7 @@ float Tree::fit_bough(const Bough& bough, const Before& before) {
     return breadth;
 }
 
-/// The boxes below are computed already.
+/// Computes the box of a node; the boxes below it must be computed already.
 void Tree::fit_node(int32_t index) {
     Node& node = nodes_[size_t(index)];
     const Node &left = nodes_[size_t(node.left)], &right = nodes_[size_t(node.right)];
@@ -308,7 +308,7 @@ void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before
     }
 }
 
-/// So far no box in it has moved.
+/// Begins an epoch of the bucket, in which no box has moved yet.
 void Tree::begin_epoch(BoxBucket& bucket) const {
     if (bucket.epoch == epoch_) return;
     bucket.before = bucket.now;
@@ -316,7 +316,7 @@ void Tree::begin_epoch(BoxBucket& bucket) const {
     bucket.epoch = epoch_;
 }
 
-/// A leaf has moved since its bucket was filled.
+/// Updates the bucket of a leaf that has moved since the bucket was filled.
 void Tree::update_bucket(int32_t leaf, bool forget_pairs) {
     for (int32_t i = leaf; i != none && !bucket_of_.empty(); i = nodes_[size_t(i)].parent) {
         const int32_t place = bucket_of_[size_t(i)];

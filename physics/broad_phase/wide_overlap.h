@@ -1,4 +1,5 @@
-// Pairs of two buckets, for the instruction set of the file that includes this: see simd/vector.h.
+// Overlap tests of two buckets. Compiled for the instruction set of the including file: see
+// simd/vector.h.
 #pragma once
 
 #include <broad_phase/bucket.h>

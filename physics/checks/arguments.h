@@ -24,7 +24,7 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
-/// A direction of any length above 0.
+/// A direction; any length above 0 is valid.
 const Vec2& check_direction(const char* what, const Vec2& value);
 [[noreturn]] void refuse_negative(const char* what, float value);
 /// Finite and >= 0.
@@ -47,7 +47,7 @@ int check_count(const char* what, int value, int low, int high);
 /// 4, 8 or 16.
 int check_simd_width(const char* what, int value);
 [[noreturn]] void refuse_enumerator(const char* what, int value, int last);
-/// Enumerations count from 0 to `last`; a cast number may be out of range.
+/// Enumerators count from 0 to `last`; a cast number may be out of range.
 template <class Enum>
 Enum check_enumerator(const char* what, Enum value, Enum last) {
     if (value < Enum{} || value > last) [[unlikely]]

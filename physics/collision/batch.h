@@ -2,12 +2,12 @@
 
 #include <collision/manifold.h>
 
-// Pairs of triangles and quadrilaterals, sixteen at a time: most shapes of most games.
+// Batches of sixteen pairs of triangles and quadrilaterals, which are most shapes of most games.
 
 namespace fettle::physics::detail {
 
 /// The rotated vertices of all shapes: see VertexPool. A triangle repeats its first vertex and edge
-/// as fourth, with an edge offset that keeps every other shape inside.
+/// as the fourth; the offset of this edge is so large that it never separates shapes.
 struct ConvexArrays {
     const V2* vertices;
     const V2* normals;

@@ -30,7 +30,7 @@ int farthest_vertex(const Convex& polygon, V2 direction) {
         }
         vertex = low < n ? low : 0;
     }
-    // Rounding may have put it off by one; of a few vertices all are looked at.
+    // Rounding may cause an error of one vertex. In small polygons, all vertices are examined.
     float most = dot(direction, polygon.vertices[vertex]);
     for (int way : {1, n - 1}) {
         for (int i = (vertex + way) % n, left = n; left > 0; i = (i + way) % n, --left) {

@@ -2,8 +2,8 @@
 
 #include <collision/manifold.h>
 
-// Searches for extreme points and edges of a convex polygon that do not examine all of it: its
-// normals are in order.
+// Searches for extreme points and edges of a convex polygon. Its normals are sorted by angle, so
+// the searches do not examine all of it.
 
 namespace fettle::physics::detail {
 
@@ -19,9 +19,9 @@ struct EdgeGap {
     float separation = -1e30f;
 };
 
-/// Finds the greatest value around a cycle that has only one rising direction from the start:
-/// strides that double while the value rises, then bisection of the last one. Ignores values that
-/// are not `within`.
+/// Finds the maximum of values in a cycle that has only one rising direction from the start. The
+/// strides double while the value rises; then bisection searches the last stride. Values that are
+/// not `within` are ignored.
 template <class Value, class Within>
 EdgeGap climb(int count, int start, Value&& value, Within&& within) {
     const auto at = [count](int i) { return ((i % count) + count) % count; };
@@ -74,12 +74,12 @@ class Facets {
     const Convex& form_;
 };
 
-/// The edge of a polygon with the greatest separation from another shape: `nearest` returns the
+/// The edge of a polygon with the greatest separation from another shape. `nearest` returns the
 /// coordinate of the shape's nearest point along a unit vector, `inside` is a point of the shape.
-/// In small polygons all edges are examined, large ones are climbed. The separation rises from the
-/// edge that faces any point of the shape to the greatest one, which is within a quarter of a turn:
-/// up to there the vertices that are farthest along the normals are on the near side of the nearest
-/// point. Beyond it there may be another maximum, that of the far side.
+/// In small polygons all edges are examined; large ones are climbed. The separation rises from the
+/// edge that faces any point of the shape to the maximum, which is within a quarter of a turn. Up
+/// to there, the farthest vertices along the normals are on the near side of the nearest point.
+/// Beyond it there may be another maximum, that of the far side.
 template <class Polygon, class Nearest>
 EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
     const auto separation = [&](int i) { return nearest(polygon.normal(i)) - polygon.offset(i); };
@@ -96,8 +96,7 @@ EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
     return best;
 }
 
-/// Of the two edges at the vertex that is deepest along a normal, the one that is more opposed to
-/// it.
+/// The more opposed of the two edges at the vertex that is deepest along a normal.
 int incident_edge_of(const auto& polygon, V2 normal) {
     const int vertex = polygon.farthest(-normal), before = polygon.previous(vertex);
     return dot(polygon.normal(before), normal) < dot(polygon.normal(vertex), normal) ? before

@@ -2,7 +2,7 @@
 
 #include <collision/manifold.h>
 
-// Two edges that face each other: common part of the narrow phases of all polygons.
+// Clipping of two edges that face each other; used for all pairs of polygons.
 
 namespace fettle::physics::detail {
 
@@ -24,7 +24,8 @@ inline uint16_t feature_of(int vertex_a, int vertex_b) {
     return uint16_t((vertex_a & 255) << 8 | (vertex_b & 255));
 }
 
-/// Nearest points of two segments that do not cross, as fractions of each; true when both are ends.
+/// Nearest points of two segments that do not cross, as fractions of each. True if both points are
+/// ends.
 inline bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
     // C. Ericson, "Real-Time Collision Detection", 5.1.9.
     const V2 d1 = p2 - p1, d2 = q2 - q1, r = p1 - q1;
@@ -65,7 +66,7 @@ class FacingEdges {
         x2_ = dot(tangent, w2_);
     }
 
-    /// End against end, with so little overlap that shapes would be kicked.
+    /// End against end, with so little overlap that a contact would kick the shapes.
     bool are_a_seam() const {
         const float facing = min(high_, x2_) - max(low_, x1_);
         const bool inside = (x1_ >= low_ && x2_ <= high_) || (low_ >= x1_ && high_ <= x2_);

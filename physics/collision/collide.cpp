@@ -2,11 +2,11 @@
 
 #include <utility>
 
-// Separating axes and clipping. For two convex polygons the axis of least overlap is the normal of
+// Separating axes and clipping. For two convex polygons, the axis of least overlap is the normal of
 // one of their edges (D. Gregorius, "The Separating Axis Test between Convex Polyhedra", GDC 2013;
-// in the plane there are no cross products of edges). The edge of that normal is the reference; the
-// most anti-parallel edge of the other polygon is clipped against its ends. Pairs of vertex and
-// edge identify the points from step to step.
+// in the plane there are no cross products of edges). This edge is the reference. The most
+// anti-parallel edge of the other polygon is clipped against its ends. Pairs of vertex and edge
+// identify the points from step to step.
 
 namespace fettle::physics::detail {
 namespace {
@@ -64,7 +64,7 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
     const V2 v1 = a.vertices[best.edge], v2 = a.vertices[next];
     const V2 along = v2 - v1;
     const float t1 = dot(c - v1, along), t2 = dot(v2 - c, along);
-    // A segment has no inside: beyond its ends, the end itself is nearest even at distance 0.
+    // A segment has no inside: beyond its ends, the end itself is nearest, even at distance 0.
     const bool outside = best.separation > 1e-7f || a.count == 2;
     if (outside && t1 < 0.0f) {
         single_point(v1, c, n, a, circle, offset, margin, feature_of(best.edge, 255), m);
@@ -112,8 +112,8 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
     const int incident = incident_edge(other, reference.normals[edge]);
 
     if ((flipped ? on_b.separation : on_a.separation) > face_preference) {
-        // The cores are apart: where two vertices are nearest, the direction between the shapes is
-        // no edge normal.
+        // The cores are apart. Where two vertices are nearest, the direction between the shapes is
+        // not the normal of an edge.
         const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
         const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
         float s, t;
@@ -125,7 +125,7 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
             const V2 p = reference.vertices[r], q = other.vertices[o] + to_other;
             const V2 n = reference.normals[edge];
             const V2 along = {-n.y, n.x};
-            // Facing edges with level ends are a face contact, not a vertex contact.
+            // Facing edges with level ends give a face contact, not a vertex contact.
             const V2 d = q - p;
             if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
                 // Corners of thick shapes without rounding may still pass each other. (Cards do
@@ -180,7 +180,7 @@ void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, fl
     const int second =
         dot(normal, b.vertices[before]) < dot(normal, b.vertices[after]) ? before : after;
     add(second);
-    // Always in the order of the vertices, so that the solver does not get them in changing order.
+    // Sorted by vertex, so that the order for the solver does not change between steps.
     if (m.count == 2 && m.points[1].feature < m.points[0].feature)
         std::swap(m.points[0], m.points[1]);
 }

@@ -45,9 +45,9 @@ AreaMoments moments_of(const Ellipse& ellipse) {
 namespace {
 
 /// Foot point on the ellipse (x/a)² + (y/b)² = 1 with a ≥ b, for a point of the first quadrant.
-/// With the parameter t of the line p = q + t·∇/2 the foot point q is (a²x/(t + a²), b²y/(t + b²));
-/// t is the greatest root of (ax/(t + a²))² + (by/(t + b²))² = 1 (D. Eberly, "Distance from a Point
-/// to an Ellipse", section 2.9). That function falls and is convex beyond -b², so that Newton's
+/// With the parameter t of the line p = q + t·∇/2, the foot point q is (a²x/(t + a²), b²y/(t +
+/// b²)). t is the greatest root of (ax/(t + a²))² + (by/(t + b²))² = 1 (D. Eberly, "Distance from a
+/// Point to an Ellipse", section 2.9). That function falls and is convex beyond -b², so Newton's
 /// method from the left always ascends to the root.
 struct Foot {
     double x, y;
@@ -115,8 +115,8 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offse
     const V2 center = ellipse.center - offset;
     const auto [edge, best] = deepest_edge(Facets(other), center,
                                            [&](V2 n) { return dot(n, center) - ellipse.reach(n); });
-    // The separation along a direction is greatest at this normal or in the cone of one of its two
-    // vertices: the vertex of that end beyond which the deepest point of the ellipse is.
+    // The separation along a direction is greatest at this normal, or in the cone of one of its two
+    // vertices: the one beyond which the deepest point of the ellipse is.
     const int next = edge + 1 < other.count ? edge + 1 : 0;
     const V2 n = other.normals[edge];
     const V2 v1 = other.vertices[edge] + offset, v2 = other.vertices[next] + offset;
@@ -133,10 +133,10 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offse
 }
 
 EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 offset) {
-    // s(d) = d·c - h(d) - k(d) of all directions d: its greatest value is the distance, or minus
-    // the depth. Its slope along the circle of directions is d⊥·(the chord between the two support
-    // points). Directions evenly spaced on the rims are dense where an ellipse is flat; the best of
-    // them and its neighbours enclose the greatest value.
+    // s(d) = d·c - h(d) - k(d) is the separation along a direction d. Its maximum over all
+    // directions is the distance, or minus the depth. Its slope along the circle of directions is
+    // d⊥·(the chord between the two support points). Directions that are evenly spaced on the rims
+    // are dense where an ellipse is flat. The best of them and its neighbors enclose the maximum.
     const V2 c = other.center + offset - ellipse.center;
     const auto separation = [&](V2 d) { return dot(d, c) - ellipse.reach(d) - other.reach(d); };
     constexpr int samples = 16;
@@ -158,7 +158,7 @@ EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 
         }
     }
     if (length_squared(c) > 0.0f) directions[count++] = normalized(c);
-    // Grows with the angle, from 0 to 4 round the circle.
+    // Increases with the angle, from 0 to 4 for a full turn.
     const auto turned = [](V2 d) {
         const float k = d.x / (std::fabs(d.x) + std::fabs(d.y));
         return d.y >= 0.0f ? 1.0f - k : 3.0f + k;

@@ -5,7 +5,7 @@
 #include <geometry/mass.h>
 #include <geometry/vertex_pool.h>
 
-// Ellipses, computed exactly: no polygon replaces them.
+// Exact ellipses; they are not approximated by polygons.
 
 namespace fettle::physics::detail {
 
@@ -17,11 +17,11 @@ struct EllipseForm {
 
     /// The farthest point along a direction.
     V2 support(V2 direction) const;
-    /// Distance of the farthest point from the center along a unit vector.
+    /// Distance from the center to the farthest point along a unit vector.
     float reach(V2 direction) const;
 };
 
-// In the pool an ellipse takes two places: the center, with the axis as its normal; the two radii.
+// In the pool an ellipse uses two entries: the center, with the axis as its normal; the two radii.
 void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool);
 inline EllipseForm ellipse_of(const Convex& form) {
     return {form.vertices[0], form.normals[0], form.vertices[1].x, form.vertices[1].y};
@@ -30,16 +30,15 @@ inline EllipseForm ellipse_of(const Convex& form) {
 V2 half_box(const EllipseForm& ellipse);  ///< half the sides of its bounding box
 AreaMoments moments_of(const Ellipse& ellipse);
 
-/// The point of the rim that is nearest to `p`, and the outward normal there; `distance` is
-/// negative inside.
+/// The nearest point to `p` on the rim, and the outward normal there; `distance` is negative
+/// inside.
 struct RimPoint {
     V2 point, normal;
     float distance = 0.0f;
 };
 RimPoint nearest_on_rim(const EllipseForm& ellipse, V2 p);
 
-/// Gap between an ellipse and another shape, along the line where they are nearest or overlap
-/// least.
+/// Gap between an ellipse and another shape, along the line of least distance or least overlap.
 struct EllipseGap {
     V2 normal;  ///< from the ellipse to the other
     V2 on_ellipse, on_other;

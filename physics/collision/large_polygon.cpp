@@ -109,8 +109,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
             return;
         }
     }
-    // The end of the edges identifies a point from step to step: the edges themselves change as
-    // soon as the polygon rolls.
+    // The ends of the edges identify a point from step to step, because the edges themselves change
+    // when the polygon rolls.
     const FacingEdges edges(edge.form, 0, facing.form, 0, to_other);
     if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }

@@ -6,19 +6,19 @@
 
 namespace fettle::physics::detail {
 
-/// Separations that differ by less than this count as equal (m): the choice between faces that are
-/// equally deep is stable, so that contacts do not flip.
+/// Separations that differ by less than this (m) count as equal. So the choice between equally deep
+/// faces is stable, and contacts do not flip.
 inline constexpr float face_preference = 0.0005f;
 
-/// Two edges that overlap end against end by less than this (m) and less than a tenth of either do
-/// not stop each other: otherwise a shape that slides over a floor of tiles would be kicked by the
-/// side of every tile.
+/// Two edges that overlap end against end by less than this (m), and by less than a tenth of
+/// either, do not stop each other. Otherwise the side of every tile would kick a shape that slides
+/// over a tiled floor.
 inline constexpr float seam = 0.005f;
 
-/// A convex shape at its pose: vertices, edge normals and n·v of each edge, already rotated but
-/// relative to the center of mass of its body. All contacts of the shape use the same rotated data,
-/// and no precision is lost far from the origin. One vertex is a circle, two are a segment (its two
-/// sides are its two edges).
+/// A convex shape at its pose: vertices, edge normals, and n·v of each edge. They are already
+/// rotated, but relative to the center of mass of the body. All contacts of the shape use the same
+/// rotated data, and no precision is lost far from the origin. One vertex is a circle, two are a
+/// segment (its two sides are its two edges).
 struct Convex {
     const V2* vertices;
     const V2* normals;
@@ -44,15 +44,15 @@ struct Manifold {
 };
 
 // Wide collisions read and write four numbers at a time: `normal` to `corner`, both anchors, and
-// `separation` to `feature`.
+// `separation` to `feature`. So the layout must not change.
 static_assert(sizeof(ManifoldPoint) == 32 && sizeof(Manifold) == 80);
 
 /// Contact points of a and b that are closer than `margin` (m); `offset` is the center of mass of b
 /// minus that of a. Sets normal, count, anchors, separations and features; leaves impulses zero.
 void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& manifold);
 
-/// Contact with the half-plane of points p with normal·p <= depth, p relative to `offset` from the
-/// center of mass of b: a is solid there. The normal points out of it.
+/// Contact with the half-plane of the points p with normal·p <= depth, which is solid. `center_b`:
+/// center of mass of b in the same coordinates. The normal points out of the half-plane.
 void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
                         Manifold& manifold);
 

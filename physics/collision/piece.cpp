@@ -9,8 +9,8 @@ namespace {
 /// Corners with a smaller angle are flat, and directions that differ by less are equal (rad).
 constexpr float flat = 1e-3f;
 
-/// If the overlap through an inner edge is less than through any other edge by this (m), the shape
-/// is in front of another piece.
+/// If the overlap through an inner edge is smaller than through any other edge by this (m), the
+/// shape is in front of another piece.
 constexpr float beyond = 0.01f;
 
 float sign_of(V2 v) {
@@ -19,10 +19,10 @@ float sign_of(V2 v) {
 
 }  // namespace
 
-Piece::Verdict Piece::judge(int vertex, V2 direction) const {
+Piece::Verdict Piece::decide(int vertex, V2 direction) const {
     const V2 d = unrotate(rotation_, direction);
     const V2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
-    // A free end of a chain pushes in all directions but backwards.
+    // A free end of a chain pushes in all directions except backwards.
     if (sign_of(before) == 0.0f || sign_of(after) == 0.0f) {
         const V2 front = sign_of(before) == 0.0f ? after : before;
         return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
@@ -100,19 +100,19 @@ void one_point(V2 on_a, V2 normal, float gap, float radius_b, V2 offset, float m
     m.count = 1;
 }
 
-/// Faces extend beyond their ends by this (m): two nearly equal faces leave no gap between them in
-/// spite of rounding.
+/// Faces extend beyond their ends by this (m), so that rounding leaves no gap between two nearly
+/// equal faces.
 float overhang(float height, V2 where) {
     return 2.0f * flat * std::fabs(height) + 1e-6f * (std::fabs(where.x) + std::fabs(where.y));
 }
 
-/// A circle: its center is a point, so that the nearest feature of the piece decides.
+/// A circle: its center is a point, so the nearest feature of the piece decides.
 void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, bool held,
                     Manifold& m) {
     const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
-    // Outside of an inner edge, or nearer to it than to any other: the shape meets another piece
-    // first.
+    // The circle is outside an inner edge, or nearer to it than to any other: it meets another
+    // piece first.
     const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
                         axes.inner > axes.outer.separation + beyond;
     const int edge = axes.outer.edge;
@@ -127,8 +127,8 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
         one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
         return;
     }
-    // Beyond the ends: the nearest vertex, if it is a corner of the outline and belongs to this
-    // piece.
+    // Beyond the ends of an edge, the nearest vertex counts if it is a corner of the outline and
+    // belongs to this piece.
     int vertex = 0;
     float least = 1e30f;
     for (int i = 0; i < a.form.count; ++i) {
@@ -141,7 +141,7 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
     const V2 p = a.form.vertices[vertex];
     const float distance = std::sqrt(least);
     const V2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
-    if (a.judge(vertex, direction) != Piece::Verdict::pushes) return;
+    if (a.decide(vertex, direction) != Piece::Verdict::pushes) return;
     if (axes.greatest() <= 0.0f) return;
     one_point(p, direction, distance, radius, offset, margin, feature_of(vertex, 255), m);
     m.corner = distance;
@@ -170,7 +170,7 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float marg
     const int vertex = before ? edge : next;
     const V2 p = before ? v1 : v2;
     const RimPoint rim = nearest_on_rim(e, p - offset);
-    if (a.judge(vertex, -rim.normal) != Piece::Verdict::pushes) return;
+    if (a.decide(vertex, -rim.normal) != Piece::Verdict::pushes) return;
     one_point(p, -rim.normal, rim.distance, 0.0f, offset, margin, feature_of(vertex, 255), m);
 }
 
@@ -203,7 +203,7 @@ class PolygonOnPiece {
     }
 
   private:
-    /// True if most of it is in front of the plane of a one-sided segment.
+    /// True if most of the other shape is in front of the plane of a one-sided segment.
     bool in_front(const Piece& piece, const Convex& other, V2 to_other) const {
         if (!piece.one_sided()) return true;
         const V2 n = piece.form.normals[0];
@@ -217,7 +217,7 @@ class PolygonOnPiece {
         const V2 n = a_.form.normals[edge];
         if (piece_b_ != nullptr) {
             const int vertex = support(b_, -n);
-            if (piece_b_->judge(vertex, -n) == Piece::Verdict::leaves &&
+            if (piece_b_->decide(vertex, -n) == Piece::Verdict::leaves &&
                 !is_face(*piece_b_, vertex, -n))
                 return;
         }
@@ -237,7 +237,7 @@ class PolygonOnPiece {
             push_with_a(a_.edge_at(vertex, outwards), axis.separation);
             return;
         }
-        const Piece::Verdict verdict = a_.judge(vertex, outwards);
+        const Piece::Verdict verdict = a_.decide(vertex, outwards);
         if (verdict == Piece::Verdict::leaves) return;
         const int edge = a_.edge_at(vertex, outwards);
         if (edge < 0) return;
@@ -251,7 +251,7 @@ class PolygonOnPiece {
         clip_pieces(b_, axis.edge, a_.form, edge, -offset_, true);
     }
 
-    /// True if a direction is nearly that of an edge of the outline at the vertex.
+    /// True if a direction is almost the normal of an edge of the outline at the vertex.
     static bool is_face(const Piece& piece, int vertex, V2 direction) {
         const int edge = piece.edge_at(vertex, direction);
         return edge >= 0 && dot(piece.form.normals[edge], direction) > 1.0f - 1e-5f;
@@ -274,8 +274,8 @@ class PolygonOnPiece {
         if (!(std::fabs(cross(n, d)) > 1e-3f * distance)) return false;
         const V2 direction = flipped ? (-1.0f / distance) * d : (1.0f / distance) * d;
         const int on_a = flipped ? o : r, on_b = flipped ? r : o;
-        if (a_.judge(on_a, direction) != Piece::Verdict::pushes) return true;
-        if (piece_b_ != nullptr && piece_b_->judge(on_b, -direction) != Piece::Verdict::pushes)
+        if (a_.decide(on_a, direction) != Piece::Verdict::pushes) return true;
+        if (piece_b_ != nullptr && piece_b_->decide(on_b, -direction) != Piece::Verdict::pushes)
             return true;
         one_point(a_.form.vertices[on_a], direction, distance, b_.radius, offset_, margin_,
                   feature_of(on_a, on_b), m_);
@@ -283,7 +283,7 @@ class PolygonOnPiece {
         return true;
     }
 
-    /// As for plain polygons, but points beyond the edge belong to the next piece.
+    /// Like the function for plain polygons, but points beyond the edge belong to the next piece.
     void clip_pieces(const Convex& reference, int edge, const Convex& other, int incident,
                      V2 to_other, bool flipped) {
         const FacingEdges edges(reference, edge, other, incident, to_other);

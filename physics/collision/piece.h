@@ -2,17 +2,17 @@
 
 #include <collision/solid.h>
 
-// Pieces: the segments of a chain, the convex parts of a concave polygon. The whole outline is
-// solid; a single piece has edges that are not part of the outline (the diagonals of a cut, the
-// back of a segment) and ends at which the outline goes on. This must have no effect on other
-// shapes: a piece pushes only in directions of its part of the outline. Each vertex has the normals
-// of the outline's edges before and after it; between the two is the cone of directions in which
-// the outline's own corner pushes.
+// Pieces: the segments of a chain, and the convex parts of a concave polygon. The whole outline is
+// solid. A single piece has edges that are not part of the outline (the diagonals of a cut, the
+// back of a segment), and ends where the outline continues. These must have no effect on other
+// shapes: a piece pushes only in directions of its part of the outline. Each vertex stores the
+// normals of the outline's edges before and after it. The directions between the two are the cone
+// in which the corner of the outline pushes.
 
 namespace fettle::physics::detail {
 
-/// A convex part of an outline. Two vertices: a segment that is solid on the side of its first
-/// edge only.
+/// A convex part of an outline. With two vertices, it is a segment that is solid only on the side
+/// of its first edge.
 class Piece {
   public:
     explicit Piece(const Solid& solid)
@@ -34,10 +34,10 @@ class Piece {
     enum class Verdict {
         pushes,  ///< the corner is on the outline, and this piece reports it
         leaves,  ///< another piece reports it
-        flat     ///< no corner that sticks out: the edge beside it pushes
+        flat     ///< no protruding corner: the edge beside it pushes
     };
-    /// Decides on a push along `direction` (unit, outwards) at a vertex.
-    Verdict judge(int vertex, V2 direction) const;
+    /// Decides whether a vertex pushes along `direction` (unit vector, outwards).
+    Verdict decide(int vertex, V2 direction) const;
     /// The edge of the outline at a vertex with the normal nearest to `direction`; -1 if neither
     /// edge is on the outline.
     int edge_at(int vertex, V2 direction) const;
@@ -53,9 +53,9 @@ class Piece {
     const V2* normals_;
 };
 
-/// Contact points of a piece and another shape, as `collide`: the normal points from the piece.
-/// `held`: the shapes were in contact before, so that the other shape did not come from behind, at
-/// any depth.
+/// Contact points of a piece and another shape, as `collide`; the normal points away from the
+/// piece. `held`: the shapes were already in contact, so at any depth the other shape did not come
+/// from behind.
 void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
                    Manifold& manifold);
 

@@ -6,32 +6,29 @@
 
 namespace fettle::physics::detail {
 
-/// The kind of a shape's form. Forms that are not plain convex are collided by `collide_unusual`,
-/// so that the common pairs need one test.
+/// The kind of a shape's form. Forms that are not plain convex are handled by `collide_unusual`, so
+/// that common pairs need one test.
 enum class FormKind : uint8_t {
     convex,   ///< a convex polygon grown by a radius; one vertex: a circle, two: a capsule
-    border,   ///< a half-plane of the border
-    ellipse,  ///< its center; collision/ellipse.h says where its axes are
+    border,   ///< a half-plane of the world's border
+    ellipse,  ///< its center; collision/ellipse.h describes its axes
     large,    ///< a convex polygon of many vertices, see collision/large_polygon.h
     piece,    ///< a convex part of a longer outline, see collision/piece.h
-    outline   ///< of many pieces, which are shapes of their own: the outline itself does not
-              ///< collide
+    outline   ///< an outline: its pieces collide instead
 };
 
 /// A shape of any kind but the border, at its pose.
 struct Solid {
     Convex form;
     FormKind kind = FormKind::convex;
-    Rotation rotation = {};       ///< of a large polygon, whose vertices are not rotated; of a
-                                  ///< piece
+    Rotation rotation = {};       ///< of a large polygon or a piece
     const V2* limits = nullptr;   ///< of a piece
     const V2* normals = nullptr;  ///< of a piece: normals of its edges, body coordinates
 };
 
 /// The nearest points of two shapes, relative to the center of mass of a.
 struct Nearest {
-    float distance = 0.0f;  ///< 0 when they overlap: then both points are the same point inside
-                            ///< both shapes
+    float distance = 0.0f;  ///< 0 when they overlap; then both points are equal
     V2 on_a, on_b;
     V2 normal;  ///< from a to b; zero when they overlap
 };

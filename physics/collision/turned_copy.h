@@ -35,7 +35,7 @@ class TurnedCopy {
             // A disc, which has no edges, may have no normals.
             if (from_.form.normals != nullptr) normals_[i] = rotate(q, from_.form.normals[i]);
         }
-        // After its center an ellipse has its radii, which are not rotated.
+        // The second entry of an ellipse contains its radii, which are not rotated.
         if (from_.kind == FormKind::ellipse) vertices_[1] = from_.form.vertices[1];
         return turned_;
     }

@@ -1,5 +1,5 @@
-// `collide` for sixteen pairs of triangles and quadrilaterals, operation by operation the same, for
-// the instruction set of the file that includes this: see simd/vector.h.
+// `collide` for sixteen pairs of triangles and quadrilaterals with exactly the same operations. It
+// is compiled for the instruction set of the including file: see simd/vector.h.
 #pragma once
 
 #include <collision/batch.h>
@@ -61,9 +61,10 @@ inline WideEdge deepest_edge(const WidePolygon& a, const WidePolygon& b, Wide x,
 }
 
 /// The edge of `other` whose normal is most opposed to that of the reference: its ends and their
-/// numbers.
+/// indices.
 struct WideIncident {
-    Wide x1, y1, x2, y2;  ///< the second vertex, then the first: against the reference edge
+    /// The second vertex, then the first: opposite to the direction of the reference edge.
+    Wide x1, y1, x2, y2;
     WideInt index;
 };
 
@@ -120,7 +121,7 @@ inline WideInt next_of(WideInt index, WideInt count) {
     return index + 1 == count ? WideInt{} : index + 1;
 }
 
-/// The old points: if the vertices are the same, their impulses are kept.
+/// The old points: their impulses are kept if the vertices are the same.
 struct OldPoints {
     Columns4 point[2];
     WideInt count;
@@ -164,8 +165,8 @@ void write_manifolds(At&& manifold, Wide nx, Wide ny, const WideCandidate (&c)[2
     }
 }
 
-/// Collides the lanes from `at` on. Returns those that `collide` must do, one bit each: their
-/// manifolds are unchanged.
+/// Collides the lanes from `at` on. Returns the lanes that `collide` must process, one bit each;
+/// their manifolds are unchanged.
 uint32_t collide_lanes(const ConvexArrays& arrays, const CollisionBatch& batch, int at) {
     const WidePolygon a = load_polygon(arrays, batch.begin_a + at);
     const WidePolygon b = load_polygon(arrays, batch.begin_b + at);

@@ -4,18 +4,17 @@
 
 #include <cstdint>
 
-// Data of the solver: contiguous, gathered from the records before the sub-steps and stored back
-// after them.
+// Data of the solver. They are contiguous: gathered from the records before the sub-steps and
+// stored back after them.
 
 namespace fettle::physics::detail {
 
-/// The greatest impulse of a contact that is kept from step to step, N s.
+/// The greatest impulse of a contact that is stored from step to step, N s.
 inline constexpr float greatest_impulse = 1e30f;
 
-/// One point of a contact. The rows of the Jacobian are kept as their lever arms: r×n and r×t of
+/// One point of a contact. The rows of the Jacobian are stored as their lever arms: r×n and r×t of
 /// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -
-/// (r_a×n)·Δθ_a, which is exact for circles that roll and costs the same dot products as the
-/// velocity.
+/// (r_a×n)·Δθ_a. This is exact for rolling circles and needs the same dot products as the velocity.
 struct ConstraintPoint {
     float normal_lever_a, normal_lever_b;
     float tangent_lever_a, tangent_lever_b;
@@ -29,12 +28,11 @@ struct ContactConstraint {
     V2 normal;
     float friction;
     uint32_t contact;       ///< record to store into
-    uint32_t extra;         ///< index + 1 of the data that only special contacts have; 0: none
+    uint32_t extra;         ///< index + 1 of the data of special contacts; 0: none
     uint16_t count;         ///< points
-    bool anisotropic;       ///< a body is locked along one axis: solved one at a time
-    uint16_t fixed;         ///< 1: one side does not move, so that the contact is stiffer
-    float coupling_normal;  ///< change of the normal velocity of point 2 for a unit impulse at
-                            ///< point 1
+    bool anisotropic;       ///< a body is locked along an axis: solved one at a time
+    uint16_t fixed;         ///< 1: one side does not move, so the contact is stiffer
+    float coupling_normal;  ///< of point 2, for a unit impulse at point 1
     float coupling_tangent;
     Softness soft;
     V2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
@@ -43,17 +41,16 @@ struct ContactConstraint {
 
 /// Data of a contact at a corner. To first order the gap is s₀ + u_n. The actual gap of a shape
 /// that passes the corner along the tangent is larger: the cores have the distance √((d + u_n)² +
-/// u_t²). Without this correction, a circle that rolls over flush tiles is kicked by the corner of
-/// the next tile before it reaches it.
+/// u_t²). Without this correction, the corner of the next tile kicks a circle that rolls over flush
+/// tiles before the circle reaches it.
 struct Corner {
-    float distance = 0.0f;                 ///< d of the cores at the start of the step, m; 0: no
-                                           ///< corner
+    float distance = 0.0f;                 ///< d of the cores at the start, m; 0: no corner
     float lever_a = 0.0f, lever_b = 0.0f;  ///< of the cores along the tangent, m
 };
 
-/// What the path around a corner adds to the gap along the normal: now, or after the time `ahead`
-/// (s). `along_normal`: by how much the cores have separated by then, m. `motion` has the
-/// velocities va, wa of a and vb, wb of b.
+/// The difference between the actual gap around a corner and the gap along the normal: now, or
+/// after the time `ahead` (s). `along_normal`: increase of the separation of the cores by then, m.
+/// `motion` contains the velocities va, wa of a and vb, wb of b.
 float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
                  const auto& motion, float along_normal, float ahead) {
     const V2 t = right_perp(n);
@@ -71,7 +68,7 @@ struct ContactExtra {
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
     float restitution = 0.0f;
     float rolling_resistance =
-        0.0f;  ///< m: this times the normal impulse is the greatest angular impulse
+        0.0f;  ///< m: the greatest angular impulse divided by the normal impulse
     float rolling_mass = 0.0f;
     float rolling_impulse = 0.0f;
     float surface_speed = 0.0f;

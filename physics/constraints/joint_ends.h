@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-// Data of all types of joints while they are solved. A joint has rows: directions in which it
-// holds, or in which a spring or a motor pushes. Each sub-step solves them once with the bias that
-// corrects positions and, after the bodies have moved, once without it (`relax`): the velocities of
-// the correction do not remain. Levers rotate with the bodies, so that both passes use the current
+// Data of all types of joints during solving. A joint has rows: directions in which it holds, or in
+// which a spring or a motor pushes. Each sub-step solves them once with the bias that corrects
+// positions and, after the bodies have moved, once without it (`relax`), so that the velocities of
+// the correction do not remain. Levers rotate with the bodies, so both passes use the current
 // levers. Then the soft correction of the first pass gives exactly the impulse that bends a
 // straight path to a circle, and pendulums keep their energy.
 
@@ -17,14 +17,14 @@ namespace fettle::physics::detail {
 struct JointStep {
     float h = 0.0f;  ///< sub-step, s
     float inverse_h = 0.0f;
-    float impulse_ratio = 1.0f;  ///< ratio to the last sub-step: scales the impulses for warm
-                                 ///< starting
-    int sweeps = 1;              ///< over all joints in each pass
+    float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
+    int sweeps = 1;              ///< number of sweeps over all joints in each pass
     Softness rigid;              ///< softness of rigid rows
 };
 
-/// A rotation by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t = tan(θ/2) ≈
-/// θ/2·(1+θ²/12): exact to θ⁵/240 for the rotation within a step, and a rotation for any angle.
+/// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =
+/// tan(θ/2) ≈ θ/2·(1+θ²/12). The error is below θ⁵/240 for rotations within a step, and the result
+/// is a rotation for any angle.
 inline V2 turned(V2 v, float angle) {
     const float t = 0.5f * angle * (1.0f + angle * angle * (1.0f / 12.0f));
     const float scale = 1.0f / (1.0f + t * t);
@@ -61,14 +61,14 @@ struct JointEnds {
         return (body_b.velocity + cross(body_b.angular_velocity, lever_b)) -
                (body_a.velocity + cross(body_a.angular_velocity, lever_a));
     }
-    /// An impulse at the anchors: `p` on b, its opposite on a.
+    /// Applies an impulse at the anchors: `p` on b, its opposite on a.
     void push(SolverBody& body_a, SolverBody& body_b, V2 p) const {
         body_a.velocity = body_a.velocity - scaled(inverse_a, p);
         body_a.angular_velocity -= body_a.inverse_inertia * cross(lever_a, p);
         body_b.velocity = body_b.velocity + scaled(inverse_b, p);
         body_b.angular_velocity += body_b.inverse_inertia * cross(lever_b, p);
     }
-    /// n·(M_a⁻¹ + M_b⁻¹)·n of a direction.
+    /// n·(M_a⁻¹ + M_b⁻¹)·n for a direction n.
     float inverse_along(V2 n) const {
         return n.x * n.x * (inverse_a.x + inverse_b.x) + n.y * n.y * (inverse_a.y + inverse_b.y);
     }
@@ -83,7 +83,7 @@ struct JointFrame {
     double angle_a = 0.0, angle_b = 0.0;
 };
 
-/// An angular impulse: `p` on b, its opposite on a.
+/// Applies an angular impulse: `p` on b, its opposite on a.
 inline void twist(SolverBody& a, SolverBody& b, float p) {
     a.angular_velocity -= a.inverse_inertia * p;
     b.angular_velocity += b.inverse_inertia * p;

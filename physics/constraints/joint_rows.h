@@ -2,15 +2,15 @@
 
 #include <constraints/joint_ends.h>
 
-// The rows of joints: each function returns the impulse to apply, and adds it to the total.
+// The rows of joints. Each function returns the impulse to apply and adds it to the total.
 
 namespace fettle::physics::detail {
 
 /// A spring in the form of a row: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The force is
-/// -k·C - d·v with the position before the sub-step and the velocity after it: this neither gains
-/// nor loses energy while h·ω is small, so a spring swings with the frequency and the damping of
-/// its settings. Above that (h·ω > ½) the stiffness uses the position after the sub-step more and
-/// more, which damps, and is stable for any stiffness.
+/// -k·C - d·v with the position before the sub-step and the velocity after it. This conserves
+/// energy while h·ω is small, so a spring swings with the frequency and the damping of its
+/// settings. Above that (h·ω > ½), the stiffness increasingly uses the position after the sub-step.
+/// This damps, and is stable for any stiffness.
 struct Spring {
     float push = 0.0f;
     float mass_scale = 0.0f;
@@ -42,13 +42,13 @@ float push_rigid(float& impulse, float mass, float velocity, float error, const 
     return change;
 }
 
-/// A row that pushes in one direction only: it keeps `room` from becoming negative. `velocity` is
-/// that of the room. Returns the change of `impulse`.
+/// A row that pushes in one direction only: it prevents `room` from becoming negative. `velocity`
+/// is the time derivative of the room. Returns the change of `impulse`.
 template <bool biased>
 float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step) {
     float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
     if (room > 0.0f) {
-        bias = room * step.inverse_h;  // it may just close the room
+        bias = room * step.inverse_h;  // the room may close completely, but not more
     } else if (biased) {
         bias = step.rigid.bias_rate * room;
         mass_scale = step.rigid.mass_scale;
@@ -61,7 +61,7 @@ float push_limit(float& impulse, float mass, float velocity, float room, const J
     return change;
 }
 
-/// A row that drives a velocity to `speed` with at most `greatest` (impulse). Returns the change.
+/// A row that drives a velocity to `speed`. `greatest` is the maximum impulse. Returns the change.
 inline float push_motor(float& impulse, float mass, float velocity, float speed, float greatest) {
     const float total = clamp(impulse - mass * (velocity - speed), -greatest, greatest);
     const float change = total - impulse;

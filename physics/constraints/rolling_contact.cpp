@@ -45,7 +45,7 @@ RollingContact::RollingContact(const ContactConstraint& start, float bend_a, flo
     const double half = 0.5 * double(start_.separation);
     second_a_ = double(bend_a) + half - reach_a;
     second_b_ = double(bend_b) + half - reach_b;
-    // Surfaces with a deep overlap have no rolling contact.
+    // Deeply overlapping surfaces have no rolling contact.
     const double sum = double(start_.separation) + double(bend_a) + double(bend_b);
     const double least = 0.1 * (double(bend_a) + double(bend_b));
     sum_ = sum > least ? sum : (least > 0.0 ? least : 1e-6);

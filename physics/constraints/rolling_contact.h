@@ -5,19 +5,20 @@
 
 namespace fettle::physics::detail {
 
-/// Radius of curvature (m) of the surface of a shape where its outward normal is `normal`: of the
-/// ellipse there, of the circle or the rounding of a corner, nearly infinite for a face.
+/// Radius of curvature (m) of the surface of a shape at the point with the outward normal `normal`:
+/// of the ellipse there, of the circle, or of the rounding of a corner; nearly infinite for a face.
 float bend_of(const Solid& shape, V2 normal);
 
-/// How a contact of curved surfaces changes while the bodies turn, to second order. Direction,
-/// levers and gap of a contact are known for the beginning of the step; that is enough for faces
-/// and circles. On an ellipse the contact runs along the rim as it rolls, and a lever that is a
-/// step old lets it gain energy until it tumbles.
+/// Change of a contact of curved surfaces while the bodies turn, to second order. Direction, levers
+/// and gap of a contact are computed at the beginning of the step, which is exact enough for faces
+/// and circles. On a rolling ellipse the contact moves along the rim, and levers of the step before
+/// would add energy until the ellipse tumbles.
 ///
-/// With φ the angle of the normal, h(φ - θ) the reach of a body from its center of mass along it
-/// and c from center to center, the gap is s = n(φ)·c - h_a(φ - θ_a) - h_b(φ + π - θ_b), greatest
-/// at the contact: ∂s/∂φ = 0. The radius of curvature is ρ = h + h'', so that ∂²s/∂φ² = -(s + ρ_a +
-/// ρ_b). When the bodies have moved by δc, δθ_a, δθ_b, the normal has turned by
+/// Let φ be the angle of the normal, h(φ - θ) the reach of a body from its center of mass along the
+/// normal, and c the vector from center to center. The gap is s = n(φ)·c - h_a(φ - θ_a) - h_b(φ + π
+/// - θ_b). It is greatest at the contact: ∂s/∂φ = 0. The radius of curvature is ρ = h + h'', so
+/// ∂²s/∂φ² = -(s + ρ_a + ρ_b). When the bodies have moved by δc, δθ_a, δθ_b, the normal has turned
+/// by
 ///
 ///     φ = (n⊥·δc + h_a''·δθ_a + h_b''·δθ_b) / (s + ρ_a + ρ_b),
 ///

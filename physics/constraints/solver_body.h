@@ -8,8 +8,8 @@
 
 namespace fettle::physics::detail {
 
-/// The part of a body that constraints read and write, 32 bytes. Index 0 is the fixed body: it
-/// stands for every fixed or sleeping body.
+/// The part of a body that constraints read and write, 32 bytes. Index 0 is the fixed body, which
+/// represents every fixed or sleeping body.
 struct alignas(32) SolverBody {
     V2 velocity;
     float angular_velocity = 0.0f;
@@ -24,8 +24,7 @@ static_assert(sizeof(SolverBody) == 32);
 struct alignas(16) SolverForce {
     V2 change;
     float turn_change = 0.0f;
-    float no_change = 0.0f;  ///< change of the inverse mass, which is in one vector with the
-                             ///< velocities
+    float no_change = 0.0f;  ///< always 0: fills the vector of velocities and mass
     V2 keep = {1.0f, 1.0f};
     float turn_keep = 1.0f;
     float keep_all = 1.0f;
@@ -35,7 +34,7 @@ struct alignas(16) SolverForce {
     float unused = 0.0f;
 };
 
-/// 0 for the inverse mass of a body that nothing moves.
+/// The inverse of a mass; 0 for a body that nothing moves.
 inline float inverse_or_zero(float k) {
     return k > 0.0f ? 1.0f / k : 0.0f;
 }

@@ -2,24 +2,25 @@
 
 #include <constraints/contact_constraint.h>
 
-// Stiffness of contacts: it grows with their load.
+// The stiffness of a contact increases with its load.
 //
-// A single stiffness is not enough. With 45 Hz at four sub-steps of 1/240 s a house of cards
-// stands, but a load of 300 : 1 sinks in by 6 % and twenty boxes that are not exactly above each
-// other buckle; with 60 Hz these stand, and the impulses of the cards, which bear almost no load
-// and touch in many places, never come to rest. The load of a contact in the last step
-// distinguishes the two.
+// One stiffness for all contacts is not enough. With 45 Hz at four sub-steps of 1/240 s a house of
+// cards stands, but a load of 300 : 1 sinks in by 6 %, and a stack of twenty boxes that are not
+// exactly above each other buckles. With 60 Hz these stand, but the impulses of the cards, which
+// carry almost no load and touch in many places, never come to rest. The load of a contact in the
+// last step distinguishes the two cases.
 
 namespace fettle::physics::detail {
 
 class ContactStiffness {
   public:
-    /// `hertz` is that of a loaded contact, at most a quarter of the sub-step rate: from a third of
-    /// it on, heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
+    /// `hertz` is the stiffness of a loaded contact, at most a quarter of the sub-step rate: from a
+    /// third on, heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
     ContactStiffness(float hertz, float damping_ratio, float h, float weight) {
         const float most = min(hertz, 0.25f / h);
         for (int fixed = 0; fixed < 2; ++fixed) {
-            // A contact with a fixed body is not pushed from behind, and can be twice as stiff.
+            // No body pushes the fixed body of such a contact from behind, so the contact can be
+            // twice as stiff.
             const float times = fixed == 1 ? 2.0f : 1.0f;
             idle_[fixed] = make_softness(times * idle_share * most, damping_ratio, h);
             loaded_[fixed] = make_softness(times * most, damping_ratio, h);
@@ -27,7 +28,7 @@ class ContactStiffness {
         share_ = 1.0f / ((greatest_load - least_load) * weight * h);
     }
 
-    /// `impulse`: of the last sub-step, N s; `inverse_mass`: of the lighter body.
+    /// `impulse`: impulse of the last sub-step, N s; `inverse_mass`: that of the lighter body.
     Softness of(bool fixed, float impulse, float inverse_mass) const {
         const float t = clamp(impulse * inverse_mass * share_ - least_share, 0.0f, 1.0f);
         const Softness &u = idle_[fixed], &v = loaded_[fixed];
@@ -38,19 +39,19 @@ class ContactStiffness {
 
     const Softness& idle(bool fixed) const { return idle_[fixed]; }
     const Softness& loaded(bool fixed) const { return loaded_[fixed]; }
-    /// Stiffness grows with load · share - least_share, from 0 to 1.
+    /// The stiffness depends on load · share - least_share, limited to 0 … 1.
     float share() const { return share_; }
 
   private:
     static constexpr float idle_share = 0.75f;
-    /// Loads between which stiffness grows, in weights of the lighter body.
+    /// Loads between which the stiffness increases, in weights of the lighter body.
     static constexpr float least_load = 6.0f, greatest_load = 20.0f;
 
   public:
     static constexpr float least_share = least_load / (greatest_load - least_load);
 
   private:
-    Softness idle_[2], loaded_[2];  ///< of two moving bodies; of a moving and a fixed one
+    Softness idle_[2], loaded_[2];  ///< index 0: two moving bodies; 1: a moving and a fixed one
     float share_ = 0.0f;
 };
 

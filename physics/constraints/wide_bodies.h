@@ -1,4 +1,4 @@
-// Like simd/vector.h, for one instruction set.
+// The solver bodies of a group in vectors. Compiled for one instruction set, like simd/vector.h.
 #pragma once
 
 #include <constraints/solver_body.h>
@@ -19,8 +19,9 @@ inline Bodies gather(const SolverBody* bodies, const uint32_t* index) {
     return {v.a, v.b, v.c, v.d, d.a, d.b, d.c, d.d};
 }
 
-/// Writes the velocities back: the first half of each body, with its inverse mass unchanged. A body
-/// that no impulse moves may be in several lanes, and other threads may read it: it is not written.
+/// Writes the velocities back, which are the first half of each body, with its unchanged inverse
+/// mass. A body that no impulse moves is not written, because it may be in several lanes, and other
+/// threads may read it.
 inline void scatter(SolverBody* bodies, const uint32_t* index, const Bodies& b) {
     if (const uint32_t still = bits((b.mass == Wide{}) & (b.inertia == Wide{})); still != 0) {
         SolverBody spare;

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-// Contacts in groups of sixteen of one color: no two contacts of a color share a body that moves,
-// so the lanes are independent. Structure of arrays; unused lanes have body 0 on both sides and no
+// Contacts in groups of sixteen of one color. No two contacts of a color share a moving body, so
+// the lanes are independent. Structure of arrays. Unused lanes have body 0 on both sides and no
 // mass.
 
 namespace fettle::physics::detail {
@@ -36,11 +36,11 @@ struct alignas(64) WideContact {
 /// The manifolds of a group, for reading and writing back.
 struct ContactLanes {
     Manifold* manifolds[lanes];
-    Manifold spare;             ///< of unused lanes
+    Manifold spare;             ///< for unused lanes
     uint32_t touching = 0;      ///< before the step, one bit for each lane
-    uint32_t tells_always = 0;  ///< contacts that are reported in every step
-    // After the step, one bit for each lane: there is an impulse, or the shapes are near each
-    // other; `within_twice`: the same within twice that distance.
+    uint32_t tells_always = 0;  ///< contacts that are reported in every step, one bit each
+    // After the step, one bit for each lane. `near`: there is an impulse, or the shapes are near
+    // each other. `within_twice`: the same with twice that distance.
     uint32_t near = 0, within_twice = 0;
 };
 
@@ -50,12 +50,12 @@ struct GroupNews {
     uint16_t touches = 0;  ///< touching now
 };
 
-/// Memory in which a block of contacts is solved. A thread uses it for one block after the other,
-/// so that it stays in the cache.
+/// Memory for solving a block of contacts. A thread uses it for one block after the other, so that
+/// it stays in the cache.
 struct WideBlock {
     std::vector<WideContact> contacts;
     std::vector<ContactLanes> lanes;
-    std::size_t first = 0;  ///< number of the first group in `contacts`, among all blocks
+    std::size_t first = 0;  ///< index of the first group in `contacts`, counted over all blocks
 
     /// Makes room for groups `begin` to `end`; they still have the data of an earlier block.
     void make_groups(std::size_t begin, std::size_t end) {

@@ -1,4 +1,5 @@
-// The solver's passes, for the instruction set of the file that includes this: see simd/vector.h.
+// The passes of the solver. Compiled for the instruction set of the including file: see
+// simd/vector.h.
 #pragma once
 
 #include <constraints/wide_bodies.h>
@@ -7,7 +8,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// An impulse of size `p` along (x, y) with its moments about both centers.
+/// Applies an impulse of size `p` along (x, y) with its moments about both centers.
 inline void apply(Bodies& a, Bodies& b, Wide x, Wide y, Wide p, Wide moment_a, Wide moment_b) {
     a.vx -= a.mass * p * x;
     a.vy -= a.mass * p * y;
@@ -89,7 +90,7 @@ inline void for_each_group(const WideStep& step, Solve&& solve) {
     for (std::size_t i = 0; i < step.count; ++i) {
         WideContact& c = step.contacts[i];
         for (int at = 0; at < lanes; at += width) {
-            if (c.a[at] == c.b[at]) break;  // lanes are filled in order: the rest is unused
+            if (c.a[at] == c.b[at]) break;  // lanes are filled in order, so the rest is unused
             Bodies a = gather(step.bodies, c.a + at), b = gather(step.bodies, c.b + at);
             solve(c, at, a, b);
             scatter(step.bodies, c.a + at, a);

@@ -1,6 +1,5 @@
-// Conversion between manifolds and wide contacts, for the instruction set of the file that includes
-// this: see simd/vector.h. `prepare_constraint` does the same for one contact, operation by
-// operation.
+// Conversion between manifolds and wide contacts. Compiled for the instruction set of the including
+// file: see simd/vector.h. `prepare_constraint` does exactly the same operations for one contact.
 #pragma once
 
 #include <constraints/wide_bodies.h>
@@ -75,7 +74,7 @@ constexpr size_t first_point = offsetof(Manifold, points);
 constexpr size_t second_point = first_point + sizeof(ManifoldPoint);
 constexpr size_t point_state = offsetof(ManifoldPoint, separation);
 
-/// `a`, `b` and `friction` of the contacts are set already.
+/// Prepares the lanes from `at` on; `a`, `b` and `friction` of the contacts must be set already.
 void prepare_lanes(const PrepareStep& step, Manifold* const* manifolds, WideContact& c, int at) {
     const Columns4 head = gather4(part_of(manifolds, 0));
     const Wide nx = head.a, ny = head.b;
@@ -108,7 +107,7 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     for (size_t i = 0; i < from.size(); ++i) {
         for (int at = 0; at < lanes; at += width) {
             if (to[i].a[at] == to[i].b[at]) {
-                // No more points in this group; the passes stop here, too.
+                // No contact of the group has more points; the passes stop here, too.
                 break;
             }
             prepare_lanes(step, from[i].manifolds + at, to[i], at);
@@ -116,14 +115,14 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
     }
 }
 
-/// As `bounded` of one number: the results of a step are always finite, and can be saved.
+/// Like `bounded` for one number: the results of a step are always finite, so they can be saved.
 inline Wide bounded(Wide v, float limit) {
     const Wide below = v > splat(limit) ? splat(limit) : v;
     const Wide within = below < splat(-limit) ? splat(-limit) : below;
     return within == within ? within : Wide{};
 }
 
-/// Stores impulses; notes which contacts push or are near.
+/// Stores the impulses, and marks the contacts that push or are near.
 void store_contacts(const WideContact* from, std::span<ContactLanes> to, float near) {
     for (size_t i = 0; i < to.size(); ++i) {
         ContactLanes& group = to[i];

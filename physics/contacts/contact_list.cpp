@@ -26,7 +26,8 @@ float mixed(MixRule rule, float a, float b) {
 void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& c) {
     const ShapeDef& a = objects.shapes[c.shape_a].surface;
     const ShapeDef& b = objects.shapes[c.shape_b].surface;
-    // Clamped like the results of callbacks: the product of two large numbers may be infinite.
+    // Limited like the results of callbacks, because the product of two large numbers may be
+    // infinite.
     c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
     c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
     c.rolling_resistance = bounded(max(a.rolling_resistance * objects.forms[c.shape_a].radius,

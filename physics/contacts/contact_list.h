@@ -5,23 +5,23 @@
 
 #include <vector>
 
-// Creation and end of contacts: a pair of shapes is kept while their fat boxes overlap, and gets a
-// manifold in each step in which one of the two bodies is awake.
+// Creation and destruction of contacts. A pair of shapes exists while their fat boxes overlap. It
+// gets a manifold in each step in which one of the two bodies is awake.
 
 namespace fettle::physics::detail {
 
-// When shapes begin and end to touch, and the events of this. A chain or a concave polygon touches
-// as one shape: when a shape moves from one of its parts to the next, no touch ends or begins.
+// Begin and end of touches, and their events. A chain or a concave polygon touches as one shape:
+// when a shape moves from one of its parts to the next, no touch ends or begins.
 
-/// The data that a new or ended touch changes, and the list for its events.
+/// Data that change when a touch begins or ends, and the list for its events.
 struct Touching {
     ObjectState& objects;
     const Columns& columns;
     Events& events;  ///< events of the step, or of the edits after it
-    /// Touches of parts of outlines that ended in this step; null between steps, when the end is
+    /// Touches of parts of outlines that ended in this step. Null between steps; then an end is
     /// reported without waiting for a touch of another part.
     std::vector<ContactRecord>* parted;
-    uint32_t step;  ///< the low bits of its number
+    uint32_t step;  ///< the low bits of the step number
 };
 
 void set_touching(const Touching& touching, uint32_t contact, bool begins);
@@ -30,7 +30,7 @@ void report_parted(const Touching& touching);
 
 /// True if one of the two shapes is a part of an outline.
 bool is_of_outline(const ObjectState& objects, const ContactRecord& contact);
-/// True for one of the touching contacts of two shapes, however many of their parts touch.
+/// True for exactly one of the touching contacts of two shapes, however many of their parts touch.
 bool reports_for_pair(const ObjectState& objects, uint32_t contact);
 
 /// The lists and arrays of contacts.
@@ -43,16 +43,16 @@ struct ContactList {
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b);
 void destroy_contact(const ContactList& list, uint32_t contact);
-void destroy_contacts_of_shape(const ContactList& list, uint32_t shape);  ///< and of its parts
+void destroy_contacts_of_shape(const ContactList& list, uint32_t shape);  ///< and its parts
 void destroy_contacts_of_body(const ContactList& list, uint32_t body);
 
 /// Mixes the surfaces of the two shapes of a contact.
 void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& contact);
 void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape);
 
-// Which pairs of shapes may collide.
+// Decision which pairs of shapes may collide.
 
-/// The filter that the user has set, if any.
+/// The filter of the user, if there is one.
 struct UserFilter {
     const void* world = nullptr;
     bool (*agrees)(const void* world, uint32_t shape_a, uint32_t shape_b) = nullptr;
@@ -62,8 +62,8 @@ struct UserFilter {
 };
 
 bool filters_agree(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
-/// True if the joint prevents collisions of its two bodies. Not of a body with the world: the
-/// border belongs to the world, and a body that is joined to the world still collides with the
+/// True if the joint prevents collisions of its two bodies. False for a joint with the world: the
+/// border belongs to the world, and a body that is joined to the world must still collide with the
 /// border.
 bool keeps_apart(const JointRecord& joint);
 bool joint_forbids_contact(const ObjectState& objects, uint32_t body_a, uint32_t body_b);

@@ -1,3 +1,5 @@
+// Filters: which pairs of shapes may collide.
+
 #include <contacts/contact_list.h>
 
 #include <utility>

@@ -10,9 +10,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Contacts that are collided before their results are read: few enough to stay in the cache.
-constexpr size_t run_length = 64;  // a bit for each
-/// Contacts that a thread takes at a time, and moved shapes.
+/// Number of contacts that are collided before their results are read; they must fit into the
+/// cache.
+constexpr size_t run_length = 64;  // one bit each
+/// Numbers of contacts and moved shapes in a task of a thread.
 constexpr size_t contacts_of_piece = 128, moved_at_a_time = 512;
 
 /// Computes the manifold of one pair.
@@ -27,8 +28,7 @@ void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
                 margin, m);
     else
         collide_unusual(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
-    // A point that is still the same vertex on the same edge keeps its impulses for the warm
-    // start.
+    // A point with the same vertex and the same edge keeps its impulses for the warm start.
     for (int i = 0; i < m.count; ++i) {
         for (int k = 0; k < old.count; ++k) {
             if (old.points[k].feature != m.points[i].feature) continue;
@@ -46,7 +46,7 @@ class Collision {
           arrays_{input.objects.pool.vertices.data(), input.objects.pool.directions.data(),
                   input.objects.pool.offsets.data()} {}
 
-    /// Computes the manifolds of some awake contacts, and notes which of them need more work.
+    /// Computes the manifolds of some awake contacts, and notes which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
         uint64_t over = 0;
         for (size_t i = begin; i < end; ++i) {
@@ -152,9 +152,9 @@ void mark_paired(const NarrowPhaseInput& in, std::span<const uint32_t> moved) {
     }
 }
 
-/// Computes the manifolds of the contacts `slots`. Their notes go into pieces from `first` on;
-/// returns the end of these pieces. `beside(i)` is called for each i below `others` at the same
-/// time.
+/// Computes the manifolds of the contacts `slots`. Their notes go into the pieces from `first` on;
+/// returns the end of these pieces. At the same time, `beside(i)` is called for each i below
+/// `others`.
 size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots, size_t first,
                      uint32_t others, auto&& beside) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
@@ -176,8 +176,7 @@ size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots
     return first + pieces;
 }
 
-/// One thread creates the new contacts, one after the other; the other threads collide the old
-/// ones.
+/// One thread creates the new contacts while the other threads collide the old ones.
 size_t collide_and_create(const NarrowPhaseInput& in) {
     const std::vector<uint64_t>& new_pairs = in.scratch.new_pairs;
     std::vector<uint32_t>& moved_shapes = in.boxes.moved_shapes;
@@ -206,8 +205,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), noted = 0;
     size_t pieces = collide_and_create(in);
-    // New contacts are collided in a round of their own, and so are contacts that wake because of
-    // the notes.
+    // New contacts are collided in another round. So are contacts that wake because of the notes.
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);
         collided_contacts = awake.size();
@@ -217,7 +215,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
         if (collided_contacts == awake.size()) break;
     }
     collided.resize(pieces);
-    // All contacts are collided: the order of the list may change now. The rest of the work for
+    // All contacts are collided, so the order of the list may change now. The rest of the work for
     // ended pairs can wait until the bodies are finished.
     for (const CollidedPiece& piece : collided)
         for (const uint32_t slot : piece.over) remove_awake_contact(in.objects, in.active, slot);

@@ -8,9 +8,9 @@
 #include <wide/kernels.h>
 
 // Computes the manifold of every awake contact in this step. Pairs of triangles and quadrilaterals
-// are collected and collided sixteen at a time, the others one by one; both write only the manifold
-// and a note if the pair needs more work. The notes are then processed in the order of the list:
-// touches end, pairs end, and sleeping bodies that are about to be hit wake.
+// are collected and collided sixteen at a time, the others one by one. Both write only the
+// manifold, and a note if the pair needs more work. Then the notes are processed in the order of
+// the list: touches end, pairs end, and sleeping bodies that are about to be hit wake.
 
 namespace fettle::physics::detail {
 
@@ -27,11 +27,11 @@ struct NarrowPhaseInput {
     ThreadPool* threads;
 };
 
-/// Creates contacts of the new pairs, too.
+/// Also creates contacts of the new pairs.
 void narrow_phase(const NarrowPhaseInput& input);
 
-/// Destroys the contacts of the pairs that the narrow phase found to have ended. They have no
-/// manifold, and no stage in between reads them.
+/// Destroys the contacts of the pairs that ended in the narrow phase. They have no manifold, and no
+/// stage in between reads them.
 void end_pairs(const ContactList& list, PairScratch& scratch);
 
 /// Computes the manifold of shapes that are not both plain convex. Most worlds have few such pairs.

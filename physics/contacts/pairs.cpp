@@ -9,7 +9,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Moved shapes that a thread takes at a time, and number of parts of a walk through the trees.
+/// Number of moved shapes in a task of a thread, and number of parts of a walk through the trees.
 constexpr size_t shapes_at_a_time = 16, walk_parts = 64;
 /// Prefetch distance.
 constexpr size_t pairs_ahead = 6;
@@ -22,7 +22,7 @@ struct PairSearch {
     FindOverlaps overlaps;
     ThreadPool* threads;
 
-    /// Adds the pair if it is new: the fat boxes of the two overlap, and one of them moved.
+    /// Adds the pair if it is new: the fat boxes overlap, and one of them has moved.
     void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
         if (overlap(boxes.paired_boxes[shape], boxes.paired_boxes[other]))
             return;  // decided in an earlier search
@@ -75,7 +75,7 @@ struct PairSearch {
         boxes.moving_tree.begin_walk(boxes.moving_tree, enough, scratch.parts_of_walk);
         const size_t own = scratch.parts_of_walk.size();
         boxes.moving_tree.begin_walk(boxes.fixed_tree, enough, scratch.parts_of_walk);
-        // The first parts are the largest: they are distributed evenly to the threads.
+        // The first parts are the largest, so they are distributed evenly to the threads.
         const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
         const size_t each = (scratch.parts_of_walk.size() + hands - 1) / hands;
         look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
@@ -100,8 +100,8 @@ struct PairSearch {
     }
 };
 
-/// Distributes the pairs to buckets by the upper shape first, most of which get one or two pairs:
-/// that takes a third of the time of sorting them at once.
+/// Sorts the pairs into buckets by the upper shape first; most buckets get one or two pairs. This
+/// takes a third of the time of sorting them at once.
 void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes) {
     constexpr int bits = 8;
     const int shift = 32 + std::max(0, int(std::bit_width(shapes)) - bits);
@@ -117,7 +117,7 @@ void sort_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size
             std::sort(pairs.begin() + begin[bucket], pairs.begin() + end[bucket]);
 }
 
-/// Sorts by the shapes, so that the order in the trees has no effect.
+/// Sorts by shapes, so that the order in the trees has no effect.
 void order_pairs(std::vector<uint64_t>& pairs, std::vector<uint64_t>& spare, size_t shapes,
                  const UserFilter& filter) {
     sort_pairs(pairs, spare, shapes);

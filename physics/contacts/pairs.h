@@ -4,9 +4,9 @@
 #include <state/step_scratch.h>
 #include <threads/pool.h>
 
-// New pairs of shapes. If few shapes have moved, each queries the trees; else the trees are
-// compared with each other. Threads share out either work, and the pairs are sorted before they
-// become contacts.
+// New pairs of shapes. If few shapes have moved, each of them queries the trees; otherwise the
+// trees are compared with each other. Threads share both tasks, and the pairs are sorted before
+// they become contacts.
 
 namespace fettle::physics::detail {
 
@@ -15,7 +15,7 @@ void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseSt
                 PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
                 ThreadPool* threads);
 
-/// Other contacts may be collided at the same time.
+/// May run while other contacts are collided.
 void create_contacts(const ContactList& list, const WorldDef& settings,
                      std::span<const uint64_t> new_pairs);
 

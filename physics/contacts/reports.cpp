@@ -4,13 +4,13 @@
 
 #include <bit>
 
-// If shapes ask for hit events, every touching contact is examined in every step, by several
-// threads. The events are then sorted into the order of the contacts.
+// If shapes request hit events, several threads examine every touching contact in every step. The
+// events are then sorted into the order of the contacts.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Words of 64 contacts each, that a thread takes at a time.
+/// Number of words, of 64 contacts each, in a task of a thread.
 constexpr size_t words_at_a_time = 8;
 
 }  // namespace
@@ -102,8 +102,8 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     contact.point_count = c.manifold.count;
     contact.friction = c.friction;
     contact.restitution = c.restitution;
-    // The velocity of the point on each body: a point of the ground stays behind when a body slides
-    // on it.
+    // The velocity of the contact point on each body: on the ground, the point stays behind when a
+    // body slides.
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     const bool a_moves = a.mobility != Mobility::fixed, b_moves = b.mobility != Mobility::fixed;
     const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;

@@ -12,9 +12,9 @@
 
 namespace fettle::physics::detail {
 
-/// The contact as a hit event, if the approach was faster than the threshold (m/s). `extra`: data
-/// of a contact that has them, else null. All input exists without hit events, too, so that asking
-/// for them changes nothing.
+/// The hit event of the contact if the approach was faster than the threshold (m/s). `extra`: data
+/// of special contacts, otherwise null. All input also exists without hit events, so requesting
+/// them does not change the simulation.
 std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
                                       float threshold, uint32_t contact, const ContactExtra* extra);
 
@@ -35,13 +35,13 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
 /// Middle of the points of the manifold, world axes.
 V2 middle_of(const ObjectState& objects, const ContactRecord& contact);
 
-/// Speed along the normal, m/s. Until the poses are finished, the states hold the velocities before
-/// the step.
+/// Speed along the normal, m/s. Until the poses are finished, the states contain the velocities
+/// before the step.
 float approach_speed(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact, V2 point);
 
-/// Impulse per speed of approach: the effective mass along the normal, 1 / (n·M⁻¹·n), times one
-/// plus the restitution.
+/// Impulse per approach speed: the effective mass along the normal, 1 / (n·M⁻¹·n), times one plus
+/// the restitution.
 float impact_mass(const ObjectState& objects, const ContactRecord& contact, V2 point);
 
 }  // namespace fettle::physics::detail

@@ -1,3 +1,5 @@
+// Begin and end of touches, and their events.
+
 #include <contacts/contact_list.h>
 #include <contacts/reports.h>
 
@@ -14,11 +16,11 @@ uint32_t shorter_list(const ObjectState& objects, const ContactRecord& c) {
 bool same_pair(const ObjectState& objects, const ContactRecord& c, const ContactRecord& d) {
     const uint32_t a = objects.named_shape(c.shape_a), b = objects.named_shape(c.shape_b);
     const uint32_t e = objects.named_shape(d.shape_a), f = objects.named_shape(d.shape_b);
-    // The parts of two outlines may be in either order.
+    // The order of the parts of two outlines may differ.
     return c.sensor == d.sensor && ((a == e && b == f) || (a == f && b == e));
 }
 
-/// True if the two shapes touch in another pair of parts.
+/// True if two other parts of the same two shapes touch.
 bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     const uint32_t side = shorter_list(objects, c);
@@ -28,8 +30,8 @@ bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
         const ContactRecord& d = objects.contacts[other];
         return d.touching && !d.disabled && same_pair(objects, c, d);
     };
-    // Begins at its own place in the list: contacts that are created or destroyed with it are near
-    // it.
+    // The search begins at its own place in the list, because contacts that are created or
+    // destroyed together are near each other.
     return objects.any_contact(own.next, none, touches) ||
            objects.any_contact(objects.bodies[body].first_contact, slot, touches);
 }

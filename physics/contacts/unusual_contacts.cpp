@@ -1,3 +1,5 @@
+// Manifolds of shapes that are not both plain convex.
+
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
@@ -10,7 +12,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Converts the manifold of b and a to that of a and b.
+/// Converts the manifold of b and a into that of a and b.
 void turn_round(Manifold& m) {
     m.normal = -m.normal;
     for (int k = 0; k < m.count; ++k) {
@@ -51,7 +53,7 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float 
     m.count = 1;
 }
 
-/// One of the shapes is an ellipse or a piece.
+/// Collides two shapes if one is an ellipse or a piece.
 void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
                    Manifold& m) {
     if (a.kind == FormKind::piece) {
@@ -67,8 +69,8 @@ void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool
     }
 }
 
-/// As `collide_mixed`, and the other shape is a large polygon: computed in its frame, where its
-/// vertices are.
+/// Like `collide_mixed`, but the other shape is a large polygon. Computed in the frame of its
+/// vertices.
 void collide_mixed_with_large(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
                               Manifold& m) {
     const bool large_a = a.kind == FormKind::large;
@@ -91,8 +93,7 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
                      const ContactRecord& c, float margin, bool held, Manifold& m) {
     const V2 center_b = objects.bodies[c.body_b].center;
     const Solid b = solid_of(objects, columns, c.shape_b);
-    if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always the first of a
-                                                              // pair
+    if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
         const BorderPlane plane = border_plane(*settings.bounds, c.shape_a);
         if (b.kind == FormKind::ellipse)
             collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);

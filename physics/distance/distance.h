@@ -2,8 +2,8 @@
 
 #include <collision/solid.h>
 
-// Nearest points, distances, rays and sweeps. Where two shapes are given, `offset` is the center of
-// mass of b minus that of a.
+// Nearest points, distances, rays and sweeps. For two shapes, `offset` is the center of mass of b
+// minus that of a.
 
 namespace fettle::physics::detail {
 
@@ -31,9 +31,9 @@ struct Sweep {
     float extent = 0.0f;  ///< farthest point from the center of mass
 };
 
-/// The fraction of the motion, 0 … 1, up to which the shape keeps at least `gap` from `obstacle`
-/// (center of mass at `center`), by conservative advancement. 1 if it never comes so near; 0 if it
-/// starts nearer.
+/// The fraction of the motion, 0 … 1, during which the shape keeps at least the distance `gap` from
+/// `obstacle` (with its center of mass at `center`), by conservative advancement. 1 if it never
+/// comes nearer, 0 if it starts nearer.
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap);
 
 /// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
@@ -50,20 +50,20 @@ struct Probe {
     V2 normal;
 };
 
-/// The point where the segment from `p` along `d` enters the shape. A start inside is a miss.
+/// The point where the segment from `p` along `d` enters the shape. Starting inside is a miss.
 Probe cast_segment(const Convex& shape, V2 p, V2 d);
 /// A piece is entered only through its part of the outline, a segment of a chain only from its
 /// front.
 Probe cast_segment(const Solid& shape, V2 p, V2 d);
 
-/// A part of a shape: its area (m²) and its centroid, from the center of mass of the body.
+/// A part of a shape: its area (m²), and its centroid relative to the center of mass of the body.
 struct AreaPart {
     double area = 0.0;
     V2 centroid;
 };
 
-/// The part of a shape with normal·p < depth, p from the center of mass of its body. Exact for
-/// circles, capsules and rounded polygons alike. `normal` is a unit vector.
+/// The part of a shape with normal·p < depth; p is relative to the center of mass of its body.
+/// Exact also for circles, capsules and rounded polygons. `normal` is a unit vector.
 AreaPart part_below(const Convex& shape, V2 normal, double depth);
 AreaPart part_below(const Solid& shape, V2 normal, double depth);
 

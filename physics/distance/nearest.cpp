@@ -1,3 +1,5 @@
+// Nearest points and distances of two shapes.
+
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/turned_copy.h>
@@ -8,7 +10,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Crossing segments have no vertex inside the other; they meet at the crossing.
+/// Crossing segments may contain no vertex of each other; then their nearest point is the crossing.
 bool segments_cross(const Convex& a, const Convex& b, V2 offset, V2& at) {
     if (a.count != 2 || b.count != 2) return false;
     const V2 p = a.vertices[0], d = a.vertices[1] - p;
@@ -25,8 +27,8 @@ struct Pair {
     V2 vertex, edge;
 };
 
-/// The nearest pair of a vertex of `points` and a point of an edge of `shape`, which is at
-/// `to_shape`.
+/// The nearest pair of a vertex of `points` and a point on an edge of `shape`. `to_shape`: position
+/// of `shape` relative to `points`.
 Pair vertex_and_edge(const Convex& points, const Convex& shape, V2 to_shape) {
     Pair best;
     for (int i = 0; i < points.count; ++i) {
@@ -88,7 +90,7 @@ Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
         return found;
     }
     if (b.kind == FormKind::large) {
-        // In the frame of the polygon, where its vertices are.
+        // Computed in the frame of the polygon's vertices.
         const Rotation q = b.rotation;
         TurnedCopy turned(a);
         Nearest found = nearest_points(turned.by({q.c, -q.s}), {b.form}, unrotate(q, offset));

@@ -1,3 +1,5 @@
+// Rays through shapes.
+
 #include <collision/climb.h>
 #include <collision/ellipse.h>
 #include <collision/piece.h>
@@ -10,8 +12,8 @@ float distance_to_edge(V2 a, V2 b, V2 p) {
     return std::sqrt(squared_distance_to_edge(a, b, p));
 }
 
-/// True if a point on the line of an edge is on the edge, within the rounding error: a ray through
-/// a corner must not pass between two edges.
+/// True if a point on the line of an edge is on the edge itself. The rounding error is included,
+/// because a ray through a corner must not pass between two edges.
 bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
     const V2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
     const float size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(d.x) + std::fabs(d.y) +
@@ -23,8 +25,8 @@ bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
 
 void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
     if (!(radius > 0.0f)) return;
-    // |p + t·d - c|² = r². Measured from the point of the line nearest to the center: no
-    // cancellation at large distances.
+    // |p + t·d - c|² = r². The parameter is measured from the point of the line nearest to the
+    // center, which avoids cancellation at large distances.
     const float l = length(d);
     if (!(l > 0.0f)) return;
     const V2 u = (1.0f / l) * d;
@@ -63,8 +65,9 @@ float signed_distance(const Convex& shape, V2 p) {
 
 namespace {
 
-/// Ray through a polygon with many vertices. Seen along the ray, the near side of the outline runs
-/// from the leftmost vertex to the rightmost; bisection finds the edge that the line meets.
+/// Casts a ray through a polygon with many vertices. Seen along the ray, the near side of the
+/// outline extends from the leftmost vertex to the rightmost; bisection finds the edge that the
+/// line meets.
 Probe cast_large(const Convex& shape, V2 p, V2 d) {
     const V2 left = {-d.y, d.x};
     const float line = dot(left, p);
@@ -72,7 +75,7 @@ Probe cast_large(const Convex& shape, V2 p, V2 d) {
     const int edges = (farthest_vertex(shape, -left) - leftmost + n) % n;
     const auto vertex = [&](int k) { return shape.vertices[(leftmost + k) % n]; };
     const auto normal = [&](int k) { return shape.normals[(leftmost + k) % n]; };
-    int low = 0, high = edges;  // the first edge, grown by the radius, that ends right of the line
+    int low = 0, high = edges;  // first edge that ends right of the line
     while (low < high) {
         const int middle = (low + high) / 2;
         if (dot(left, vertex(middle + 1) + shape.radius * normal(middle)) <= line)
@@ -112,7 +115,7 @@ Probe cast_segment(const Convex& shape, V2 p, V2 d) {
 
 namespace {
 
-/// In the frame where the ellipse is a unit circle, lines stay lines and fractions fractions.
+/// The ellipse is transformed to a unit circle. Lines stay lines, and fractions do not change.
 Probe cast_ellipse(const EllipseForm& e, V2 p, V2 d) {
     const V2 across = {-e.axis.y, e.axis.x};
     const auto to_circle = [&](V2 v) {

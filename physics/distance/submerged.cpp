@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-// In the frame of the surface, x along it and w the height above it, Green's theorem turns the
-// integrals over the part below into integrals along the boundary:
+// In the frame of the surface, with x along it and w the height above it, Green's theorem converts
+// the integrals over the part below into integrals along the boundary:
 //
 //     A = ∬ dA = -∮ w dx,   ∬ x dA = -∮ x·w dx,   ∬ w dA = -∮ w²/2 dx.
 //
-// The chord that closes the part lies at w = 0, where all three vanish: it is enough to walk the
-// boundary of the shape, edges and arcs, and to leave out what is above.
+// The chord that closes the part has w = 0, where all three integrals are 0. So it is enough to
+// follow the edges and arcs of the shape and to omit everything above the surface.
 
 namespace fettle::physics::detail {
 namespace {
@@ -30,7 +30,7 @@ struct Place {
     double x = 0.0, w = 0.0;
 };
 
-/// The part of a straight section of the boundary that is below.
+/// Integrals along the part of a straight section of the boundary that is below.
 Integrals of_segment(Place p, Place q) {
     if (p.w >= 0.0 && q.w >= 0.0) return {};
     if (p.w > 0.0 || q.w > 0.0) {
@@ -59,7 +59,7 @@ Integrals on_circle(Place c, double r, double angle) {
 
 Integrals of_arc(Place center, double r, double from, double sweep) {
     constexpr double turn = 6.283185307179586;
-    const double high = -center.w / r;  // the arc is below where sin θ is less
+    const double high = -center.w / r;  // the arc is below where sin θ is smaller than this
     Integrals sum;
     const auto add = [&](double a, double b) {
         if (b <= a) return;
@@ -98,7 +98,7 @@ AreaPart part_below(const Convex& shape, V2 normal, double depth) {
         if (!(r > 0.0)) continue;
         const double from = angle_of(double(dot(normal, n)), double(dot(along, n)));
         double sweep = angle_of(double(cross(n, m)), double(dot(n, m)));
-        if (sweep < -1e-3) sweep += turn;  // half a turn may be negative after rounding
+        if (sweep < -1e-3) sweep += turn;  // after rounding, half a turn may be negative
         sum.add(of_arc(place(shape.vertices[next]), r, from, std::max(sweep, 0.0)));
     }
     if (!(sum.area > 1e-12)) return {};
@@ -108,8 +108,8 @@ AreaPart part_below(const Convex& shape, V2 normal, double depth) {
 
 namespace {
 
-/// In the frame where the ellipse is a unit circle, half-planes stay half-planes and areas keep
-/// their ratio.
+/// The ellipse is transformed to a unit circle. Half-planes stay half-planes, and ratios of areas
+/// do not change.
 AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
     const float reach = e.reach(normal);
     const V2 across = {-e.axis.y, e.axis.x};

@@ -1,3 +1,5 @@
+// The time at which a moving shape reaches an obstacle.
+
 #include <collision/climb.h>
 #include <collision/turned_copy.h>
 #include <distance/distance.h>
@@ -6,7 +8,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Least squared distance from the vertices of `points` to the edges of `shape`.
+/// Smallest squared distance from the vertices of `points` to the edges of `shape`.
 float vertices_to_edges(const Convex& points, const Convex& shape, V2 to_shape) {
     float least = 1e30f;
     for (int i = 0; i < points.count; ++i) {
@@ -34,7 +36,7 @@ bool no_axis_between(const Convex& a, const Convex& b, V2 offset) {
 }  // namespace
 
 float distance(const Convex& a, const Convex& b, V2 offset) {
-    // There are few fast bodies: a loop over every vertex and every edge is short and exact.
+    // Fast bodies are rare: a loop over all vertices and edges is short and exact.
     const bool solid = a.count > 2 || b.count > 2;
     if (solid && no_axis_between(a, b, offset) && no_axis_between(b, a, -offset)) return 0.0f;
     const float squared = min(vertices_to_edges(a, b, offset), vertices_to_edges(b, a, -offset));
@@ -52,8 +54,8 @@ float distance(const Solid& a, const Solid& b, V2 offset) {
 
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
     // B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
-    // point of the shape is faster than this, so it cannot arrive before it has moved by the
-    // distance.
+    // point of the shape is faster than this, so it cannot reach the obstacle before it has moved
+    // by the distance.
     const float speed = length(sweep.shift) + std::fabs(sweep.turn) * sweep.extent;
     if (!(speed > 0.0f)) return 1.0f;
     TurnedCopy copy(sweep.end);

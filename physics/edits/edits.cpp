@@ -18,13 +18,13 @@ float bounded_inverse(double value) {
     return float(1.0 / std::max(value, least_mass));
 }
 
-/// The rounding that fits into the box. Sides and rounding are set one after the other, in any
-/// order: a rounding that is too large is kept and limited here, not refused.
+/// The largest rounding that fits into the box. Sides and rounding are set one after the other, in
+/// any order, so a rounding that is too large is stored and limited here instead of being refused.
 float fitting_rounding(const Box& box) {
     return min(box.rounding, 0.5f * min(box.width, box.height));
 }
 
-/// Corners of a box without its rounding; the core always has an area, so that it stays a polygon.
+/// Corners of a box without its rounding. The core always has an area, so it stays a polygon.
 void box_corners(const Box& box, V2* out) {
     const float least = min(box.width, box.height) * 1e-3f;
     const float rounding = fitting_rounding(box);
@@ -35,8 +35,8 @@ void box_corners(const Box& box, V2* out) {
     for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
 }
 
-/// The ends of a segment are set one after the other, too: while they are the same point, it has
-/// the shortest possible length.
+/// Ends of a segment are set one after the other, too. While they are equal, the segment has a
+/// minimal length.
 V2 kept_apart(V2 to, V2 from) {
     const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
     return length(to - from) >= least ? to : from + V2{least, 0.0f};
@@ -174,8 +174,8 @@ void refresh_placement(const Editing& e, uint32_t body) {
 }  // namespace
 
 void refresh(const Editing& e) {
-    // Refreshing a shape marks its body, refreshing a mass may mark a placement: shapes first, then
-    // bodies until none is left.
+    // Refreshing a shape marks its body, and refreshing a mass may mark its placement. So shapes
+    // come first, then bodies until the list is empty.
     for (size_t i = 0; i < e.active.edited_shapes.size(); ++i) {
         const uint32_t shape = e.active.edited_shapes[i];
         if (!e.objects.shapes[shape].listed) continue;  // destroyed since
@@ -225,7 +225,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             form.radius = 0.0f;
             break;
         default:
-            // Its vertices are already in the objects.pool. A piece has no rounding.
+            // Its vertices are already in `objects.pool`. A piece has no rounding.
             form.radius = record.figure.as<PolygonFigure>().rounding;
             break;
     }
@@ -254,7 +254,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
 
     double mass = 0.0, first_x = 0.0, first_y = 0.0;
     for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
-        if (objects.shapes[s].owner != none) continue;  // parts are handled with their owner
+        if (objects.shapes[s].owner != none) continue;  // parts are processed with their owner
         const ShapeRecord& shape = objects.shapes[s];
         const double part = double(shape.area) * double(shape.surface.density);
         mass += part;
@@ -310,7 +310,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     record.thickness = thickness == infinity ? 0.0f : thickness;
     record.local_center = {float(cx), float(cy)};
     record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
-    // The motion of the body does not change: only the point of the velocity is another one.
+    // The motion of the body does not change, but its velocity refers to another point now.
     const V2 drift = cross(state.angular_velocity, record.center - old_center);
     e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
     mark_placement(objects, e.active, body);

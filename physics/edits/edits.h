@@ -5,9 +5,8 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Edits of a world. Derived data are computed late: an edit marks the data that it leaves out of
-// date and lists them; they are computed when they are read or before the next step, once for any
-// number of edits.
+// Edits of a world. Derived data are computed lazily: an edit marks outdated data and lists them.
+// They are computed when they are read or before the next step, once for any number of edits.
 
 namespace fettle::physics::detail {
 
@@ -23,20 +22,20 @@ struct Editing {
     Generations& generations;
 };
 
-// edits.cpp: marking, and computing marked data
+// edits.cpp: marking data, and computing marked data
 
 void mark_geometry(ObjectState& objects, ActiveLists& active, uint32_t shape);
 void mark_mass(ObjectState& objects, ActiveLists& active, uint32_t body);
 void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body);
-/// An edit moved the shape or changed which shapes it collides with: all its pairs are searched
-/// again.
+/// Must be called when an edit moved the shape or changed which shapes it collides with: all its
+/// pairs are searched again.
 void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
 
 void refresh(const Editing& editing);
 void refresh_shape(const Editing& editing, uint32_t shape);
 void refresh_edited_mass(const Editing& editing, uint32_t body);
 inline void refresh_mass(const Editing& editing, uint32_t body) {
-    // A body that is not listed has no edit, nor have its shapes.
+    // A body that is not listed has no outdated data, nor have its shapes.
     if (editing.objects.bodies[body].listed) refresh_edited_mass(editing, body);
 }
 void remove_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
@@ -49,7 +48,7 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
 
 // slots.cpp: creating and destroying objects
 
-/// Body 0 is the world's own: it carries the four half-planes of the bounds in shapes 0 to 3.
+/// Body 0 belongs to the world: its shapes 0 to 3 are the four half-planes of the bounds.
 void make_border(const Editing& editing);
 void apply_bounds(const Editing& editing);
 uint32_t create_body(const Editing& editing, const BodyDef& def);
@@ -60,7 +59,8 @@ void destroy_shape(const Editing& editing, uint32_t shape);
 /// Gives a shape a geometry of any type; `hull`: the hull of a polygon's vertices.
 void set_form(const Editing& editing, uint32_t shape, const Geometry& geometry,
               const std::vector<Vec2>& hull);
-/// Makes room for this many vertices in the pool. If the place changes, the old vertices are lost.
+/// Reserves room for this number of vertices in the pool. If the position changes, the old vertices
+/// are lost.
 void reserve_vertices(ObjectState& objects, uint32_t shape, uint32_t count);
 void attach_shape(const Editing& editing, uint32_t shape, uint32_t body);
 void detach_shape(const Editing& editing, uint32_t shape);
@@ -85,7 +85,7 @@ void set_joint_body(const Editing& editing, uint32_t joint, uint32_t side, uint3
 void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
 void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
 void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);
-/// Breaks the joints with too much load, as the mean over a step: impulses times `rate`.
+/// Breaks the joints with too much load: mean over a step, impulses times `rate`.
 void break_joints(const Editing& editing, const JointScratch& scratch, float rate);
 
 }  // namespace fettle::physics::detail

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-// A joint has a slot, which is linked into the lists of both bodies. Joints that act on an awake
-// body are also listed by type.
+// A joint has a slot, which is linked into the lists of both bodies. Joints with an awake body are
+// also listed by type.
 
 namespace fettle::physics::detail {
 namespace {
@@ -23,7 +23,7 @@ void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
     --body.joint_count;
 }
 
-/// After an edit: contacts between the two bodies end, or pairs of them are searched.
+/// Called after an edit: contacts between the two bodies end, or their pairs are searched.
 void refilter_joint(const Editing& e, uint32_t joint) {
     ObjectState& objects = e.objects;
     uint32_t a = objects.joints[joint].bodies[0], b = objects.joints[joint].bodies[1];
@@ -41,7 +41,7 @@ void refilter_joint(const Editing& e, uint32_t joint) {
     }
 }
 
-/// Call after an edit that may change what the joint does.
+/// Must be called after an edit that may change the effect of the joint.
 void update_joint(const Editing& e, uint32_t joint) {
     wake_joint(e.activity, joint);
     list_joint(e.objects, e.active, joint);

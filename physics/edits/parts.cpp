@@ -5,26 +5,26 @@
 #include <cstring>
 
 // Outlines: chains and concave polygons. For the user an outline is one shape with one set of
-// properties; for the rest of the library each convex part is a shape with its own leaf in the
-// tree, so that a chain of ten thousand segments costs a body on it no more than a chain of ten.
-// The pool has the vertices of a part and, behind them, two unit normals for each vertex: those of
-// the edges of the whole outline before and after it, zero at a free end. collision/piece.h says
+// properties. For the rest of the library, each convex part is a shape with its own leaf in the
+// tree, so the cost of a body on a chain does not depend on the length of the chain. The pool
+// contains the vertices of a part and, behind them, two unit normals for each vertex: those of the
+// edges of the whole outline before and after it, zero at a free end. collision/piece.h explains
 // why.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// The parts of an outline, one after the other: vertices, then limits.
+/// The parts of an outline in sequence: vertices, then limits.
 struct Parts {
     std::vector<V2> values;
-    std::vector<uint32_t> counts;  ///< vertices of each
+    std::vector<uint32_t> counts;  ///< number of vertices of each part
 };
 
 V2 normal_between(V2 from, V2 to) {
     return normalized(right_perp(to - from));
 }
 
-/// Points nearer to the one before than this count once, m.
+/// A point nearer than this (m) to the previous one is ignored.
 constexpr float same_point = 1e-5f;
 
 std::vector<V2> distinct(std::span<const V2> points, bool closed) {
@@ -39,8 +39,8 @@ std::vector<V2> distinct(std::span<const V2> points, bool closed) {
     return kept;
 }
 
-/// Solid on its left: each segment is a piece in the direction opposite to the chain, with its
-/// outward normal first.
+/// A chain is solid on its left side. Each segment becomes a piece with the direction opposite to
+/// the chain, so that its outward normal is the first.
 Parts chain_parts(std::span<const V2> points, bool closed) {
     const std::vector<V2> p = distinct(points, closed);
     const size_t n = p.size();
@@ -61,8 +61,8 @@ Parts chain_parts(std::span<const V2> points, bool closed) {
     return parts;
 }
 
-/// Without vertices that are on the line of their neighbours: a piece has one edge where the
-/// outline has several in a row.
+/// Removes vertices on the line between their neighbors, so that a piece has one edge where the
+/// outline has several collinear ones.
 std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std::vector<V2>& p) {
     std::vector<uint32_t> kept = piece;
     for (size_t i = 0; i < kept.size() && kept.size() > 3;) {
@@ -77,10 +77,11 @@ std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std
     return kept;
 }
 
-/// Colliding with a part takes time for each of its vertices; the tree finds the parts.
+/// Limit for a part. Colliding with a part takes time for each of its vertices, and the tree finds
+/// the parts.
 constexpr size_t most_vertices = 16;
 
-/// Places 0 … count of a convex piece, halved until each part has few vertices.
+/// Divides the indices 0 … count of a convex piece into halves until each part has few vertices.
 std::vector<std::vector<uint32_t>> in_parts(size_t count) {
     std::vector<std::vector<uint32_t>> parts(1);
     for (uint32_t i = 0; i < count; ++i) parts[0].push_back(i);
@@ -98,7 +99,7 @@ std::vector<std::vector<uint32_t>> in_parts(size_t count) {
     return parts;
 }
 
-/// Whether a piece goes from one vertex to another along the outline of n vertices.
+/// Whether a piece follows the outline of n vertices from one vertex to another.
 bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
     auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
     for (uint32_t vertex = from; vertex != to;) {
@@ -127,7 +128,7 @@ Parts concave_parts(std::span<const V2> points) {
                 parts.values.push_back(normals[(piece[k] + n - 1) % n]);  // NOLINT: n is not 0
                 parts.values.push_back(normals[piece[k]]);
             }
-            // An edge is one of the outline if its normal is the same, bit for bit.
+            // An edge belongs to the outline if its normal is equal bit for bit.
             V2* limits = &parts.values[begin + count];
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t here = part[i], there = part[(i + 1) % count];
@@ -186,7 +187,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
         part = objects.shapes[part].next_part;
     }
     drop_parts(e, shape, last);
-    // The moments of the whole outline are exact, for any division into parts.
+    // The moments of the whole outline are exact and do not depend on the division into parts.
     ShapeRecord& record = objects.shapes[shape];
     if (chain) {
         record.set_moments(
@@ -205,7 +206,8 @@ void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
     (last == none ? objects.shapes[shape].first_part : objects.shapes[last].next_part) = none;
     if (part == none) return;
     if (const uint32_t body = objects.forms[shape].body; body != none) {
-        // The contacts of all parts in one walk over the list: there may be many of both.
+        // All contacts of all parts are handled in one walk over the list, because both may be
+        // many.
         wake_for_edit(e.activity, body);
         wake_touching(e.activity, body);
         std::vector<bool> dropped(objects.shapes.size());

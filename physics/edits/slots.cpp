@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-// Objects are created and destroyed in slots. An object keeps its slot until it is destroyed; no
-// other object of this world ever has its generation.
+// Objects are created and destroyed in slots. An object keeps its slot until it is destroyed. No
+// other object of this world ever has the same generation in that slot.
 
 namespace fettle::physics::detail {
 namespace {
@@ -107,19 +107,20 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     e.columns.previous[slot] = {def.position, def.angle};
     record.center = to_v2(def.position) + rotate(q, record.local_center);
     mark_mass(e.objects, e.active, slot);
-    refresh_mass(e, slot);  // finds its mobility: no shapes yet, nothing else to compute
+    refresh_mass(e, slot);  // sets its mobility; the body has no shapes yet
     record.rebuilds = 0;
     if (record.mobility != Mobility::fixed) {
         state.velocity = def.velocity;
         state.angular_velocity = def.angular_velocity;
         if (!def.awake && e.settings.sleeping) {
-            // No sleep event for a body that was never awake: it gets an island of its own at once.
+            // A body that was never awake causes no sleep event and gets an island of its own at
+            // once.
             const uint32_t only[1] = {slot};
             remove_awake(e.objects, e.active, slot);
             put_to_sleep(e.activity, only);
             e.activity.events.slept.pop_back();
             record.never_awake = true;
-            state.velocity = def.velocity;  // kept until it wakes
+            state.velocity = def.velocity;  // stored until it wakes
             state.angular_velocity = def.angular_velocity;
         }
     }
@@ -142,8 +143,8 @@ void destroy_body(const Editing& e, uint32_t body) {
 }
 
 uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geometry) {
-    // The hull first: a polygon that is none must leave nothing behind. Callers have checked that
-    // it is one.
+    // The hull is computed first, because an invalid polygon must change nothing. Callers have
+    // checked that it is valid.
     std::vector<Vec2> hull;
     const Polygon* polygon = std::get_if<Polygon>(&geometry);
     if (polygon && convex_hull(polygon->vertices, hull) != HullStatus::ok) return none;
@@ -196,7 +197,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
     become(std::get_if<Ellipse>(&geometry), ShapeType::ellipse, 1);
     if (std::holds_alternative<Ellipse>(geometry)) {
         kind = FormKind::ellipse;
-        room = 2;  // its axes
+        room = 2;  // two entries: see collision/ellipse.h
     }
     if (const Polygon* polygon = std::get_if<Polygon>(&geometry)) {
         record.type = ShapeType::polygon;
@@ -213,7 +214,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
         kind = FormKind::outline;
         outline = chain->points;
     }
-    // Its contacts were those of another kind of form.
+    // The old contacts belonged to another kind of form.
     if (objects.forms[slot].kind != kind && objects.forms[slot].body != none) {
         destroy_contacts_of_shape(e.contacts, slot);
         if (kind == FormKind::outline) remove_proxy(objects, e.broad_phase, slot);
@@ -268,12 +269,12 @@ void detach_shape(const Editing& e, uint32_t shape) {
     if (!e.objects.is_solid(shape)) unlink_shape(e.objects, e.broad_phase, shape);
     mark_mass(e.objects, e.active, body);
     mark_placement(e.objects, e.active, body);
-    // Alone, its box is in its own coordinates again.
+    // Without a body, its boxes are in its own coordinates again.
     e.objects.for_each_solid(
         shape, [&](uint32_t solid) { place_shape(e.objects, e.broad_phase.boxes, solid, {}); });
 }
 
-/// The shape has no contacts any more.
+/// Must be called when the shape has no contacts any more.
 void unlink_shape(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
     remove_proxy(objects, broad_phase, shape);
     ShapeRecord& record = objects.shapes[shape];

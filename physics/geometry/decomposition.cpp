@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-// Cutting along diagonals between vertices. Each cut starts at a reflex vertex and ends where it
-// mends most: best at another reflex vertex, so that both are convex in both halves; next best
-// anywhere in the wedge between the two edges prolonged, so that at least the first is (M. Bayazit,
-// "Decomposing polygons into convex regions", 2008, uses the same wedge). Of equals the shortest.
-// Finally, diagonals that turned out not to be needed are taken out again (S. Hertel and
-// K. Mehlhorn, "Fast triangulation of simple polygons", 1983).
+// Cutting along diagonals between vertices. Each cut starts at a reflex vertex. The best end is
+// another reflex vertex, so that both vertices become convex in both halves. The second best end is
+// anywhere in the wedge between the two extended edges, so that at least the first vertex becomes
+// convex (M. Bayazit, "Decomposing polygons into convex regions", 2008, uses the same wedge). Among
+// equal cuts the shortest is used. Finally, unnecessary diagonals are removed (S. Hertel and K.
+// Mehlhorn, "Fast triangulation of simple polygons", 1983).
 
 namespace fettle::physics::detail {
 namespace {
@@ -57,13 +57,13 @@ class Cutter {
     bool reflex(const Indices& q, size_t i) const {
         return turn(before(q, i), q[i], after(q, i)) < -tolerance_;
     }
-    /// True if `target` is seen from vertex k between its two edges.
+    /// True if `target` is visible from vertex k between its two edges.
     bool opens_to(const Indices& q, size_t k, uint32_t target) const {
         const double left = turn(before(q, k), q[k], target),
                      right = turn(q[k], after(q, k), target);
         return reflex(q, k) ? !(left <= 0.0 && right <= 0.0) : left > 0.0 && right > 0.0;
     }
-    /// True if a cut from k to `target` leaves no reflex angle at k.
+    /// True if a cut from k to `target` makes both angles at k convex.
     bool mends(const Indices& q, size_t k, uint32_t target) const {
         return turn(before(q, k), q[k], target) >= -tolerance_ &&
                turn(target, q[k], after(q, k)) >= -tolerance_;
@@ -79,7 +79,7 @@ class Cutter {
             if ((ak > 0.0 && bk > 0.0) || (ak < 0.0 && bk < 0.0)) continue;
             return false;
         }
-        // The two edges at either end may lie on the way too.
+        // The two edges at either end may be in the way too.
         for (size_t k : {(i + 1) % q.size(), (i + q.size() - 1) % q.size(), (j + 1) % q.size(),
                          (j + q.size() - 1) % q.size()}) {
             if (k == i || k == j || turn(a, b, q[k]) != 0.0) continue;
@@ -96,9 +96,9 @@ class Cutter {
             size_t from, to;
         };
         std::vector<Way> ways;
-        // All reflex vertices against all others while that is little; the first few of a long
-        // outline, whose cuts are short anyway. A long outline needs many cuts, too: what all of
-        // them may cost together is the same for all.
+        // In a small outline, all reflex vertices are tested against all others. In a long outline,
+        // only the first few are tested, because their cuts are short anyway. A long outline also
+        // needs many cuts, so the limit for the total cost is the same for all outlines.
         size_t budget = std::min(size_t{1} << 18, (size_t{1} << 26) / p_.size());
         bool any = false;
         for (size_t i = 0; i < q.size() && (!any || budget >= q.size()); ++i) {
@@ -113,8 +113,8 @@ class Cutter {
                 ways.push_back({mended, length(p_[q[i]] - p_[q[j]]), i, j});
             }
         }
-        // The best are on top: nearly always one of the first is taken, and the others need no
-        // order.
+        // A heap with the best cut on top: nearly always one of the first is used, so the others
+        // need not be sorted.
         const auto worse = [](const Way& a, const Way& b) {
             if (a.mended != b.mended) return a.mended < b.mended;
             if (a.length != b.length) return a.length > b.length;
@@ -133,7 +133,7 @@ class Cutter {
         return false;
     }
 
-    /// Two pieces that share an edge, joined; empty when they would not be convex.
+    /// Joins two pieces at a common edge; empty if the result would not be convex.
     Indices joined(const Indices& a, size_t edge_a, const Indices& b, size_t edge_b) const {
         Indices whole;
         for (size_t k = 1; k <= a.size(); ++k) whole.push_back(a[(edge_a + k) % a.size()]);
@@ -148,7 +148,7 @@ class Cutter {
             const Indices& a = pieces_[x];
             for (size_t i = 0; i < a.size(); ++i) {
                 const uint32_t from = a[i], to = after(a, i);
-                if (to == (from + 1) % p_.size()) continue;  // of the outline
+                if (to == (from + 1) % p_.size()) continue;  // an edge of the outline
                 for (size_t y = x + 1; y < pieces_.size(); ++y) {
                     const Indices& b = pieces_[y];
                     const auto at = std::find(b.begin(), b.end(), to);
@@ -166,7 +166,7 @@ class Cutter {
         return false;
     }
     void join() {
-        constexpr size_t few = 256;  // of more, those joined would be lost among the others
+        constexpr size_t few = 256;  // for more pieces, searching the list would be slow
         if (pieces_.size() > few) return;
         while (join_one()) {
         }

@@ -12,12 +12,12 @@ namespace fettle::physics::detail {
 /// m², positive for counter-clockwise outlines.
 double signed_area(std::span<const V2> outline);
 
-/// The reason why these points are no simple polygon: which edges cross or touch, and where; none
-/// if they are one. Vertices are numbered from 1, edges by the vertices they join.
+/// The reason why these points are no simple polygon: which edges cross or touch, and where;
+/// nullopt if they are one. Vertices are numbered from 1; an edge is named by its two vertices.
 std::optional<std::string> outline_problem(std::span<const V2> outline);
 
-/// A simple counter-clockwise polygon cut into few convex ones along diagonals: the vertices of
-/// each, by index, counter-clockwise. No vertex is added.
+/// Divides a simple counter-clockwise polygon along diagonals into few convex ones. Returns the
+/// vertices of each, as indices, counter-clockwise. No vertex is added.
 std::vector<std::vector<uint32_t>> convex_pieces(std::span<const V2> outline);
 
 }  // namespace fettle::physics::detail

@@ -6,10 +6,9 @@
 
 namespace fettle::physics::detail {
 
-/// Room for so many more elements, in steps of a fifth. A vector that grows by itself doubles: of
-/// what a world keeps for every body and shape, nearly half would be slack in the worst case. A
-/// body that is made takes 0.7 µs instead of 0.45 for it, which the first step, 2.6, does not
-/// notice.
+/// Reserves room for `more` elements; the capacity grows by a fifth. A vector doubles its capacity
+/// by itself, so in the worst case almost half of the memory for bodies and shapes would be unused.
+/// Creating a body takes 0.7 µs instead of 0.45 µs for this; its first step takes 2.6 µs.
 template <class T>
 void make_room(std::vector<T>& list, std::size_t more = 1) {
     const std::size_t needed = list.size() + more;
@@ -17,7 +16,7 @@ void make_room(std::vector<T>& list, std::size_t more = 1) {
     list.reserve(std::max(needed, list.capacity() + list.capacity() / 5 + 8));
 }
 
-/// As `make_room`, for lists that grow together.
+/// Like `make_room`, for several lists of equal size.
 template <class... T>
 void make_room_in_each(std::vector<T>&... lists) {
     (make_room(lists), ...);

@@ -1,3 +1,5 @@
+// Convex hulls of points.
+
 #include <fettle/physics/hull.h>
 
 #include <algorithm>
@@ -10,8 +12,8 @@ struct Point {
     double x, y;
 };
 
-/// Twice the signed area of the triangle o, a, b. Differences and products of floats are exact
-/// enough in double for the sign to be right wherever the tolerance below does not decide anyway.
+/// Twice the signed area of the triangle o, a, b. In double precision, the sign is correct for
+/// floats unless the area is below the tolerance that is used below.
 double turn(Point o, Point a, Point b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
@@ -37,12 +39,12 @@ std::vector<Point> monotone_chain(const std::vector<Point>& sorted) {
     return chain;
 }
 
-/// Drops corners that stand out of the chord of their neighbours by no more than rounding does, and
-/// those that are too near to the next: an
-/// edge that short of a direction would give a normal made of rounding errors.
+/// Drops corners whose distance from the line between their neighbors is within the rounding error,
+/// and corners that are too near to the next one: the normal of such a short edge would consist of
+/// rounding errors.
 void drop_flat_corners(std::vector<Point>& hull, double extent) {
     const double flat = 2.5e-7 * extent, near = 1e-5 * extent;
-    // Round and round until there is none: the hull of a hull is the same.
+    // Repeats until nothing changes, so that the hull of a hull is the same hull.
     for (size_t i = 0, kept = 0; hull.size() >= 3 && kept < hull.size();) {
         const size_t n = hull.size();
         const Point before = hull[(i + n - 1) % n];

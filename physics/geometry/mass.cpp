@@ -4,11 +4,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Sums parts about a fixed reference point: moments about one point add up.
+/// Sums the moments of parts about a fixed reference point.
 struct Sum {
     double area = 0.0, first_x = 0.0, first_y = 0.0, second = 0.0;
 
-    /// A part with its centroid at (x, y) and polar moment `own` about that centroid.
+    /// Adds a part with its centroid at (x, y) and the polar moment `own` about that centroid.
     void add(double part, double x, double y, double own) {
         area += part;
         first_x += part * x;
@@ -17,9 +17,8 @@ struct Sum {
     }
 };
 
-/// Triangle with a corner in the origin; the polar moment about that corner is
-/// |a × b| / 12 · (a·a + a·b + b·b) (e.g. D. Eberly, "Polyhedral Mass Properties", section 2, in
-/// the plane).
+/// Adds a triangle with a corner in the origin. The polar moment about that corner is |a × b| / 12
+/// · (a·a + a·b + b·b) (e.g. D. Eberly, "Polyhedral Mass Properties", section 2, in the plane).
 void add_triangle(Sum& sum, double ax, double ay, double bx, double by) {
     const double twice = ax * by - ay * bx;
     sum.area += 0.5 * twice;
@@ -28,8 +27,9 @@ void add_triangle(Sum& sum, double ax, double ay, double bx, double by) {
     sum.second += twice / 12.0 * (ax * ax + ay * ay + ax * bx + ay * by + bx * bx + by * by);
 }
 
-/// Circular sector at the apex (x, y): its unit bisector is (ux, uy), its opening `alpha`. Area ½
-/// r² α, centroid at 4 r sin(α/2) / (3 α) along the bisector, polar moment about the apex ¼ r⁴ α.
+/// Adds a circular sector with the apex (x, y), the unit bisector (ux, uy) and the opening angle
+/// `alpha`. Area ½ r² α, centroid at 4 r sin(α/2) / (3 α) along the bisector, polar moment about
+/// the apex ¼ r⁴ α.
 void add_sector(Sum& sum, double x, double y, double ux, double uy, double alpha, double r) {
     if (!(alpha > 0.0)) return;
     const double area = 0.5 * r * r * alpha;
@@ -61,8 +61,8 @@ void add_rounding(Sum& sum, std::span<const V2> v, V2 origin, double r) {
         sum.add(edge * r, mx, my, edge * r * (edge * edge + r * r) / 12.0);
         const double alpha =
             n == 2 ? 0.5 * full_turn : angle_of(px * ny - py * nx, px * nx + py * ny);
-        // The bisector of two opposite normals (a capsule's end) is along the segment, away from
-        // it.
+        // The bisector of two opposite normals (at the end of a capsule) is parallel to the
+        // segment, and points away from it.
         double ux = n == 2 ? ny : px + nx, uy = n == 2 ? -nx : py + ny;
         const double l = std::sqrt(ux * ux + uy * uy);
         if (l > 0.0) add_sector(sum, x, y, ux / l, uy / l, alpha, r);
@@ -73,8 +73,8 @@ void add_rounding(Sum& sum, std::span<const V2> v, V2 origin, double r) {
 
 AreaMoments moments_of(std::span<const V2> vertices, float radius) {
     if (vertices.empty()) return {};
-    const V2 origin = vertices[0];  // near the shape, so that nothing cancels when it is far from
-                                    // the body's origin
+    // A point near the shape, so that nothing cancels when the shape is far from the body's origin.
+    const V2 origin = vertices[0];
     Sum sum;
     for (size_t i = 1; i + 1 < vertices.size(); ++i) {
         const V2 a = vertices[i] - origin, b = vertices[i + 1] - origin;
@@ -83,7 +83,7 @@ AreaMoments moments_of(std::span<const V2> vertices, float radius) {
     if (radius > 0.0f) add_rounding(sum, vertices, origin, radius);
     AreaMoments moments;
     if (!(sum.area > 0.0)) {
-        // A line: no area, its middle is the center.
+        // A line has no area; its middle is the center.
         for (V2 v : vertices) {
             moments.center_x += double(v.x) / double(vertices.size());
             moments.center_y += double(v.y) / double(vertices.size());

@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <numeric>
 
-// Whether an outline is a simple polygon, and if not, where not.
+// Tests whether an outline is a simple polygon, and describes the error if it is not.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Twice the signed area of a triangle. Floats subtract without error in double unless they are
-/// very unlike, so that the sign is right wherever it is not next to nothing.
+/// Twice the signed area of a triangle. Differences of floats are exact in double precision unless
+/// their magnitudes differ strongly, so the sign is correct except very near 0.
 double turn(V2 o, V2 a, V2 b) {
     const double ax = double(a.x) - double(o.x), ay = double(a.y) - double(o.y);
     const double bx = double(b.x) - double(o.x), by = double(b.y) - double(o.y);
@@ -21,7 +21,7 @@ bool same(V2 a, V2 b) {
     return a.x == b.x && a.y == b.y;
 }
 
-/// Whether `p`, which is on the line of a and b, is between them.
+/// Whether `p` is between a and b. It must be on their line.
 bool between(V2 p, V2 a, V2 b) {
     return min(a.x, b.x) <= p.x && p.x <= max(a.x, b.x) && min(a.y, b.y) <= p.y &&
            p.y <= max(a.y, b.y);
@@ -59,13 +59,13 @@ V2 crossing(const Edge& e, const Edge& f) {
 constexpr const char* no_hole =
     ": an outline cannot enclose a hole or meet itself; make a body of several shapes instead";
 
-/// What is wrong between two edges, the one with the lower vertex first.
+/// The error between two edges; the edge with the lower vertex comes first.
 std::optional<std::string> meeting(const Edge& e, const Edge& f) {
     const double ea = turn(e.a, e.b, f.a), eb = turn(e.a, e.b, f.b);
     const double fa = turn(f.a, f.b, e.a), fb = turn(f.a, f.b, e.b);
     const bool on_line = ea == 0.0 && eb == 0.0;
     if (e.next_to(f)) {
-        // Neighbours share a vertex; they must not run back over each other.
+        // Neighbors share a vertex; they must not overlap.
         const V2 shared = same(e.b, f.a) ? e.b : e.a;
         const V2 p = same(e.b, f.a) ? e.a : e.b, q = same(e.b, f.a) ? f.b : f.a;
         const bool back = on_line && (between(p, shared, q) || between(q, shared, p));
@@ -106,7 +106,8 @@ std::optional<std::string> outline_problem(std::span<const V2> outline) {
         if (!same(outline[i], outline[next])) edges.push_back({i, next, outline[i], outline[next]});
     }
     if (edges.size() < 3) return "a concave polygon needs at least three different vertices";
-    // Only edges whose extents along x overlap can meet: a sweep from left to right.
+    // Only edges whose extents along x overlap can meet, so a sweep from left to right finds all
+    // candidates.
     std::vector<uint32_t> order(edges.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto low = [&](uint32_t e) { return min(edges[e].a.x, edges[e].b.x); };

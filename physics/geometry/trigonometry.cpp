@@ -7,8 +7,8 @@ namespace {
 
 constexpr double half_pi = 1.57079632679489661923;
 
-/// Taylor series up to x¹¹ and x¹²: on |x| <= π/4 the rest is below 1e-11, less than a float can
-/// show.
+/// Taylor series up to x¹¹ and x¹². For |x| <= π/4 the error is below 1e-11, less than the
+/// resolution of a float.
 double sine_series(double x) {
     const double z = x * x;
     return x * (1.0 + z * (-1.0 / 6 + z * (1.0 / 120 + z * (-1.0 / 5040 +
@@ -22,7 +22,7 @@ double cosine_series(double x) {
                                                          z * (-1.0 / 3628800 + z / 479001600.0)))));
 }
 
-/// Arc tangent on |t| <= tan(π/16): the series up to t¹³ errs by less than 1e-11 there.
+/// Arc tangent for |t| <= tan(π/16). The error of the series up to t¹³ is below 1e-11 there.
 double arc_tangent_series(double t) {
     const double z = t * t;
     return t * (1.0 +
@@ -33,8 +33,7 @@ double arc_tangent_series(double t) {
 }  // namespace
 
 Rotation rotation_of(double angle) {
-    // Quadrant by rounding to the nearest quarter turn; angles too large for that have no meaning
-    // in a float anyway.
+    // The nearest quarter turn gives the quadrant. Larger angles have no meaning in a float.
     const double quarters = angle * (1.0 / half_pi);
     if (!(quarters > -1e15 && quarters < 1e15)) return {};
     const int64_t quadrant = int64_t(quarters + (quarters >= 0.0 ? 0.5 : -0.5));
@@ -59,8 +58,8 @@ double angle_of(double y, double x) {
     const double large = ax > ay ? ax : ay;
     const double small = ax > ay ? ay : ax;
     if (!(large > 0.0)) return 0.0;
-    // atan t = atan c + atan((t - c) / (1 + t c)) brings 0 … 1 into the range of the series, with
-    // tan π/8 or tan π/4 as c.
+    // atan t = atan c + atan((t - c) / (1 + t c)) with c = tan π/8 or tan π/4 reduces 0 … 1 to the
+    // range of the series.
     constexpr double tan_eighth = 0.41421356237309504880;
     const double t = small / large;
     double angle = 0.0;

@@ -2,14 +2,14 @@
 
 #include <geometry/vector.h>
 
-// Sine, cosine and arc tangent of our own: the C library's differ between systems, and with them
-// every simulation.
+// Own sine, cosine and arc tangent. The results of the C library differ between systems, and
+// simulations would differ with them.
 
 namespace fettle::physics::detail {
 
 inline constexpr float pi = 3.14159265358979f;
 
-/// Cosine and sine of an angle (rad), correct to about one unit in the last place of a float.
+/// Cosine and sine of an angle (rad). The error is about one unit in the last place of a float.
 Rotation rotation_of(double angle);
 
 /// Angle of the vector (x, y) in -π … π; 0 for the zero vector. Error below 1e-7 rad.

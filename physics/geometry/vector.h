@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-// The step computes with these plain structs rather than with Eigen: they are trivially copyable
-// members of hot records, and every operation is written out, so that no compiler reorders it.
+// A step uses these plain structs instead of Eigen: they are trivially copyable members of
+// frequently used records, and all operations are explicit, so no compiler reorders them.
 
 namespace fettle::physics::detail {
 
@@ -54,7 +54,7 @@ inline float length_squared(V2 a) {
 inline float length(V2 a) {
     return std::sqrt(length_squared(a));
 }
-/// The zero vector where there is no direction.
+/// The unit vector; the zero vector has no direction and is returned unchanged.
 inline V2 normalized(V2 a) {
     const float l = length(a);
     return l > 1e-20f ? (1.0f / l) * a : V2{};
@@ -69,8 +69,7 @@ inline float clamp(float v, float low, float high) {
     return v < low ? low : (v > high ? high : v);
 }
 
-/// Infinities to the limit, NaN to zero: whatever forces and masses multiply to, the state stays
-/// finite.
+/// Limits infinities, and replaces NaN by zero: the state stays finite for any forces and masses.
 inline float bounded(float v, float limit) {
     if (v > limit) return limit;
     if (v < -limit) return -limit;
@@ -97,11 +96,11 @@ struct Box4 {
     V2 low;
     V2 high;
 };
-/// Overlaps no box.
+/// A box that overlaps no box.
 inline constexpr Box4 no_box = {{1e38f, 1e38f}, {-1e38f, -1e38f}};
 
 inline bool overlap(const Box4& a, const Box4& b) {
-    // Bitwise and: four compares without branches.
+    // Bitwise and, so that the four comparisons need no branches.
     return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
            (b.low.y <= a.high.y);
 }

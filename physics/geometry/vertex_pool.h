@@ -10,9 +10,9 @@
 
 namespace fettle::physics::detail {
 
-/// Vertices of all shapes in contiguous arrays, in blocks of powers of two that are reused. A shape
-/// knows where its block begins. Body coordinates, and the same rotated about the body's center of
-/// mass, side by side.
+/// Vertices of all shapes in contiguous arrays. They are in blocks whose sizes are powers of two
+/// and which are reused. A shape stores the beginning of its block. The arrays contain body
+/// coordinates, and the same coordinates rotated about the body's center of mass.
 struct VertexPool {
     std::vector<V2> local;       ///< body coordinates
     std::vector<V2> normals;     ///< outward normal of the edge from i to i+1, body coordinates
@@ -44,15 +44,16 @@ struct VertexPool {
         if (capacity > 0) free_[size_t(std::countr_zero(capacity))].push_back(begin);
     }
 
-    /// For code that computes with four vertices at a time: repeats the first vertex, with an edge
-    /// offset that keeps every shape inside.
+    /// For code that processes four vertices at a time: repeats the first vertex, with an edge
+    /// offset so large that the edge never separates shapes.
     void pad_triangle(uint32_t begin) {
         vertices[begin + 3] = vertices[begin];
         directions[begin + 3] = directions[begin];
         offsets[begin + 3] = 1e30f;
     }
 
-    /// False if the deserialized data are damaged: the free blocks of each size are in the pool.
+    /// False if deserialized data are damaged. If true, the free blocks of each size are inside the
+    /// pool.
     bool is_walkable() const {
         const size_t size = local.size();
         for (const size_t other :

@@ -4,8 +4,8 @@
 #include <constraints/joint_rows.h>
 #include <solver/direct_row.h>
 
-// Parts of several types of joints: settings, and the constraints along one free coordinate of a
-// joint (an angle or a translation): a spring to a target, a motor that drives a velocity with a
+// Parts of several types of joints: settings, and the constraints along one free coordinate (an
+// angle or a translation). These are a spring to a target, a motor that drives a velocity with a
 // maximum force (or torque), and limits, q - lower >= 0 and upper - q >= 0.
 
 namespace fettle::physics::detail {
@@ -15,7 +15,7 @@ struct Line {
     V2 direction;
     float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
 
-    /// `arm_a`: from the center of mass of a to the point where it is pushed.
+    /// `arm_a`: from the center of mass of a to the point where the row pushes.
     void aim(const JointEnds& ends, V2 towards, V2 arm_a, const SolverBody& a,
              const SolverBody& b) {
         direction = towards;
@@ -39,7 +39,7 @@ struct Line {
     }
 };
 
-/// Stiffness of a spring. 0 Hz: no spring; infinity, where a joint allows that: rigid.
+/// Stiffness of a spring. 0 Hz: no spring; infinity, if a joint allows it: rigid.
 struct Stiffness {
     float hertz = 0.0f, damping_ratio = 0.0f;
 
@@ -56,13 +56,13 @@ struct Limits {
     float lower = -infinity, upper = infinity;
 
     bool any() const { return lower > -infinity || upper < infinity; }
-    /// Where the limits cross, the upper one is used.
+    /// If the limits cross, the upper one is used.
     Limits in_order() const { return {min(lower, upper), upper}; }
 };
 
 struct Motor {
     float speed = 0.0f;
-    float greatest = 0.0f;  ///< N or N m; as an impulse in a step
+    float greatest = 0.0f;  ///< N or N m; in a step, an impulse
 };
 
 struct LimitImpulses {
@@ -71,7 +71,7 @@ struct LimitImpulses {
     float sum() const { return lower - upper; }
 };
 
-/// Solves the limits of a row: `velocity()` and `push(impulse)` belong to the row.
+/// Solves the limits of a row. `velocity()` and `push(impulse)` are the functions of the row.
 template <bool biased, class Velocity, class Push>
 void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
                   const JointStep& step, Velocity&& velocity, Push&& push) {
@@ -137,7 +137,7 @@ struct Coordinate {
         motor = {settings.motor.speed, settings.motor.greatest * h};
         target = settings.target;
         if (springy) spring = settings.stiffness.spring(h);
-        // A part that no longer acts begins with impulse 0 when it acts again.
+        // A part that stops acting begins with impulse 0 when it acts again.
         if (!springy) impulses.spring = 0.0f;
         if (!driven) impulses.motor = 0.0f;
         if (!limited) impulses.limits = {};
@@ -145,7 +145,7 @@ struct Coordinate {
     bool acts() const { return springy || driven || limited; }
     bool acts_relaxed() const { return driven || limited; }
 
-    /// `velocity()` and `push(impulse)` belong to the coordinate.
+    /// `velocity()` and `push(impulse)` are the functions of the coordinate.
     template <bool biased, class Velocity, class Push>
     void solve(CoordinateImpulses& impulses, float mass, float position, const JointStep& step,
                Velocity&& velocity, Push&& push) const {

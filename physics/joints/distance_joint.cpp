@@ -2,7 +2,7 @@
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
 
-// A rod (the stiffness is infinite), a spring, or a rope between two points.
+// A rod (with infinite stiffness), a spring, or a rope between two points.
 //
 // With d = p_b - p_a between the anchors and n = d/|d|, all rows have the same Jacobian:
 //
@@ -10,8 +10,8 @@
 //     K = m_a⁻¹ + m_b⁻¹ + I_a⁻¹·(r_a×n)² + I_b⁻¹·(r_b×n)²,   effective mass 1/K.
 //
 // Rod: C = 0, softly. Spring: a force along n. Limits: |d| - min >= 0 and max - |d| >= 0, each with
-// an impulse in one direction only. The axis is computed in each pass: a pendulum follows its
-// circle.
+// an impulse in one direction only. The axis is computed in each pass, so that a pendulum follows
+// its circle.
 
 namespace fettle::physics {
 namespace detail {
@@ -58,7 +58,7 @@ struct DistanceConstraint {
         if (rigid || !(limits.lower > 0.0f)) limits.lower = -infinity;
         if (rigid) limits.upper = infinity;
         limited = limits.any();
-        // A part that no longer acts begins with impulse 0 when it acts again.
+        // A part that stops acting begins with impulse 0 when it acts again.
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
         follow(a, b);
@@ -70,7 +70,7 @@ struct DistanceConstraint {
         const V2 d = ends.gap(a, b);
         const float distance = detail::length(d);
         V2 axis = line.direction;
-        // If the anchors coincide, the axis does not change, or is arbitrary at first.
+        // If the anchors coincide, the axis keeps its direction, or is arbitrary at first.
         if (distance > 1e-9f) axis = (1.0f / distance) * d;
         if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
         line.aim(ends, axis, ends.lever_a, a, b);

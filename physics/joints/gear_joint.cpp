@@ -2,14 +2,14 @@
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
 
-// Turns b with a, by a ratio.
+// Rotates b with a, by a ratio.
 //
 //     C = θ_b - ratio·θ_a - phase,   Ċ = ω_b - ratio·ω_a,   K = I_b⁻¹ + ratio²·I_a⁻¹
 //
-// The ratio of two meshed wheels is -r_a/r_b; of two wheels with a belt, r_a/r_b. An impulse turns
-// b by λ and a by -ratio·λ, and so is not equal and opposite: the axles take the rest, as in a gear
-// box. Angles are in the world and over any number of turns: from the states, not from their small
-// difference.
+// The ratio of two meshed wheels is -r_a/r_b; that of two wheels with a belt is r_a/r_b. An impulse
+// rotates b by λ and a by -ratio·λ, which are not equal and opposite: the axles take the
+// difference, as in a gear box. Angles are world angles over any number of turns, so they come from
+// the states and not from the relative angle.
 
 namespace fettle::physics {
 namespace detail {

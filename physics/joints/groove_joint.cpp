@@ -1,8 +1,8 @@
 #include <joints/joint_types.h>
 #include <joints/rail.h>
 
-// A pin of b in a groove of a from one point to another: a slot that is given by its two ends. The
-// axis is the line between them and the limits are 0 and its length |end - begin|.
+// A pin of b in a groove of a between two points: a slot with given ends. The axis is the line
+// between them, and the limits are 0 and its length |end - begin|.
 
 namespace fettle::physics {
 namespace detail {
@@ -22,7 +22,8 @@ struct GrooveConstraint : SlotConstraint {
         const V2 run = settings.end - frame.anchor_a;
         RailSettings slot;
         slot.along.limits = {0.0f, length(run)};
-        // If both ends are at the same point, the pin is held there: any direction will do.
+        // If both ends are at the same point, the pin is held there, and the direction does not
+        // matter.
         if (slot.along.limits.upper > 1e-6f) slot.axis = run;
         rail.prepare(slot, impulses.rail, ends, frame, step, a, b);
     }

@@ -135,7 +135,7 @@ FETTLE_JOINT_READ(bool, broken)
 FETTLE_JOINT_READ(float, torque)
 FETTLE_JOINT_READ(uint64_t, user_data)
 
-// Properties of a joint for each of its two bodies.
+// Defines the properties of a joint for one of its two bodies.
 #define FETTLE_JOINT_SIDE(letter, side)                                        \
     Body Joint::body_##letter() const {                                        \
         const WorldData& data = live();                                        \

@@ -6,8 +6,8 @@
 #include <memory>
 #include <type_traits>
 
-// All types of joints. A type is one file: its settings (`Settings`), its solver (`Constraint`),
-// and its handle, which is declared in the public headers.
+// All types of joints. Each type has one file with its settings (`Settings`), its solver
+// (`Constraint`), and its handle, which the public headers declare.
 
 namespace fettle::physics::detail {
 
@@ -56,18 +56,17 @@ class JointFunctions {
         return heavy;
     }
 
-    /// A joint yields by load / (m·ω²), where m is the mass of its light body: a heavy body that
-    /// hangs on light links would stretch them at the usual stiffness. Twice the stiffness is
-    /// stable only with a better convergence of the sweeps over the joints: four sweeps instead of
-    /// one.
+    /// A joint yields by load / (m·ω²), where m is the mass of its light body: with the usual
+    /// stiffness, a heavy body would stretch light links on which it hangs. Twice the stiffness is
+    /// stable only if the sweeps over the joints converge better: four sweeps instead of one.
     static bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
         constexpr float most = 10.0f;  // ratio of the masses
         if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
         return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
     }
 
-    /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move: a joint to
-    /// it gets a copy, and the body is not written.
+    /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a
+    /// body is not written: the joint gets a copy.
     template <bool backwards = false, typename Act>
     static void for_each(JointArray& array, std::span<SolverBody> bodies, JointRange range,
                          Act&& act) {
@@ -129,7 +128,7 @@ class JointFunctions {
             const Constraint& c = array.as<Constraint>()[i];
             JointRecord& joint = objects.joints[array.joints[i]];
             const auto [push, twist] = c.load();
-            // The next step begins with these impulses: an overflow would stay for ever.
+            // The next step begins with these impulses, so an overflow would never disappear.
             if (std::isfinite(push.x + push.y + twist))
                 joint.impulses.become(c.impulses);
             else

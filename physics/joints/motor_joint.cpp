@@ -8,10 +8,10 @@
 //
 //     Ċ = v_b + ω_b×r_b - v_a - ω_a×(r_a + d) - u,   Ċ_θ = ω_b - ω_a - w,   d = p_b - p_a,
 //
-// (the arm of a reaches to anchor b: both bodies are pushed at the same point) with impulses of at
+// (the arm of a extends to anchor b: both bodies are pushed at the same point) with impulses of at
 // most max_force·h and max_torque·h. With a stiffness, springs also act on the offset from a (which
-// turns with a) and on the angle, within the same limits: then a position is driven. As a spring it
-// is only a force, and the relax pass does not solve it.
+// rotates with a) and on the angle, within the same limits: then a position is driven. Such a
+// spring is only a force, and the relax pass does not solve it.
 
 namespace fettle::physics {
 namespace detail {
@@ -90,7 +90,7 @@ struct MotorConstraint {
             rows.motors(ends, velocity, greatest_force, impulses.force);
             return;
         }
-        // A spring whose velocity is relative to that of the motor: v - u + (push/mass_scale)·C.
+        // A spring with a velocity relative to that of the motor: v - u + (push/mass_scale)·C.
         const auto ahead = [this](float wanted) {
             return spring.push > 0.0f ? wanted * spring.mass_scale / spring.push : 0.0f;
         };

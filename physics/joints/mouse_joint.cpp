@@ -5,8 +5,8 @@
 // Pulls a point of a body (b) softly towards a point of the world (a).
 //
 // A soft point (C = p_b - p_a, both coordinates) with a limited impulse. It is a force, not a
-// constraint: the relax pass does not solve it. The levers stay those of the start of the step,
-// which damps the rotation a little: a dragged body comes to rest.
+// constraint: the relax pass does not solve it. The levers remain those of the start of the step.
+// This damps the rotation a little, so that a dragged body comes to rest.
 
 namespace fettle::physics {
 namespace detail {
@@ -59,7 +59,7 @@ struct MouseConstraint {
         const Softness& soft = softness;
         const Spring spring = {soft.mass_scale * soft.bias_rate, soft.mass_scale,
                                soft.impulse_scale};
-        // A slack joint has no mass; its softness would be rigid.
+        // A slack joint has no mass. Without this case its softness would be rigid.
         const bool slack = !(soft.impulse_scale > 0.0f);
         rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
     }
@@ -102,8 +102,8 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
         throw std::invalid_argument(
             "body: a mouse joint drags a body, not the bounds of the world");
     record.anchors[0] = to_v2(check_coordinates("target", def.target));
-    // A target at one end of the world may be farther from a body at the other end than the
-    // greatest coordinate of an anchor.
+    // The target may be at one end of the world and the body at the other. Their distance may
+    // exceed the greatest coordinate of an anchor, so it is limited.
     record.anchors[1] =
         def.anchor ? to_v2(check_coordinates("anchor", *def.anchor))
                    : bounded(to_v2(body(def.body).local_point(def.target)), greatest_coordinate);

@@ -1,7 +1,7 @@
 #include <joints/joint_types.h>
 #include <joints/rail.h>
 
-// A pin of b in a straight slot of a, where it slides and turns: it is held across the slot;
+// A pin of b in a straight slot of a, in which it slides and rotates. It is held across the slot;
 // spring, motor and limits act along the slot (`Rail`).
 
 namespace fettle::physics {

@@ -1,16 +1,16 @@
 #include <joints/joint_types.h>
 #include <joints/rail.h>
 
-// Lets b slide along an axis of a (`Rail`) without turning.
+// Lets b slide along an axis of a (`Rail`) without rotating.
 //
-// Across the axis and about the angle two rows are solved as one block, since the levers s_a = R×n
-// and s_b = r_b×n of the first couple them:
+// The rows across the axis and about the angle are solved as one block, because the levers s_a =
+// R×n and s_b = r_b×n of the first row couple them:
 //
 //     C₁ = n·d,   C₂ = θ_b - θ_a - reference
 //     K = | nᵀ(M_a⁻¹ + M_b⁻¹)n + I_a⁻¹s_a² + I_b⁻¹s_b²    I_a⁻¹s_a + I_b⁻¹s_b |
 //         | I_a⁻¹s_a + I_b⁻¹s_b                            I_a⁻¹ + I_b⁻¹       |
 //
-// Solved one after the other, a drawer pulled at its corner would jam.
+// If they were solved one after the other, a drawer pulled at its corner would jam.
 
 namespace fettle::physics {
 namespace detail {
@@ -71,7 +71,7 @@ struct PrismaticConstraint {
                           ia * across.lever_a * across.lever_a +
                           ib * across.lever_b * across.lever_b;
         const float k12 = ia * across.lever_a + ib * across.lever_b;
-        // Neither body rotates: the row about the angle has no effect, and must not disturb the
+        // Neither body rotates: the row about the angle has no effect and must not influence the
         // other row.
         const float k22 = ia + ib > 0.0f ? ia + ib : 1.0f;
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;

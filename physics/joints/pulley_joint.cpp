@@ -4,12 +4,13 @@
 
 // A rope from a over two wheels of the world to b.
 //
-// With l the distance from a wheel g to its anchor p and u = (p - g)/l, the rope only pulls:
+// With l the distance from a wheel g to its anchor p and u = (p - g)/l, the rope can only pull:
 //
 //     room = length - l_a - ratio·l_b >= 0,   d(room)/dt = -u_a·ṗ_a - ratio·u_b·ṗ_b,
 //     K = k_a + ratio²·k_b,   k = uᵀM⁻¹u + I⁻¹(r×u)².
 //
-// A tension λ pulls a by -λu_a and b by -ratio·λu_b: a block and tackle of `ratio` parts at b.
+// A tension λ pulls a by -λu_a and b by -ratio·λu_b, like a block and tackle with `ratio` parts at
+// b.
 
 namespace fettle::physics {
 namespace detail {
@@ -45,7 +46,7 @@ struct PulleyConstraint {
         void follow(V2 anchor_lever, const SolverBody& body) {
             const V2 rope = start + body.shift + anchor_lever;
             length = detail::length(rope);
-            // With the anchor at its wheel, the direction does not change, or there is no pull.
+            // If the anchor is at its wheel, the direction is the old one, or there is no pull.
             if (length > 1e-6f) direction = (1.0f / length) * rope;
             lever = cross(anchor_lever, direction);
         }

@@ -3,21 +3,21 @@
 #include <joints/coordinate.h>
 #include <joints/joint_handle.h>
 
-// A line that body a carries and a point of body b that slides along it: what prismatic, wheel,
-// groove and pin-slot joints have in common. The axis u and its perpendicular n turn with body a.
-// With d = p_b - p_a and R = r_a + d, the arm from the center of a to the anchor of b:
+// A line on body a, and a point of body b that slides along it: the common part of prismatic,
+// wheel, groove and pin-slot joints. The axis u and its perpendicular n rotate with body a. With d
+// = p_b - p_a and R = r_a + d, the arm from the center of a to the anchor of b:
 //
 //     s = u·d,   ṡ = u·(v_b - v_a) + (r_b×u)·ω_b - (R×u)·ω_a      translation
 //     C = n·d,   Ċ = n·(v_b - v_a) + (r_b×n)·ω_b - (R×n)·ω_a      across, to be 0
 //
-// since u̇ = ω_a×u adds ω_a·(u×d) to the plain difference of the anchors' velocities, which is what
-// makes the arm of a reach to b. The effective mass of a row is 1 / (uᵀ(M_a⁻¹ + M_b⁻¹)u +
-// I_a⁻¹(R×u)² + I_b⁻¹(r_b×u)²).
+// since u̇ = ω_a×u adds ω_a·(u×d) to the difference of the anchors' velocities; this extends the
+// arm of a to b. The effective mass of a row is 1 / (uᵀ(M_a⁻¹ + M_b⁻¹)u + I_a⁻¹(R×u)² +
+// I_b⁻¹(r_b×u)²).
 
 namespace fettle::physics::detail {
 
 struct RailSettings {
-    V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, of any length but 0
+    V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, with any length except 0
     CoordinateSettings along;
 
     void check() const {
@@ -46,7 +46,7 @@ struct Rail {
         coordinate.prepare(settings.along, impulses.along, step.h, true);
         follow(ends, a, b);
     }
-    /// Turns levers and directions with the bodies.
+    /// Rotates levers and directions with the bodies.
     void follow(JointEnds& ends, const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
         const V2 axis = turned(start_axis, a.turn), normal = {-axis.y, axis.x};
@@ -85,7 +85,7 @@ struct Rail {
     }
 };
 
-/// A rail only: the angle is free.
+/// A rail without a row about the angle.
 struct SlotConstraint {
     struct Impulses {
         RailImpulses rail;
@@ -125,7 +125,7 @@ struct SlotConstraint {
     float Of##Joint::translation() const {                                     \
         return detail::translation_along(*this, axis());                       \
     }
-// Defines those of a joint with a motor along the rail.
+// Defines the properties of a joint with a motor along the rail.
 #define FETTLE_RAIL_MOTOR(Of)                                           \
     FETTLE_JOINT_NUMBER(Of, motor_speed, rail.along.motor.speed)        \
     FETTLE_JOINT_NUMBER(Of, max_motor_force, rail.along.motor.greatest) \

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-// Lets b turn relative to a in one direction only.
+// Lets b rotate relative to a in one direction only.
 //
 // With θ = ±(θ_b - θ_a - reference), positive in the free direction, a pawl falls behind every
 // tooth that passes: caught = tooth·⌊θ/tooth⌋, and never decreases; a tooth of 0 is a continuous
@@ -17,7 +17,7 @@ namespace detail {
 struct RatchetSettings {
     static constexpr JointType type = JointType::ratchet;
     float tooth = 0.0f;  ///< rad
-    float way = 1.0f;    ///< direction in which b may turn: 1, or -1 for backwards
+    float way = 1.0f;    ///< direction in which b may rotate: 1, or -1 for backwards
     float reference_angle = 0.0f;
 
     void check() const {
@@ -52,7 +52,7 @@ struct RatchetConstraint {
             // At a tooth, the load may push the pawl a little below the tooth.
             const float slack = min(0.01f, 0.1f * settings.tooth);
             const float passed = settings.tooth * std::floor((angle + slack) / settings.tooth);
-            // If there are too many teeth to count, the ratchet is continuous.
+            // For too many teeth to count, the ratchet is continuous.
             if (std::isfinite(passed)) tooth = passed;
         }
         if (impulses.engaged == 0.0f || tooth > impulses.caught) impulses.caught = tooth;
@@ -92,7 +92,8 @@ void RatchetJoint::set_reference_angle(float angle) {
     own<RatchetSettings>();
     const float checked = check_finite("reference_angle", angle);
     edit<RatchetSettings>("RatchetJoint", __func__).reference_angle = checked;
-    live().joints[id().index].impulses = {};  // the teeth have moved: the pawl falls again
+    // The teeth have moved, so the pawl must find its tooth again.
+    live().joints[id().index].impulses = {};
 }
 bool RatchetJoint::backwards() const {
     return own<RatchetSettings>().way < 0.0f;

@@ -2,18 +2,19 @@
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
 
-// Holds two points together and lets the bodies turn, freely or as a spring, a motor and limits
-// allow (`Coordinate`).
+// Holds two points together and lets the bodies rotate: freely, or with a spring, a motor and
+// limits (`Coordinate`).
 //
-// Two rows hold the point, solved as one block since the inertia couples them:
+// Two rows hold the point. They are solved as one block, because the inertia couples them:
 //
 //     C = p_b - p_a,   Ċ = v_b + ω_b×r_b - v_a - ω_a×r_a,   λ = -K⁻¹·(Ċ + bias)   (`PointMass`).
 //
 // K is computed from the current levers in each pass: with K from the start of the step, light
-// links that swing fast under a heavy load gain energy. The rows about the angle θ = θ_b - θ_a -
-// reference have Ċ = ω_b - ω_a and the effective mass 1/(I_a⁻¹ + I_b⁻¹): a spring to the target, a
-// motor that drives a velocity with a maximum torque, and limits θ - lower >= 0, upper - θ >= 0.
-// They are solved first and the point last, since an error of the point is visible at once.
+// links that swing fast under a heavy load would gain energy. The rows about the angle θ = θ_b -
+// θ_a - reference have Ċ = ω_b - ω_a and the effective mass 1/(I_a⁻¹ + I_b⁻¹): a spring to the
+// target, a motor that drives a velocity with a maximum torque, and limits θ - lower >= 0, upper -
+// θ >= 0. They are solved first and the point last, because an error of the point is visible at
+// once.
 
 namespace fettle::physics {
 namespace detail {
@@ -40,7 +41,7 @@ struct RevoluteConstraint {
 
     JointEnds ends;
     RevoluteImpulses impulses;
-    PointMass mass;  ///< of the current levers: bodies rotate between the two passes only
+    PointMass mass;  ///< for the current levers; bodies rotate only between the two passes
     float angular_mass = 0.0f, reference = 0.0f;
     Coordinate angle;
 

@@ -9,12 +9,12 @@
 //     K = | M + I_a⁻¹·a aᵀ + I_b⁻¹·b bᵀ    I_a⁻¹·a + I_b⁻¹·b |     M = M_a⁻¹ + M_b⁻¹,
 //         | (I_a⁻¹·a + I_b⁻¹·b)ᵀ           I_a⁻¹ + I_b⁻¹     |     a = r_a⊥, b = r_b⊥,
 //
-// and a cantilever is only stiff if they are solved as one. Eliminating the angle leaves
+// and a cantilever is stiff only if they are solved together. Eliminating the angle leaves
 //
 //     K' = M + I_a⁻¹I_b⁻¹/(I_a⁻¹ + I_b⁻¹) · (a - b)(a - b)ᵀ
 //
-// for the point, written out so that nothing cancels; then λ_θ = -(v_θ + k·λ)/(I_a⁻¹ + I_b⁻¹) with
-// k = I_a⁻¹·a + I_b⁻¹·b. Where the point or the angle is a spring, each is solved by itself.
+// for the point, in a form without cancellation; then λ_θ = -(v_θ + k·λ)/(I_a⁻¹ + I_b⁻¹) with k =
+// I_a⁻¹·a + I_b⁻¹·b. If the point or the angle is a spring, each is solved by itself.
 
 namespace fettle::physics {
 namespace detail {
@@ -57,7 +57,7 @@ struct WeldConstraint {
         springy_angle = settings.angle.is_spring();
         if (springy_point) point_spring = settings.point.spring(step.h);
         if (springy_angle) angle_spring = settings.angle.spring(step.h);
-        // A part that no longer acts begins with impulse 0 when it acts again.
+        // A part that stops acting begins with impulse 0 when it acts again.
         if (!rigid_point && !springy_point) impulses.point = {};
         if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
     }
@@ -117,7 +117,7 @@ struct WeldConstraint {
         const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
         const float xy = shared * between.x * between.y;
         const float inverse = inverse_or_zero(xx * yy - xy * xy);
-        const V2 free = v - (w * angular_mass) * k;  // with the angle at rest
+        const V2 free = v - (w * angular_mass) * k;  // for an angle at rest
         const V2 point = {-inverse * (yy * free.x - xy * free.y),
                           -inverse * (xx * free.y - xy * free.x)};
         const float angle = -angular_mass * (w + dot(k, point));

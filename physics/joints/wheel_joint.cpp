@@ -1,8 +1,8 @@
 #include <joints/joint_types.h>
 #include <joints/rail.h>
 
-// A wheel (b) that turns freely or by a motor and is sprung along an axis of a: a point of b on a
-// line of a (`Rail`), with the suspension as the spring along the line, and a motor about the axle:
+// A wheel (b) that rotates freely or by a motor, with a suspension along an axis of a: a point of b
+// on a line of a (`Rail`), the suspension as the spring along the line, and a motor about the axle:
 // Ċ = ω_b - ω_a - speed with at most max_motor_torque, effective mass 1/(I_a⁻¹ + I_b⁻¹).
 
 namespace fettle::physics {

@@ -6,7 +6,8 @@
 
 namespace fettle::physics::detail {
 
-/// A body for its contacts and joints in a step: index, strip, and whether it takes impulses.
+/// The end of a contact or joint in a step: index and strip of its body, and whether the body takes
+/// impulses.
 class SolverEnd {
   public:
     /// A fixed or sleeping body.
@@ -29,7 +30,7 @@ class SolverEnd {
     uint32_t bits_ = 0;
 };
 
-/// The node of a contact or joint between two bodies, if neither is a hub. A body that takes no
+/// The node of a contact or joint between two bodies that are no hubs. A body that takes no
 /// impulses may be in any strip.
 inline StripNode node_of(SolverEnd a, SolverEnd b) {
     if (a.moves() && b.moves()) return above_both(a.strip(), b.strip());
@@ -40,12 +41,12 @@ inline StripNode node_of(SolverEnd a, SolverEnd b) {
 struct ActingContact {
     uint32_t slot = 0;
     SolverEnd end_a, end_b;
-    uint32_t entry = 0;  ///< in the counts of a thread: entry of its section and its color
-    uint32_t place = 0;  ///< its place in the entry; later its lane
+    uint32_t entry = 0;  ///< index in the counts of a thread: entry of its section and its color
+    uint32_t place = 0;  ///< index in the entry; later its lane
     StripNode node = 1;
-    uint8_t hub = 0;        ///< it acts on a copy of the hub with this index + 1; 0: on no copy
+    uint8_t hub = 0;        ///< index + 1 of the hub whose copy it acts on; 0: no copy
     bool serially = false;  ///< solved one at a time
-    uint8_t tells = 0;      ///< what it reports: `is_touching`, `of_hits`
+    uint8_t tells = 0;      ///< what it reports, as bits: `is_touching`, `of_hits`
 
     enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
     bool touching() const { return (tells & is_touching) != 0; }
@@ -61,12 +62,12 @@ struct ActingContact {
 };
 static_assert(sizeof(ActingContact) == 24);
 
-/// Acting contacts that one thread found, sorted by node; within a node in the order of the awake
-/// contacts.
+/// Acting contacts that one thread found, sorted by node; contacts of one node are in the order of
+/// the awake contacts.
 struct ActingPiece {
     uint32_t begin = 0;
     NodeRanges nodes;           ///< from `begin` on
-    uint32_t serially = 0;      ///< how many are solved one at a time
+    uint32_t serially = 0;      ///< number of contacts that are solved one at a time
     bool links_blocks = false;  ///< one of them links two blocks of an earlier step
 
     uint32_t count() const { return nodes.size(); }

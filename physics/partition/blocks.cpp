@@ -5,7 +5,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Steps after which blocks are built again, since islands may have separated.
+/// Number of steps after which blocks are built again, because islands may have separated.
 constexpr int old_age = 64;
 
 /// An island with this share of the contacts is nearly the whole world.
@@ -39,7 +39,7 @@ void SolverBlocks::begin(uint32_t bodies) {
     blocks_.assign(1, {});
 }
 
-/// A root has a lower number than the bodies below it.
+/// A root has a lower index than the bodies below it.
 void SolverBlocks::find_islands() {
     auto& root = islands_.parent;
     for (uint32_t i = 1; i < root.size(); ++i) root[i] = root[root[i]];

@@ -6,15 +6,14 @@
 #include <span>
 #include <vector>
 
-// Blocks of bodies. No contact that moves anything links two blocks, so each block is solved
-// through all sub-steps before the next, or several threads solve one block each. A block holds
-// whole islands, and so many that its contacts stay in the cache of a core from the first pass to
-// the last.
+// Blocks of bodies. No contact between two blocks moves a body. So each block can be solved through
+// all sub-steps before the next one, or several threads can solve one block each. A block contains
+// whole islands, as many as possible while its contacts stay in the cache of a core from the first
+// pass to the last.
 //
-// There is more than the first block only while all acting constraints are wide contacts between
-// bodies that move freely: then the result does not depend on the blocks. There is one block too
-// while nearly the whole world is one island: searching for islands in every step would gain
-// nothing.
+// There are several blocks only while all acting constraints are wide contacts between bodies that
+// move freely; then the result does not depend on the blocks. If nearly the whole world is one
+// island, there is only one block, because searching for islands in every step would gain nothing.
 
 namespace fettle::physics::detail {
 
@@ -23,39 +22,40 @@ struct SolverBlock {
     uint32_t first_group = 0, group_end = 0;  ///< of wide contacts
     uint32_t first_section = 0;               ///< in the numbering over all blocks
     uint32_t contacts = 0;                    ///< in groups, when the block was made
-    bool cut = false;                         ///< several threads share it out
+    bool cut = false;                         ///< several threads share its work
 };
 
 class SolverBlocks {
   public:
-    /// Contacts of a full block: at 112 bytes each, half of the second-level cache of a small core.
+    /// Contacts of a full block. With 112 bytes each, they fill half of the second-level cache of a
+    /// small core.
     static constexpr uint32_t enough_contacts = 2000;
     static constexpr uint32_t enough_bodies = 4000;
 
-    /// `bodies`: one more than there are, since body 0 is the fixed one.
+    /// `bodies`: the number of bodies plus one, because body 0 is the fixed one.
     void begin(uint32_t bodies);
     /// The two bodies influence each other in this step.
     void link(uint32_t a, uint32_t b) { islands_.unite(a, b); }
-    /// Counts a contact of an island by one of its bodies; after all, `finish`.
+    /// Counts a contact of an island, given one of its bodies. After the last one, call `finish`.
     void count_contact(uint32_t body);
     void find_islands();
     void finish();
     /// Puts all bodies into the first block, for small worlds.
     void finish_as_one();
-    /// True if `finish` found nearly all contacts in one block: then blocks are not searched for
-    /// some steps.
+    /// True if `finish` found nearly all contacts in one block; then no blocks are searched for
+    /// several steps.
     bool are_mostly_one();
-    /// To be called once in each step that could use several blocks: whether to search for them.
+    /// Must be called once in each step that could use several blocks: returns whether to search
+    /// for them.
     bool may_be_several() { return wait_ == 0 || --wait_ == 0; }
 
-    /// The blocks that are built next are of these bodies. `several`: there may be more than the
-    /// first block.
+    /// The next blocks are built for these bodies. `several`: there may be more than one block.
     void remember(std::span<const uint32_t> bodies, bool several);
-    /// True if the blocks are of these bodies, in this order, so that a contact that links two
-    /// blocks matters.
+    /// True if the blocks were built for these bodies in this order, so that a contact that links
+    /// two blocks matters.
     bool may_be_linked(std::span<const uint32_t> bodies) const;
-    /// True if the blocks can be used again for a step with these bodies, if no contact links two
-    /// blocks.
+    /// True if the blocks can be used again for a step with these bodies, provided that no contact
+    /// links two blocks.
     bool may_stay(std::span<const uint32_t> bodies, bool several);
 
     uint32_t block_of(uint32_t body) const { return block_of_[body]; }
@@ -66,7 +66,7 @@ class SolverBlocks {
         return std::span(order_).subspan(block.first_body, block.body_end - block.first_body);
     }
 
-    /// Scratch: the data kept from step to step only save work.
+    /// Scratch: the data stored between steps only save work.
     static void scratch(auto& io, auto& self) {
         io(self.islands_.parent), io(self.contacts_), io(self.block_of_);
         io(self.order_), io(self.blocks_), io(self.bodies_);

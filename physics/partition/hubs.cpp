@@ -42,7 +42,7 @@ void Hubs::choose_copy(ActingContact& c) {
     (c.a() == hub.body ? c.end_a : c.end_b) = SolverEnd(copy, c.node, true);
 }
 
-void Hubs::give_up_copy(ActingContact& c) const {
+void Hubs::use_hub_itself(ActingContact& c) const {
     const Hub& hub = hubs_[c.hub - 1];
     (c.a() >= hub.first_copy ? c.end_a : c.end_b) = SolverEnd::of_hub(hub.body);
     c.node = 1;

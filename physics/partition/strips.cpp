@@ -7,23 +7,23 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Two strips from 4 · `unit` constraints on, four from 16 · `unit` on: the constraints between
-/// strips must remain few compared with those in strips.
+/// Two strips from 4 · `unit` constraints on, four from 16 · `unit` on, because the constraints
+/// between strips must be few compared with those inside strips.
 constexpr std::size_t unit = 512;
 
-/// If the correlation of place in the list and position along an axis is at least this, that axis
-/// is cut: a thread then works on neighboring memory in all stages.
+/// If the correlation between the index in the list and the position along an axis is at least
+/// this, the cut is across that axis. Then a thread works on neighboring memory in all stages.
 constexpr float in_order = 0.8f;
 
-/// Other worlds are cut by horizontal lines only if they are this many times as high as wide: a
-/// body and the body that bears it stay in one strip.
+/// Other worlds are cut by horizontal lines only if their height is this many times their width.
+/// Otherwise a body and the body below it would be in different strips.
 constexpr float upright_ratio = 2.0f;
 
 float along(const StripSample& sample, bool upright) {
     return upright ? sample.place.y : sample.place.x;
 }
 
-/// Correlation of the positions with the places in the list, without its sign.
+/// Absolute correlation of the positions with the indices in the list.
 float order(std::span<const StripSample> samples, bool upright) {
     const auto n = float(samples.size());
     float mean = 0.0f;
@@ -54,8 +54,8 @@ bool lie_upright(std::span<const StripSample> samples) {
     return extent(samples, true) > upright_ratio * extent(samples, false);
 }
 
-/// Work up to a position, counted in equal intervals from the first sample to the last between
-/// `from` and `to`.
+/// Work up to a position. The range from the first sample to the last between `from` and `to` is
+/// divided into equal intervals.
 class WorkAlong {
   public:
     WorkAlong(std::span<const StripSample> samples, bool upright, float from, float to)
@@ -81,14 +81,15 @@ class WorkAlong {
         std::partial_sum(up_to_.begin(), up_to_.end(), up_to_.begin());
     }
 
-    /// Position with this share of all work before it.
+    /// Position with this share of the work in front of it.
     float at(float share) const {
         const float wanted = share * up_to_.back();
         const auto end = std::lower_bound(up_to_.begin() + 1, up_to_.end() - 1, wanted);
         const float work = *end - end[-1];
         const float part = work > 0.0f ? (wanted - end[-1]) / work : 0.0f;
         const float begin = begin_ + step_ * float(end - up_to_.begin() - 1);
-        // One sample is far away from all others, or bodies stand in rows.
+        // A large part of the work is in one interval: one sample is far from all others, or bodies
+        // are in rows.
         if (step_ > 0.0f && work > most_in_a_step * up_to_.back())
             return WorkAlong(samples_, upright_, begin, begin + step_).at(part);
         return begin + step_ * part;
@@ -98,7 +99,7 @@ class WorkAlong {
     static constexpr std::size_t steps = 512;
     static constexpr float most_in_a_step = 0.02f;
     static constexpr float narrowest = 1e-5f;  // samples closer than this, relative to their
-                                               // distance from the origin, are at one place
+                                               // distance from the origin, count as one position
 
     const std::span<const StripSample> samples_;
     const bool upright_;
@@ -139,7 +140,7 @@ Sections::Sections(uint32_t strips, uint32_t parts) : parts_(parts) {
             section = part * uint32_t(own) + uint32_t(level);
             owner_[node] = uint8_t(part);
         } else {
-            // Nodes above the parts: 2^depth at each depth, the deepest first.
+            // Above the parts there are 2^depth nodes at each depth; the deepest nodes come first.
             const uint32_t above = (parts - (2u << depth)) + (node - (1u << depth));
             section = parts * uint32_t(own) + above;
             owner_[node] = uint8_t(parts + above);

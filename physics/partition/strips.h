@@ -9,14 +9,14 @@
 #include <numeric>
 #include <span>
 
-// A heap of bodies that all touch each other, solved by several threads: it is cut into strips with
-// about the same work each. Constraints within a strip do not depend on other strips; constraints
-// between two strips are solved after both (nested dissection: A. George, "Nested Dissection of a
-// Regular Finite Element Mesh", 1973). The strips are the leaves of a binary tree, left to right,
-// and a constraint belongs to the lowest node that is above both of its bodies.
+// Strips divide a heap of touching bodies for several threads; each strip has about the same work.
+// Constraints inside a strip do not depend on other strips; constraints between two strips are
+// solved after both (nested dissection: A. George, "Nested Dissection of a Regular Finite Element
+// Mesh", 1973). The strips are the leaves of a binary tree from left to right. A constraint belongs
+// to the lowest node that is above both of its bodies.
 //
-// The result is the same if one thread solves the nodes of a level or if several threads share them
-// out: no two nodes of a level have a body in common.
+// The result is the same whether one thread solves the nodes of a level or several threads share
+// them, because no two nodes of a level have a body in common.
 
 namespace fettle::physics::detail {
 
@@ -25,7 +25,7 @@ inline constexpr uint32_t most_strips = 8;
 /// Node of a complete binary tree: 1 is the root, 2n and 2n + 1 are below n.
 using StripNode = uint8_t;
 
-/// The lowest node that is above both, or equal to one of them. 0 if one is in no strip.
+/// The lowest node that is above both nodes or equal to one of them. 0 if one body is in no strip.
 inline StripNode above_both(StripNode a, StripNode b) {
     return StripNode(a >> std::bit_width(unsigned(a ^ b)));
 }
@@ -35,7 +35,7 @@ struct StripNodes {
     uint32_t begin = 1, end = 2;
 };
 
-/// The range of each node in a list that is sorted by node: call `count` for each entry, then
+/// The range of each node in a list that is sorted by node. Call `count` for each entry, then
 /// `sum_up`.
 class NodeRanges {
   public:
@@ -44,7 +44,7 @@ class NodeRanges {
     void clear() { first_.fill(0); }
     void count(uint32_t node, uint32_t how_many = 1) { first_[node + 1] += how_many; }
     void sum_up() { std::partial_sum(first_.begin(), first_.end(), first_.begin()); }
-    /// The first place of each node, as a copy that the caller counts up.
+    /// The first index of each node, as a copy that the caller counts up.
     Places places() const { return first_; }
     uint32_t begin(const StripNodes& nodes) const { return first_[nodes.begin]; }
     uint32_t end(const StripNodes& nodes) const { return first_[nodes.end]; }
@@ -54,7 +54,7 @@ class NodeRanges {
     Places first_ = {};
 };
 
-/// Position of a sampled body and the cost of its constraints.
+/// Position of a sampled body, and the cost of its constraints.
 struct StripSample {
     V2 place;
     float work = 0.0f;
@@ -65,8 +65,8 @@ class Strips {
     /// The number of strips for this many constraints: a power of two.
     static uint32_t count_for(std::size_t constraints);
 
-    /// Cuts into `count` strips: along the list of the samples, if the list runs along an axis,
-    /// else across the longer side.
+    /// Cuts into `count` strips: along the list of the samples if the list runs along an axis,
+    /// otherwise across the longer side.
     void cut(std::span<const StripSample> samples, uint32_t count);
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
@@ -78,30 +78,30 @@ class Strips {
         return StripNode(node);
     }
 
-    /// False if the deserialized data are damaged.
+    /// False if deserialized data are damaged.
     bool is_valid() const { return count_ <= most_strips && std::has_single_bit(count_); }
 
   private:
     std::array<float, most_strips> limits_ = {};  ///< by node: the border between its two halves, m
     uint32_t count_ = 1;
-    uint32_t upright_ = 0;  ///< 1: strips lie on top of each other
+    uint32_t upright_ = 0;  ///< 1: strips are above each other
 };
 
-/// The sections of a block, in the order in which they are solved. If several threads share out a
+/// The sections of a block, in the order in which they are solved. If several threads share a
 /// block, each has a part of the strips, with all nodes below one node; the nodes above come last.
 /// If one thread solves the block, the nodes of a level are one section.
 class Sections {
   public:
     Sections() = default;
-    /// `parts`: a power of two, not more than there are strips.
+    /// `parts`: a power of two, at most the number of strips.
     Sections(uint32_t strips, uint32_t parts);
 
     uint32_t size() const { return size_; }
     bool shared() const { return parts_ > 1; }
     uint32_t of(StripNode node) const { return of_[node]; }
     StripNodes nodes_of(uint32_t section) const { return nodes_[section]; }
-    /// Number of parts and of the nodes above them: two threads never work on the same owner at the
-    /// same time.
+    /// Number of parts and of the nodes above them. Two threads never work for the same owner at
+    /// the same time.
     uint32_t owners() const { return 2 * parts_ - 1; }
     uint32_t owner_of(StripNode node) const { return owner_[node]; }
 

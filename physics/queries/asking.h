@@ -7,7 +7,7 @@
 
 namespace fettle::physics::detail {
 
-/// The world is locked while a query may call `QueryFilter::accept`.
+/// Locks the world while a query may call `QueryFilter::accept`.
 class Asking {
   public:
     Asking(const WorldData& data, const QueryFilter& filter) {
@@ -21,7 +21,7 @@ class Asking {
     std::optional<WorldLock> lock_;
 };
 
-/// The filter of a query accepts the shape.
+/// Whether the filter of a query accepts the shape.
 bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape);
 
 }  // namespace fettle::physics::detail

@@ -1,3 +1,5 @@
+// Queries with points, boxes and rays.
+
 #include <checks/arguments.h>
 #include <contacts/border.h>
 #include <distance/distance.h>
@@ -18,7 +20,7 @@ bool shape_contains(const WorldData& data, uint32_t shape, V2 point) {
                            body == none ? point : point - data.bodies[body].center) <= 0.0f;
 }
 
-/// A shape of many parts is met in several of them.
+/// Adds a shape unless it was found already: a shape with many parts may be found several times.
 void add_once(std::vector<Shape>& found, const Shape& shape) {
     const bool parts = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
     if (!parts || std::find(found.begin(), found.end(), shape) == found.end())
@@ -30,7 +32,7 @@ Probe ray_on_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
     return cast_segment(data.solid(shape), from - center, d);
 }
 
-/// The border is seen from inside: a ray that leaves the bounds ends there.
+/// The border is solid outside: a ray that leaves the bounds ends there.
 Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
     const float distance = dot(plane.normal, from) - plane.depth;
     const float speed = dot(plane.normal, d);
@@ -116,7 +118,8 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
 
 namespace {
 
-/// Calls `add(hit)`, which returns the new far end of the ray, for what the ray enters.
+/// Casts a ray and calls `add(hit)` for each shape that it enters; `add` returns the new far end of
+/// the ray.
 void cast(WorldData& data, const Vec2& from, const Vec2& to, const QueryFilter& filter,
           auto&& add) {
     check_coordinates("from", from);

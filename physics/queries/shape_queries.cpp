@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-// Queries with shapes and distances. The query shape may be of any world, or detached: then its
+// Queries with shapes and distances. The query shape may be of any world. If it is detached, its
 // coordinates are those of the queried world.
 
 namespace fettle::physics {
@@ -16,7 +16,7 @@ using namespace detail;
 
 namespace {
 
-/// A solid shape where it is.
+/// A solid shape at its position.
 struct Placed {
     Solid form;
     V2 center;
@@ -37,8 +37,8 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     return all;
 }
 
-/// While one world is refreshed, a callback of the user must neither edit nor destroy the other
-/// one.
+/// Locks one world while the other is refreshed: a callback of the user must neither edit nor
+/// destroy it.
 template <class Read>
 auto while_other_stays(const WorldData& read, const WorldData& other, Read read_it) {
     std::optional<WorldLock> lock;
@@ -48,7 +48,7 @@ auto while_other_stays(const WorldData& read, const WorldData& other, Read read_
     return result;
 }
 
-/// The parts of the query shape, when the queried world is up to date, too.
+/// The parts of the query shape. Updates the queried world as well.
 std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t shape) {
     std::vector<Placed> probes =
         while_other_stays(from, queried, [&] { return placed(from, shape); });
@@ -59,7 +59,7 @@ std::vector<Placed> probes_for(WorldData& queried, WorldData& from, uint32_t sha
     return probes;
 }
 
-/// Several parts of the query shape may meet the same shape.
+/// Adds a shape unless it was found already: several parts of the query shape may meet it.
 void add_new(std::vector<Shape>& found, const Shape& shape) {
     if (std::find(found.begin(), found.end(), shape) == found.end()) found.push_back(shape);
 }
@@ -69,13 +69,13 @@ struct PointForm {
     Solid form() const { return {{&zero, nullptr, nullptr, 1, 0.0f}}; }
 };
 
-/// Of a shape of another world for one query.
+/// Makes the query shape in a temporary world.
 Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
     Body body = scratch.create_body({.position = pose.position, .angle = pose.angle});
     return body.add(geometry);
 }
 
-/// Where a moving shape meets the border, as a fraction of its motion.
+/// The fraction of its motion after which a moving shape meets the border.
 float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
     const float before =
         dot(plane.normal, probe.center) - reach(probe.form, -plane.normal) - plane.depth;
@@ -127,7 +127,7 @@ std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& f
     WorldData& from = shape.live();
     const std::vector<Placed> probes = probes_for(data, from, shape.index());
     const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
+    Asking asking(data, filter), asking_for(from, filter);  // the query shape is in its own world
     std::vector<Shape> found;
     for (const Placed& probe : probes) {
         auto visit = [&](uint32_t other) {
@@ -158,7 +158,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
     WorldData& from = shape.live();
     const std::vector<Placed> probes = probes_for(data, from, shape.index());
     const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
-    Asking asking(data, filter), asking_for(from, filter);  // the form that asks is in its world
+    Asking asking(data, filter), asking_for(from, filter);  // the query shape is in its own world
     const V2 d = to_v2(motion);
     std::optional<RayHit> first;
     float nearest = 1.0f;
@@ -214,7 +214,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     const V2 p = to_v2(point);
     const PointForm asks;
     std::optional<PointHit> best;
-    // Searches growing boxes, until no shape outside of the box can be nearer.
+    // Searches in growing boxes until no shape outside the box can be nearer.
     const float farthest = min(reach, 4.0f * greatest_coordinate);
     for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
         auto visit = [&](uint32_t shape) {
@@ -256,7 +256,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         const V2 offset = data.bodies[body].center - p;
         const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
         if (near.distance >= radius) return;
-        // Inside of a shape it pushes at the center of mass.
+        // If the point is inside a shape, the push acts at the center of mass.
         const V2 at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
         for (Hit& hit : hits) {
             if (hit.body != body) continue;

@@ -7,9 +7,10 @@
 #include <string>
 #include <utility>
 
-// Saving a world and restoring it in place: its state, as `WorldState` lists it. Scratch data of a
-// step and data that belong to the world but not to its state (callbacks, threads) do not change.
-// The order of every list is saved, so that a restored world goes on bit for bit.
+// Saving a world and restoring it in place. The saved data are the members that `WorldState` lists.
+// Scratch data of a step, and data that belong to the world but not to its state (callbacks,
+// threads), do not change. The order of every list is saved, so that a restored world continues bit
+// for bit.
 
 namespace fettle::physics {
 
@@ -19,7 +20,7 @@ namespace {
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
 constexpr uint32_t archive_version = 13;
 
-/// Number for the layout of the types that are copied byte by byte: another layout is another
+/// Hash of the layout of the types that are copied byte by byte. A different layout is a different
 /// format.
 constexpr uint32_t layout() {
     uint32_t mixed = 0x811c9dc5u;
@@ -49,7 +50,7 @@ void World::save(std::vector<std::byte>& out) const {
     size(header);
     const WorldState& state = *data_;
     size(state);
-    // Leaves room for later saves into the same memory, when there may be more contacts: reserved
+    // Reserves room for later saves into the same memory, when there may be more contacts. Reserved
     // memory costs nothing until it is written.
     if (needed > out.capacity()) out.reserve(needed / 2 * 5);
     ArchiveWriter write(out);
@@ -60,8 +61,8 @@ void World::save(std::vector<std::byte>& out) const {
 
 namespace {
 
-/// Checks the header, and returns a reader that is at the members of the world. Refuses bytes that
-/// `save` did not write.
+/// Checks the header, and returns a reader at the beginning of the world's members. Refuses bytes
+/// that `save` did not write.
 ArchiveReader unsealed(std::span<const std::byte> bytes) {
     SavedHeader header;
     ArchiveReader read(bytes);
@@ -106,7 +107,7 @@ void World::take(World&& other) {
     given.replace_state(std::move(empty));
 }
 
-/// Keeps scratch data, callbacks and threads. The generations of the new state are never used
+/// Keeps scratch data, callbacks and threads. The generations of the new state are never given
 /// again.
 void WorldData::replace_state(WorldState&& other) {
     part<WorldState>(*this) = std::move(other);

@@ -11,14 +11,16 @@
 #include <type_traits>
 #include <vector>
 
-// Serialization of a world. Each type lists its members once, in `members(io, self)`; the writer
+// Serialization of a world. Each type lists its members once, in `members(io, self)`. The writer
 // and the reader both use that list, so saving and restoring cannot differ. Types that own no
-// memory are copied byte by byte, with padding: with all data that the next step might depend on.
+// memory are copied byte by byte, including padding, so no data that the next step might use can be
+// missing.
 
 namespace fettle::physics::detail {
 
-/// True for types that may be copied byte by byte. Not `is_trivially_copyable`, which Eigen's
-/// vectors are not: a type that owns memory has a destructor that is not trivial.
+/// True for types that may be copied byte by byte. The condition is not `is_trivially_copyable`,
+/// because Eigen's vectors are not; a type that owns memory is excluded by its non-trivial
+/// destructor.
 template <class T>
 inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
 
@@ -95,7 +97,7 @@ class ArchiveReader {
     void operator()(std::vector<T>& list) {
         uint64_t count = 0;
         (*this)(count);
-        // Every element takes at least a byte: no count can be higher than the number of remaining
+        // Every element takes at least one byte, so a count cannot exceed the number of remaining
         // bytes.
         const std::size_t least = ListsMembers<T, ArchiveReader> ? 1 : sizeof(T);
         if (count > in_.size() / least) throw std::invalid_argument("the bytes end too early");

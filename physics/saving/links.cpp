@@ -8,13 +8,13 @@
 #include <optional>
 #include <type_traits>
 
-// Checks of indices and lists. Damaged data that pass may still describe a strange world, as edits
-// may; they cannot cause access to foreign memory.
+// Checks of indices and lists. Damaged data that pass these checks may still describe a strange
+// world, as edits may. They cannot cause access to foreign memory.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Keeps the description of the first fault.
+/// Stores the description of the first error.
 class Findings {
   public:
     void require(bool holds, const char* what) {
@@ -38,8 +38,8 @@ bool are_bools(const Flags&... flags) {
     return ((byte(flags) <= 1) && ...);
 }
 
-/// Place of the flag in an optional that says whether it holds a value: the byte that differs
-/// between one with a value and one without.
+/// Position of the byte in an optional that says whether it has a value: the byte that differs
+/// between an optional with a value and one without.
 template <class T>
 size_t flag_of_optional() {
     using Optional = std::optional<T>;
@@ -58,7 +58,7 @@ bool are_optionals(const std::optional<T>&... values) {
         static_assert(std::is_trivially_destructible_v<One>);
         static const size_t at = flag_of_optional<One>();
         unsigned char bytes[sizeof value];
-        std::memcpy(bytes, &value, sizeof value);  // NOLINT: any byte may be looked at
+        std::memcpy(bytes, &value, sizeof value);  // any byte may be examined
         return at == sizeof value || bytes[at] <= 1;
     };
     return (sound(values) && ...);
@@ -126,7 +126,8 @@ void check_bodies(const WorldState& w, Findings& findings) {
     findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
 }
 
-/// A shape is a piece if it has an owner, and only outlines have parts and are owners.
+/// Checks parts: a shape is a piece if it has an owner, and only outlines have parts and are
+/// owners.
 void check_parts(const WorldState& w, Findings& findings) {
     if (findings.result()) return;
     const size_t n = w.shapes.size();
@@ -154,8 +155,8 @@ void check_parts(const WorldState& w, Findings& findings) {
     }
 }
 
-/// The shape has as many vertices as its type has, and no more than the code for its kind can
-/// process.
+/// Checks the number of vertices: it must fit the type of the shape, and must not exceed the limit
+/// of the code for its kind.
 bool counts_its_vertices(const ShapeForm& form, ShapeType type) {
     const uint32_t count = form.count;
     if (form.kind == FormKind::border) return type == ShapeType::border;
@@ -262,7 +263,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
                          "a contact");
     findings.require(free_ones_end(w.contact_slots, w.contact_links), "free contacts");
     findings.require(w.pairs.is_walkable(uint32_t(n)), "the pairs");
-    // A contact in a list of a body or of awake contacts is in use.
+    // Checks that every contact in a list of a body or of awake contacts is in use.
     for (const BodyRecord& body : w.bodies)
         for (uint32_t e = body.first_contact; e != none;
              e = w.contact_links[e >> 1].edges[e & 1].next)
@@ -272,7 +273,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
         findings.require(c.shape_a != none && c.awake_index == i, "the awake contacts");
     }
     if (findings.result()) return;
-    // A shape that collides has a form; the border is always the first of two shapes.
+    // Checks that a shape that collides has a form; the border is always the first of two shapes.
     for (const ContactRecord& c : w.contacts)
         findings.require(c.shape_a == none || (w.is_solid(c.shape_a) && w.is_solid(c.shape_b) &&
                                                w.forms[c.shape_b].kind != FormKind::border),
@@ -335,7 +336,7 @@ void check_lists(const WorldState& w, Findings& findings) {
                          are_optionals(s.bounds),
                      "the settings");
     if (findings.result()) return;
-    // Every sleeping body is in an island, and the island lists it.
+    // Checks that every sleeping body is in an island, and that the island lists it.
     size_t sleepers = 0;
     for (uint32_t i = 0; i < w.islands.size(); ++i) {
         w.for_each_asleep(i, [&](uint32_t body) {
@@ -348,7 +349,7 @@ void check_lists(const WorldState& w, Findings& findings) {
         sleepers -= body.island != none;
     }
     findings.require(sleepers == 0, "an island");
-    // Each awake body has the index of its place in the list.
+    // Checks that each awake body stores its index in the list.
     size_t awake = 0;
     for (const BodyRecord& body : w.bodies) awake += body.solver_index != 0;
     findings.require(awake == w.awake_bodies.size(), "the awake bodies");

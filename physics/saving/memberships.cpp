@@ -1,3 +1,5 @@
+// Checks that redundant lists of a deserialized world agree.
+
 #include <saving/saved_world.h>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ Fault check_slot_lists(const std::string& kind, const std::vector<Record>& recor
     return {};
 }
 
-/// Number of edges in the list of a body; none if an edge is not one of this body.
+/// Number of edges in the list of a body; `none` if an edge belongs to another body.
 template <class Edge, class Body>
 uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
     uint32_t count = 0, previous = none;
@@ -65,12 +67,12 @@ Fault check_bodies(const WorldState& data) {
         if (data.body_generations[body] == 0) {
             if (record.solver_index != 0 || record.first_shape != none ||
                 record.first_contact != none || record.first_joint != none)
-                return "body " + number(body) + " is gone and has not let go";
+                return "body " + number(body) + " is destroyed but still linked";
             continue;
         }
         live += body != 0;
         if ((record.mass_dirty || record.placement_dirty) && !record.listed)
-            return "body " + number(body) + " is out of date and nobody knows";
+            return "body " + number(body) + " is out of date but not listed";
         if (record.solver_index != 0) {
             ++awake;
             if (record.island != none)
@@ -100,13 +102,13 @@ Fault check_shapes(const WorldState& data) {
         if (data.shape_generations[shape] == 0) {
             if (data.forms[shape].body != none || record.proxy != Tree::none ||
                 record.owner != none || record.capacity != 0)
-                return "shape " + number(shape) + " is gone and has not let go";
+                return "shape " + number(shape) + " is destroyed but still linked";
             continue;
         }
         live += record.owner == none;
         on_bodies += data.forms[shape].body != none;
         if (record.geometry_dirty && !record.listed)
-            return "shape " + number(shape) + " is out of date and nobody knows";
+            return "shape " + number(shape) + " is out of date but not listed";
         if (record.proxy == Tree::none) continue;
         ++proxies;
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
@@ -186,7 +188,7 @@ Fault check_contacts(const WorldState& data) {
     return {};
 }
 
-/// Every joint is in the lists of both its bodies.
+/// Checks that every joint is in the lists of both its bodies.
 Fault check_joints(const WorldState& data) {
     uint32_t live = 0, edges = 0, awake = 0;
     for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {

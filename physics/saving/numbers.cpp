@@ -1,3 +1,5 @@
+// Checks of the numbers of a deserialized world.
+
 #include <checks/arguments.h>
 #include <saving/saved_world.h>
 #include <state/joint_kind.h>
@@ -9,7 +11,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-using detail::check;  // of definitions and geometries
+using detail::check;  // the functions for definitions and geometries
 
 template <class... Number>
 bool are_finite(Number... numbers) {
@@ -21,8 +23,8 @@ bool is_finite(V2 v) {
 bool is_finite(const Box4& box) {
     return is_finite(box.low) && is_finite(box.high);
 }
-/// True for an amount, which may be infinite: an infinite mass, or a time of rest beyond the range
-/// of a float.
+/// True for a valid amount. It may be infinite: an infinite mass, or a resting time beyond the
+/// range of a float.
 bool is_amount(float value) {
     return value >= 0.0f;
 }

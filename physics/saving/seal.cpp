@@ -5,11 +5,12 @@
 namespace fettle::physics::detail {
 namespace {
 
-constexpr size_t words = 8;  // of a block: so many sums are computed in parallel, in vectors
+constexpr size_t words = 8;  // per block; this number of sums is computed in parallel, in vectors
 
-/// The sums over the blocks. `mixed` is one to one in the word and in its value before, so that a
-/// different word always leaves a difference; only the next word of the same sum could cancel it,
-/// and then it stays in `sum`.
+/// The sums over the blocks. `mixed` is a one-to-one function of the word for a fixed previous
+/// value, and of the previous value for a fixed word. So a changed word always leaves a difference
+/// in `mixed`. Only the next word of the same sum could cancel it; then the difference remains in
+/// `sum`.
 struct Sums {
     uint64_t mixed[words] = {1, 2, 3, 4, 5, 6, 7, 8};
     uint64_t sum[words] = {};

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-// Checks all invariants of a world; compares every shape with every other.
+// Checks all invariants of a world. Compares every shape with every other one.
 
 namespace fettle::physics {
 
@@ -43,7 +43,7 @@ Fault check_trees(const WorldData& data) {
     return {};
 }
 
-/// All pairs whose fat boxes overlap must have a contact: compares all pairs.
+/// Checks that all pairs with overlapping fat boxes have a contact. Compares all pairs.
 Fault check_pairs(const WorldData& data) {
     if (!data.edited_bodies.empty() || !data.moved_shapes.empty()) return {};
     for (uint32_t a = 4; a < data.shapes.size(); ++a) {

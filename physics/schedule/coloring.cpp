@@ -7,14 +7,14 @@
 #include <bit>
 #include <utility>
 
-// Threads share out ranges of the contact records. Threads share out the coloring, where the color
-// of a contact depends on the contacts before it, by nodes; it reads the short list of acting
-// contacts only.
+// Two parallel stages. In the first, threads share ranges of the contact records. In the coloring,
+// the color of a contact depends on the contacts before it, so threads share nodes; the coloring
+// reads only the short list of acting contacts.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// The first colors are of contacts between two moving bodies. Contacts with a fixed body have the
+/// The first colors are for contacts between two moving bodies. Contacts with a fixed body have the
 /// other colors: they are solved last, so that they are the most exact.
 constexpr int moving_colors = 48;
 constexpr int color_count = 64;
@@ -25,10 +25,10 @@ constexpr int end_of_colors(bool both_move) {
 /// Worlds with fewer contacts have one block: all their contacts fit into the cache.
 constexpr size_t least_for_blocks = 4000;
 
-/// Contacts that a thread takes at a time.
+/// Number of contacts in a task of a thread.
 constexpr size_t piece_length = 256;
 
-/// Stable sort. `nodes`: the nodes of the contacts, one bit each.
+/// Stable sort by node. `nodes`: the nodes of the contacts, one bit each.
 void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges& ranges) {
     if (std::has_single_bit(nodes)) {
         ranges.count(uint32_t(std::countr_zero(nodes)), uint32_t(contacts.size()));
@@ -43,9 +43,9 @@ void order_by_node(std::span<ActingContact> contacts, uint32_t nodes, NodeRanges
     std::copy_n(sorted.begin(), contacts.size(), contacts.begin());
 }
 
-/// Several threads share out a block with at least this many contacts and joints: with fewer, they
-/// would wait for each other for longer than they work. There are many blocks after the first, and
-/// each is solved by one thread unless it is large.
+/// Several threads share a block with at least this number of contacts and joints; with fewer, they
+/// would wait longer than they work. Behind the first block there are many others, and each is
+/// solved by one thread unless it is large.
 constexpr size_t least_shared_first = 1000, least_shared = 2 * SolverBlocks::enough_contacts;
 
 struct Coloring {
@@ -69,12 +69,13 @@ struct Coloring {
         }
     }
 
-    /// Greedy coloring, again in every step: a contact gets the lowest color that neither body has
-    /// yet. A contact for which no color is left is solved one at a time.
+    /// Greedy coloring, repeated in every step: a contact gets the lowest color that neither body
+    /// has yet. If no color is left, the contact is solved one at a time.
     void color_nodes(const StripNodes& nodes, std::vector<uint32_t>& left_over) {
         left_over.clear();
         if (nodes.begin < strips.first_leaf()) {
-            // Not solved at the same time as the nodes below: all colors are free again.
+            // Nodes are not solved at the same time as the nodes below them, so all colors are free
+            // again.
             for_each_acting_of(nodes, [&](const ActingContact& c) {
                 if (c.moves_a()) schedule.colors_of_body[c.a()] = 0;
                 if (c.moves_b()) schedule.colors_of_body[c.b()] = 0;
@@ -89,7 +90,7 @@ struct Coloring {
             const int color = first + std::countr_one(taken >> first);
             if (color >= end_of_colors(c.both_move())) {
                 c.serially = true;
-                if (c.hub != 0) schedule.hubs.give_up_copy(c);
+                if (c.hub != 0) schedule.hubs.use_hub_itself(c);
                 left_over.push_back(uint32_t(&c - acting.data()));
                 return;
             }
@@ -100,7 +101,8 @@ struct Coloring {
         });
     }
 
-    /// Threads that color different nodes count apart: contacts of several nodes may be in a block.
+    /// Threads that color different nodes have separate counts, because contacts of several nodes
+    /// may be in one block.
     void begin_counts() {
         schedule.color_begin.assign(
             schedule.cut_sections.owners() * color_count * schedule.first_groups.size(), 0);
@@ -123,7 +125,7 @@ struct Coloring {
         if (left_overs > 0 && blocks.size() > 1) unite_blocks();
     }
 
-    /// Only the first block has contacts that are solved one at a time.
+    /// Contacts that are solved one at a time require a single block.
     void unite_blocks() {
         make_blocks(false);
         make_sections();
@@ -134,14 +136,14 @@ struct Coloring {
         });
     }
 
-    /// One entry for the contacts of the same color and section that the same thread counts.
+    /// The index of the count for a color and section, for the thread that counts it.
     uint32_t entry_of(const ActingContact& c, uint32_t color) const {
         const size_t section =
             schedule.cut_sections.owner_of(c.node) * schedule.first_groups.size() + section_of(c);
         return uint32_t(section * color_count) + color;
     }
 
-    /// Decides which blocks several threads share out, and numbers the sections of all blocks.
+    /// Decides which blocks several threads share, and numbers the sections of all blocks.
     void make_sections() {
         const auto hands = uint32_t(threads != nullptr ? threads->at_a_time() : 1);
         const uint32_t parts = std::min(strips.count(), std::bit_floor(hands));
@@ -166,7 +168,7 @@ struct Coloring {
         return block.first_section + schedule.sections_of(block).of(c.node);
     }
 
-    /// The blocks of an earlier step are kept while no contact links two of them.
+    /// Keeps the blocks of an earlier step while no contact links two of them.
     void update_blocks() {
         size_t count = 0, serially = 0;
         bool linked = false;
@@ -184,7 +186,7 @@ struct Coloring {
         if (blocks.size() == 1) blocks[0].contacts = uint32_t(contacts.colored_count);
     }
 
-    /// `several`: each island is put whole into one of several blocks.
+    /// `several`: whole islands are distributed to several blocks.
     void make_blocks(bool several) {
         blocks.begin(uint32_t(awake_bodies.size()) + 1);
         blocks.remember(awake_bodies, several);
@@ -202,10 +204,10 @@ struct Coloring {
         if (blocks.are_mostly_one()) make_blocks(false);
     }
 
-    /// Gives each colored contact a lane of its color in its block.
+    /// Gives each colored contact a lane in the groups of its color in its block.
     void place_lanes() {
         contacts.spare_lanes.clear();
-        // From counts to the first lane of each color; every color begins a group of its own.
+        // Converts counts to the first lane of each color; every color begins a new group.
         uint32_t begin = 0, section = 0;
         const size_t owned = color_count * schedule.first_groups.size();
         for (size_t i = 0; i < blocks.size(); ++i) {
@@ -241,7 +243,7 @@ struct Coloring {
         });
     }
 
-    /// In the order of the nodes.
+    /// Lists the serial contacts in the order of the nodes.
     void list_serial() {
         contacts.serial_acting.clear();
         contacts.serial_nodes.clear();
@@ -263,7 +265,7 @@ struct Coloring {
 
 }  // namespace
 
-/// The list has gaps only between the pieces that threads fill.
+/// The list has gaps only between the pieces of different threads.
 void find_acting(const ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
                  const ScheduleScratch& schedule, ContactScratch& scratch, bool groups, float dt,
                  ThreadPool* threads) {

@@ -1,3 +1,5 @@
+// Cutting the world into strips, and sorting of lists by strips.
+
 #include <schedule/schedule.h>
 
 #include <algorithm>
@@ -6,24 +8,25 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Sampled bodies: with so many, the work of two halves differs by one or two per cent.
+/// Number of sampled bodies: with this number, the work of two halves differs by one or two
+/// percent.
 constexpr size_t sample_count = 1024;
 
-/// The usual number of neighbors of a body in a heap, at most, if it is no larger than the others.
+/// Maximum number of neighbors of a body in a heap of bodies of similar size.
 constexpr uint32_t usual_neighbors = 8;
 
-/// Steps between two cuts: within a few steps, bodies do not move far.
+/// Steps between two cuts. Bodies do not move far within a few steps.
 constexpr uint64_t cut_interval = 8;
 
-/// Steps after which the lists are put into the order of the strips again: few bodies change their
-/// strip in a step. The order within a strip lasts longer.
+/// Steps after which the lists are sorted by strips again; few bodies change their strip in a step.
+/// The order inside a strip stays useful for longer.
 constexpr uint64_t order_interval = 16, sort_interval = 64;
 
-/// Entries that a thread takes at a time, and the prefetch distance.
+/// Number of entries in a task of a thread, and the prefetch distance.
 constexpr size_t entries_at_a_time = 512, records_ahead = 8;
 
 /// Stable sort of a list of slots of `records`. `strip_of(slot)` is the sort key; `place(slot, i)`
-/// stores the new place. `placed`: the stored places are right before the sort.
+/// stores the new index. `placed`: the stored indices are correct before the sort.
 template <typename Records, typename StripOf, typename Place>
 void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32_t>& list,
                     bool placed, Records& records, StripOf&& strip_of, Place&& place) {
@@ -66,7 +69,7 @@ void cut_into_strips(const ObjectState& objects, const ActiveLists& active, bool
         return;
     }
     if (count == strips.count() && step % cut_interval != 0) return;
-    // Evenly spread, but at random distances: rows of bodies have a regular distance of their own.
+    // Evenly distributed, but at random distances, because rows of bodies have a regular distance.
     std::array<const BodyRecord*, sample_count> sampled;
     const size_t all = awake.size(), size = std::min(all, sample_count);
     uint32_t random = 0x9e3779b9u;
@@ -79,7 +82,8 @@ void cut_into_strips(const ObjectState& objects, const ActiveLists& active, bool
     std::array<StripSample, sample_count> samples;
     for (size_t i = 0; i < size; ++i) {
         const BodyRecord& body = *sampled[i];
-        // A body with many neighbors, such as a platform, counts no more than a body in a heap.
+        // A body with many neighbors, such as a platform, has at most the weight of a body in a
+        // heap.
         const uint32_t neighbors = std::min(body.contact_count + body.joint_count, usual_neighbors);
         samples[i] = {body.center, float(1 + neighbors)};
     }
@@ -98,7 +102,7 @@ void order_lists(ObjectState& objects, ActiveLists& active, const Strips& strips
                            auto&& strip_of_one, auto&& place) {
         order_by_strip(threads, reordering, list, placed, records, strip_of_one, place);
     };
-    // The bodies of a strip in their order in memory.
+    // The bodies of a strip in the order of their memory.
     const bool in_order = step % sort_interval != 0 || std::ranges::is_sorted(active.awake_bodies);
     if (!in_order) std::ranges::sort(active.awake_bodies);
     order(

@@ -1,13 +1,15 @@
+// Search for hubs among the awake bodies.
+
 #include <schedule/schedule.h>
 
 namespace fettle::physics::detail {
 namespace {
 
-/// How many contacts of a body are examined, and how many of these must be with a much lighter
-/// body.
+/// Number of contacts of a body that are examined, and how many of these must be with a much
+/// lighter body.
 constexpr uint32_t looked_at = 16, enough_of_them = 12;
 
-/// Inverse of the mass that a push at the rim moves, by translation and rotation together.
+/// Inverse of the mass that a push at the rim accelerates, by translation and rotation together.
 float inverse_mass_at_rim(const BodyRecord& record) {
     return record.inverse_mass + record.inverse_inertia * record.extent * record.extent;
 }

@@ -3,12 +3,12 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A path whose bend in a step is smaller is straight, m.
+/// A path with a smaller bend in a step counts as straight, m.
 constexpr float negligible_bend = 5e-5f;
 
 }  // namespace
 
-/// The cores are half a gap and a radius away from the anchors, along the normal.
+/// The distance of the cores from the anchors along the normal is half the gap plus the radius.
 Corner corner_of(const ObjectState& objects, const ContactRecord& record) {
     const Manifold& m = record.manifold;
     const ManifoldPoint& point = m.points[0];

@@ -3,8 +3,8 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Decides which contacts are solved one at a time because of the possible or the actual motion of
-// their bodies.
+// Decides which contacts are solved one at a time because of possible or actual motions of their
+// bodies.
 
 namespace fettle::physics::detail {
 
@@ -20,9 +20,9 @@ inline bool on_locked_axis(const ObjectState& objects, const BodyScratch& bodies
 /// The path of the cores around a corner.
 Corner corner_of(const ObjectState& objects, const ContactRecord& contact);
 
-/// The contact passes a corner so fast that its path bends noticeably within the step. False for
-/// two circles, which meet in slow heaps, and for corners without rounding, which have no path
-/// around them.
+/// Whether the contact passes a corner so fast that its path bends noticeably within the step.
+/// False for two circles, which meet in slow heaps, and for corners without rounding, which have no
+/// path around them.
 bool passes_corner(const ObjectState& objects, const BodyScratch& bodies,
                    const ContactRecord& contact, float dt);
 

@@ -1,6 +1,6 @@
-// Included by one source file for each instruction set, which defines FETTLE_LANES before: 4, 8 or
-// 16. Everything is in an unnamed namespace, so that no code for one instruction set is ever linked
-// into another.
+// Vectors of `FETTLE_LANES` floats. One source file per instruction set includes this file and
+// defines FETTLE_LANES before: 4, 8 or 16. Everything is in an unnamed namespace, so that code for
+// one instruction set is never linked into another.
 #pragma once
 
 #include <cmath>
@@ -59,7 +59,7 @@ inline WideInt as_int(Wide v) {
 inline Wide as_float(WideInt v) {
     return reinterpret_cast<Wide>(v);
 }
-/// The lanes in which a comparison holds, a bit each.
+/// The lanes in which a comparison is true, one bit each.
 inline uint32_t bits(WideInt v) {
 #if FETTLE_LANES == 16 && defined(__AVX512DQ__)
     return _mm512_movepi32_mask(reinterpret_cast<__m512i>(v));
@@ -79,7 +79,7 @@ inline bool any(WideInt v) {
 
 #define FETTLE_SHUFFLE __builtin_shufflevector
 
-/// In each 128 bits by itself: what the first elements of four vectors are becomes one vector.
+/// Transposes each 128 bits by itself: the first elements of four vectors become one vector.
 inline void transpose_quads(Wide& a, Wide& b, Wide& c, Wide& d) {
 #if FETTLE_LANES == 16
 #define FETTLE_LOW 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29
@@ -111,7 +111,7 @@ inline void transpose_quads(Wide& a, Wide& b, Wide& c, Wide& d) {
 #undef FETTLE_ODD
 }
 
-/// Four floats of every fourth lane, from k on: `at(lane)` says where they are.
+/// Four floats of every fourth lane, beginning with lane k; `at(lane)` returns their address.
 template <typename At>
 inline Wide quads_of(int k, At&& at) {
     Quad part[width / 4];
@@ -127,7 +127,7 @@ inline Wide quads_of(int k, At&& at) {
 #endif
 }
 
-/// The four floats from 4·i on.
+/// The four floats beginning with 4·i.
 template <int i>
 inline Quad quad(Wide v) {
     return FETTLE_SHUFFLE(v, v, 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3);
@@ -143,7 +143,7 @@ inline Columns4 gather4(At&& at) {
     transpose_quads(r.a, r.b, r.c, r.d);
     return r;
 }
-/// Writes them back, four floats for each lane.
+/// Writes the vectors back, four floats for each lane.
 template <typename At>
 inline void scatter4(Columns4 r, At&& at) {
     transpose_quads(r.a, r.b, r.c, r.d);

@@ -52,8 +52,7 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
     for (uint32_t member : members) {
         objects.for_each_contact(member, [&](uint32_t contact) {
             if (objects.contacts[contact].awake_index != none) return;
-            objects.contacts[contact].awake_index = 0;  // so that the other body does not add it
-                                                        // again
+            objects.contacts[contact].awake_index = 0;  // the other body must not add it
             woken.push_back(contact);
         });
     }
@@ -72,7 +71,7 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
 
 void wake_touching(const Activity& activity, uint32_t body) {
     ObjectState& objects = activity.objects;
-    // Waking changes no contact list, so the loop may go on.
+    // Waking does not change the lists of contacts, so the loop stays valid.
     objects.for_each_contact(body, [&](uint32_t contact) {
         if (objects.contacts[contact].manifold.count > 0)
             wake_body(activity, objects.other_body(contact, body));
@@ -133,7 +132,7 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
     }
 }
 
-/// Removes sleeping objects from the lists. One pass over each list keeps its order; removing
+/// Removes sleeping objects from the lists. One pass over each list keeps the order; removing
 /// entries one by one would not.
 void compact_awake(ObjectState& objects, ActiveLists& active) {
     size_t kept = 0;

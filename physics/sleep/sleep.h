@@ -5,14 +5,14 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Sleeping. Awake objects are listed; a sleeping body is in an island with all bodies that fell
-// asleep with it, costs nothing in a step, and wakes with the whole island. Islands are found by
+// Sleeping. Awake objects are listed. A sleeping body is in an island with all bodies that fell
+// asleep with it; it costs nothing in a step and wakes with the whole island. Islands are found by
 // union-find over the active contacts and joints, and only in steps in which some body has rested
-// long enough: keeping them up to date all the time would cost more.
+// long enough: permanent updates would cost more.
 
 namespace fettle::physics::detail {
 
-/// The data that waking and falling asleep change, and the list for their events.
+/// Data that change when objects wake or fall asleep, and the list for their events.
 struct Activity {
     ObjectState& objects;
     Columns& columns;
@@ -38,18 +38,18 @@ void wake_all(const Activity& activity);
 /// The lists of awake objects still contain these bodies until `compact_awake`.
 void put_to_sleep(const Activity& activity, std::span<const uint32_t> bodies);
 void compact_awake(ObjectState& objects, ActiveLists& active);
-/// The body with all bodies that it touches or is joined to.
+/// Puts the body to sleep with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
 /// `candidates`: number of bodies that have rested long enough.
 void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
                            uint64_t step);
 /// For solvers that correct positions without velocities: a body that was pushed farther than `way`
-/// (m) in the step does not rest.
+/// (m) in the step is not at rest.
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
                        float way);
 
 void leave_island(ObjectState& objects, uint32_t body);
-/// True if the body is awake, and not at rest if it moves on its own.
+/// True if the body is awake; a body that moves on its own must also have a velocity.
 bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body);
 
 }  // namespace fettle::physics::detail

@@ -4,14 +4,14 @@
 
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
-// other, but the effect of the first on the relative velocity of the second is known before
-// (`coupling`), so that both velocities are read at once and the chain of dependent operations is
+// other, but the effect of the first on the relative velocity of the second is computed in advance
+// (`coupling`). So both velocities are read at once, and the chain of dependent operations is
 // short.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Velocities of the two bodies of a contact, in registers while it is solved.
+/// Velocities of the two bodies of a contact; they stay in registers while it is solved.
 struct SolvedPair {
     V2 va, vb;
     float wa, wb;
@@ -37,7 +37,7 @@ struct SolvedPair {
         vb.y += mb.y * p * direction.y;
         wb += ib * angular_b;
     }
-    /// Does not write a body that no impulse moves: other threads may read it.
+    /// Does not write a body that no impulse moves, because other threads may read it.
     void store(SolverBody& a, SolverBody& b) const {
         if (a.inverse_mass != 0.0f || ia != 0.0f) {
             a.velocity = va;
@@ -50,8 +50,8 @@ struct SolvedPair {
     }
 };
 
-/// Total normal impulse that a point should have. Biased: soft where the shapes overlap. Where they
-/// are apart: the point may just close the gap.
+/// Total normal impulse of a point. Biased: soft if the shapes overlap; otherwise the gap may
+/// close, but not more.
 struct NormalRow {
     float bias = 0.0f;
     float mass = 0.0f;
@@ -83,8 +83,8 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
     float v1 = approach + (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
     if (c.count == 1) {
         if (corner != nullptr) {
-            // The gap may be closed along the normal as fast as the path around the corner opens
-            // it.
+            // The velocity along the normal may close the gap as fast as the path around the corner
+            // opens it.
             const float h = 1.0f / inverse_h, opened = s1 - p.separation;
             const float gap = corner_gap(*corner, n, a, b, pair, opened, 0.0f);
             const float later = corner_gap(*corner, n, a, b, pair, opened + h * v1, h);
@@ -234,7 +234,8 @@ struct Bounce {
         for (int k = 0; k < 2; ++k)
             if (meets[k]) impulses[k] = -c.points[k].normal_mass * (1.0f + share) * v[k];
         if (!meets[0] || !meets[1]) return;
-        // Solves both points together: one after the other, the first would make the body spin.
+        // Solves both points together. Solved one after the other, the first would make the body
+        // spin.
         const float k11 = 1.0f / c.points[0].normal_mass, k22 = 1.0f / c.points[1].normal_mass;
         const float k12 = c.coupling_normal, determinant = k11 * k22 - k12 * k12;
         if (!(determinant > 1e-4f * k11 * k22)) {
@@ -247,8 +248,8 @@ struct Bounce {
             impulses[0] = p1;
             impulses[1] = p2;
         } else {
-            impulses[v[0] < v[1] ? 1 : 0] = 0.0f;  // the impulse of the other point reverses the
-                                                   // slower one, too
+            // The impulse of the other point also reverses the slower one.
+            impulses[v[0] < v[1] ? 1 : 0] = 0.0f;
         }
     }
 };
@@ -258,7 +259,7 @@ struct Bounce {
 bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
     bool any = false;
     for (const ContactConstraint& c : constraints) {
-        // No body has changed since the last pass.
+        // Neither body has changed since the last pass.
         if (pass > 1 && changed[c.a] + 1 < pass && changed[c.b] + 1 < pass) continue;
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];

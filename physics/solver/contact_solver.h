@@ -16,22 +16,22 @@ struct ContactSolver {
     float push_speed = 3.0f;
     float restitution_threshold = 1.0f;
 
-    /// Called before the sub-steps, which compute no bounces: contacts whose shapes approach fast
-    /// enough within `dt` (s) leave with their restitution times that speed, pair by pair, pass
-    /// after pass (`pass` = 1, 2, …) until no pair approaches: then returns false. So a blow goes
-    /// through a row of bodies in one step without loss. `changed`, by body: the last pass that
-    /// changed it; 0 at the start.
+    /// Called before the sub-steps, which compute no bounces. Contacts whose shapes approach fast
+    /// enough within `dt` (s) get their restitution times that speed as separation speed, pair by
+    /// pair and pass after pass (`pass` = 1, 2, …). Returns false when no pair approaches any more.
+    /// So a blow passes through a row of bodies in one step without loss. `changed`, by body: the
+    /// last pass that changed it; 0 at the start.
     bool bounce(float dt, uint8_t pass, std::span<uint8_t> changed);
-    /// The longest row of bodies that a blow goes through in a step.
+    /// Maximum length of the row of bodies that a blow passes through in a step.
     static constexpr uint8_t most_passes = 32;
     void warm_start();
-    /// Soft: overlap is pushed out at a bias velocity. Normal directions only.
+    /// Soft: overlapping shapes separate at a bias velocity. Normal directions only.
     void solve_biased();
-    /// After the positions changed: removes the bias velocity, then applies friction and rolling
-    /// resistance. Tall stacks stand because friction acts in this pass only.
+    /// Called after the positions changed: removes the bias velocity, then applies friction and
+    /// rolling resistance. Friction acts in this pass only, which makes tall stacks stand.
     void relax();
-    /// After all sub-steps, for hits that `bounce` did not predict: shapes that hit fast enough
-    /// leave with their restitution times the approach velocity.
+    /// Called after all sub-steps, for hits that `bounce` did not predict: shapes that hit fast
+    /// enough get their restitution times the approach velocity as separation velocity.
     void restitute();
 
   private:

@@ -10,12 +10,12 @@
 // The direct solver: in each sub-step all joints and contacts of an island are solved at once,
 // twice.
 //
-// 1. velocities change by the forces; 2. biased: impulses that remove a fifth of every error within
-// the sub-step; 3. bodies move; 4. relaxed: the same rows at the new poses, without the correction,
-// so that it does not stay in the velocities. (As in the soft step, the bias bends a path to a
-// circle, and pendulums keep their energy.)
+// 1. Velocities change by the forces. 2. Biased: impulses that remove a fifth of every error within
+// the sub-step. 3. Bodies move. 4. Relaxed: the same rows at the new poses, without the correction,
+// so that the correction does not stay in the velocities. (As in the soft step, the bias bends a
+// path to a circle, and pendulums keep their energy.)
 //
-// At the end of the step fast hits bounce: as 4, with v_n = -e·(approach).
+// At the end of the step fast hits bounce: like 4, with v_n = -e·(approach).
 
 namespace fettle::physics::detail {
 namespace {
@@ -38,7 +38,7 @@ class DirectSolver {
 
     void pass(DirectPass pass) {
         write(pass);
-        // The impulse of a bounce replaces that of the last sub-step, which is counted already.
+        // The impulse of a bounce replaces that of the last sub-step, which was counted already.
         if (pass == DirectPass::bounced) {
             for_each_extra([](const ContactConstraint& c, ContactExtra& extra) {
                 for (int k = 0; k < c.count; ++k) extra.total[k] -= c.points[k].normal_impulse;
@@ -68,7 +68,7 @@ class DirectSolver {
                 std::sqrt(double(body.inverse_inertia))};
     }
 
-    /// Every pass writes the same rows in the same order, with other numbers.
+    /// Every pass writes the same rows in the same order, with different numbers.
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
         follow_curved_contacts(input_);
@@ -92,7 +92,8 @@ class DirectSolver {
         return s.x > 0.0 || s.y > 0.0 || s.turn > 0.0;
     }
 
-    /// Finds islands by union-find: the lowest body is the root, so that their order is fixed.
+    /// Finds islands by union-find. The body with the lowest index is the root, so the order of the
+    /// islands is fixed.
     void find_problems() {
         const auto count = uint32_t(scales_.size());
         std::vector<uint32_t> parent(count);

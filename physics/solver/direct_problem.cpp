@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-// All impulses of an island at once. With v the velocities of its bodies, v₀ before the impulses, M
-// their masses and J the Jacobian of its rows, each row i wants
+// Computes all impulses of an island at once. Let v be the velocities of its bodies, v₀ those
+// before the impulses, M their masses and J the Jacobian of its rows. Each row i requires
 //
 //     M·(v - v₀) = Jᵀ·λ,   λᵢ = clamp(-(dᵢ·(J·v)ᵢ + fᵢ), lowᵢ, highᵢ).                          (1)
 //
@@ -19,23 +19,24 @@
 //     (I + Σ dᵢ·ĵᵢᵀ·ĵᵢ)·u = Σ_bound ĵᵢᵀ·λᵢ - Σ_free ĵᵢᵀ·(dᵢ·(J·v₀)ᵢ + fᵢ),   ĵ = J·M^(-½),
 //
 // whose matrix is as sparse as the graph of contacts and joints, symmetric, and positive definite
-// even if rows are redundant: a sparse Cholesky factorization with three unknowns a body. It begins
-// with the sets of the pass before, which are right in most cases. (M. Anitescu and F. Potra,
-// "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
-// complementarity problems", 1997, for the problem; L. Qi and J. Sun, "A nonsmooth version of
-// Newton's method", 1993, for the method. Changing all rows that are in a wrong state at once,
-// without a line search, cycles where contacts are redundant, as in a pyramid of ten rows.)
+// whose matrix is as sparse as the graph of contacts and joints, symmetric, and positive definite
+// even if rows are redundant: a sparse Cholesky factorization with three unknowns per body. The
+// search begins with the sets of the previous pass, which are correct in most cases. (M. Anitescu
+// and F. Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable
+// linear complementarity problems", 1997, for the problem; L. Qi and J. Sun, "A nonsmooth version
+// of Newton's method", 1993, for the method. Changing all rows in a wrong state at once, without a
+// line search, cycles if contacts are redundant, as in a pyramid of ten rows.)
 //
-// Where very stiff rows begin and cease to act within a tiny range of velocity, a Newton step goes
-// too far and the line search stops it at once. Then a few sweeps of Gauss-Seidel find the rows
-// that push, and the problem is solved in rounds, with a millionth of the rigidity at first, and
-// rows keep the impulse λ' of the last round: λᵢ = clamp(λ' - dᵢ·…), the method of multipliers
-// (M. Hestenes and M. Powell, 1969). Rigidity grows while that takes few Newton steps, until rigid
+// If very stiff rows begin and cease to act within a tiny range of velocity, a Newton step goes too
+// far and the line search stops it at once. Then a few sweeps of Gauss-Seidel find the rows that
+// push, and the problem is solved in rounds, with a millionth of the rigidity at first. Rows keep
+// the impulse λ' of the last round: λᵢ = clamp(λ' - dᵢ·…), the method of multipliers (M. Hestenes
+// and M. Powell, 1969). The rigidity increases while a round takes few Newton steps, until rigid
 // rows leave less than 10⁻⁵ m/s. Heavy chains are solved with full rigidity in one or two steps;
-// piles, where hundreds of rows are near a bound, never are.
+// piles, in which hundreds of rows are near a bound, never are.
 //
-// Friction bounds follow the normal impulses from round to round, with the mean of old and new
-// after some rounds. Bounds that have not settled after ten rounds are used as they are.
+// Friction bounds follow the normal impulses from round to round; after some rounds, the mean of
+// old and new bounds is used. Bounds that have not settled after ten rounds are used as they are.
 
 namespace fettle::physics::detail {
 namespace {
@@ -44,24 +45,25 @@ namespace {
 constexpr size_t most_bodies = 500;
 constexpr int most_first_steps = 6, most_steps = 15, most_factorizations = 120;
 constexpr int most_rounds = 25, most_friction_rounds = 9;
-/// Share of the rigidity of rows with which the search begins when no solution is found at once.
+/// Share of the rigidity of rows with which the search begins if no solution is found at once.
 constexpr double softest = 3e-6;
-/// Velocities that rigid rows may leave, m/s: a good result, and a result that is accepted when
-/// there is no time left. Changes of friction bounds that change velocities by less do not matter.
-constexpr double tolerance = 1e-5, bearable = 1e-3;
-/// If the rows leave a higher velocity than this, m/s, the search does not begin from there, but
-/// from the impulses of the pass before.
+/// Velocities that rigid rows may leave, m/s: `tolerance` for a good result, `acceptable` for a
+/// result that is accepted when the limit of work is reached. Changes of friction bounds that
+/// change velocities by less are ignored.
+constexpr double tolerance = 1e-5, acceptable = 1e-3;
+/// If the rows leave a higher velocity than this, m/s, the search begins from the impulses of the
+/// previous pass instead.
 constexpr double worst_begin = 1e-2;
 /// Number of sweeps, which depends on the number of rows, and the change of velocities that ends
 /// them, m/s.
 constexpr int first_sweeps = 20, least_sweeps = 40, most_sweeps = 200;
 constexpr size_t most_visits = 100'000;
 constexpr double settled_change = 1e-7;
-/// Friction bounds are found to this share of the bound, or of a tenth of the largest bound.
+/// Relative tolerance of friction bounds; the minimum reference is a tenth of the largest bound.
 constexpr double bound_tolerance = 3e-3;
-/// Multiplications of all problems in a step of the world, shared by their rows: a few tenths of a
-/// second. `least_work`: what a small problem may always use; `work_of_row`: additional work of a
-/// factorization for each row.
+/// Limit of multiplications of all problems in a step of the world, distributed by rows: a few
+/// tenths of a second. `least_work`: minimum for a small problem; `work_of_row`: additional work of
+/// a factorization per row.
 constexpr double most_work = 2e8, least_work = 1e6, work_of_row = 200.0;
 
 }  // namespace
@@ -79,8 +81,8 @@ DirectProblem::DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t>
     work_left_ = std::max(least_work, most_work * double(rows_.size()) / double(all.size()));
 }
 
-/// Finds the nonzero entries of the matrix: a block of 3 × 3 for each body and for each two bodies
-/// that a row joins.
+/// Finds the nonzero entries of the matrix: a block of 3 × 3 for each body, and for each two bodies
+/// with a common row.
 void DirectProblem::analyze() {
     std::vector<Eigen::Triplet<double>> entries;
     for (int32_t body = 0; body < int32_t(bodies_.size()); ++body) {
@@ -142,8 +144,8 @@ double DirectProblem::allowed(size_t i, double velocity) {
     return std::min(std::max(wanted(i, velocity), row(i).low), row(i).high);
 }
 
-/// Reads rows and velocities. The search begins with the impulses of the pass before.
-void DirectProblem::take(std::span<const MassScale> scales,
+/// Reads rows and velocities. The search begins with the impulses of the previous pass.
+void DirectProblem::read(std::span<const MassScale> scales,
                          std::span<const SolverBody> solver_bodies, bool applied) {
     before_.setZero();
     for (size_t i = 0; i < lines_.size(); ++i) {
@@ -171,8 +173,8 @@ void DirectProblem::take(std::span<const MassScale> scales,
 }
 
 /// Writes impulses and velocities.
-void DirectProblem::give(std::span<const MassScale> scales,
-                         std::span<SolverBody> solver_bodies) const {
+void DirectProblem::write(std::span<const MassScale> scales,
+                          std::span<SolverBody> solver_bodies) const {
     for (const uint32_t i : rows_) all_[i].keep();
     for (size_t i = 0; i < bodies_.size(); ++i) {
         SolverBody& body = solver_bodies[bodies_[i]];
@@ -236,7 +238,7 @@ void DirectProblem::assemble() {
     }
 }
 
-/// A row at its bound whose pull is within the rounding error keeps its state: a pull that changes
+/// A row at its bound keeps its state if its pull is within the rounding error: a pull that changes
 /// a velocity of 1 m/s by 10⁻⁷.
 DirectProblem::State DirectProblem::next_state(size_t i, double velocity) {
     const double impulse = wanted(i, velocity);
@@ -258,7 +260,7 @@ DirectProblem::State DirectProblem::next_state(size_t i, double velocity) {
     return impulse >= high ? State::high : State::free;
 }
 
-/// The step along `direction` from u: to the minimum of the function, or all the way.
+/// The length of the step from u along `direction`: to the minimum of the function, at most 1.
 double DirectProblem::step_length(const Eigen::VectorXd& direction) {
     for (Line& line : lines_) {
         line.velocity = line.base + along(line, u_);
@@ -293,7 +295,7 @@ double DirectProblem::work_of_factorization() const {
     return work;
 }
 
-/// Factorizations that this problem may still make in a pass.
+/// Number of factorizations that this problem may still make in a pass.
 int DirectProblem::affordable() const {
     if (work_ == 0.0) return most_factorizations;
     return int(std::clamp(work_left_ / work_, 0.0, double(most_factorizations)));
@@ -320,7 +322,7 @@ bool DirectProblem::solve_boxed(int most) {
             return true;
         }
         trial_ -= u_;
-        // The first step has no earlier point to compare with, and goes all the way.
+        // The first step has no earlier point to compare with, so it uses the full length.
         u_ += (step == 0 ? 1.0 : step_length(trial_)) * trial_;
         for (size_t i = 0; i < lines_.size(); ++i)
             lines_[i].state = next_state(i, lines_[i].base + along(lines_[i], u_));
@@ -328,8 +330,8 @@ bool DirectProblem::solve_boxed(int most) {
     return false;
 }
 
-/// Computes impulses from velocities, then the bounds that depend on impulses. True when the bounds
-/// were right.
+/// Computes impulses from velocities, then the bounds that depend on impulses. True if the bounds
+/// were correct.
 bool DirectProblem::update_bounds(bool average) {
     for (size_t i = 0; i < lines_.size(); ++i)
         row(i).impulse = allowed(i, lines_[i].base + along(lines_[i], u_));
@@ -368,12 +370,12 @@ bool DirectProblem::update_bounds(bool average) {
     return settled;
 }
 
-/// Guesses the first states from the current impulses.
+/// Chooses the first states from the current impulses.
 void DirectProblem::guess_states() {
     for (size_t i = 0; i < lines_.size(); ++i) {
         Line& line = lines_[i];
-        // A row without an impulse is free if its shapes approach. A row whose impulse is nearly at
-        // a bound is at the bound: the impulse was stored in single precision.
+        // A row without an impulse is free if its shapes approach. A row whose impulse is almost at
+        // a bound is at the bound, because the impulse was stored in single precision.
         const double impulse = line.memory != 0.0 ? line.memory : wanted(i, line.base);
         const double nearly = 1e-6 * std::fabs(impulse);
         line.state = impulse - nearly <= row(i).low    ? State::low
@@ -382,7 +384,7 @@ void DirectProblem::guess_states() {
     }
 }
 
-/// The remaining velocities that rigid rows should have stopped, m/s.
+/// The largest velocity that a rigid row should have stopped, m/s.
 double DirectProblem::residual() {
     double worst = 0.0;
     for (size_t i = 0; i < lines_.size(); ++i) {
@@ -395,7 +397,7 @@ double DirectProblem::residual() {
 
 bool DirectProblem::solve_exactly() {
     least_left_ = worst_begin;
-    if (bodies_.size() > most_bodies || hopeless_) return false;
+    if (bodies_.size() > most_bodies || search_failed_) return false;
     if (!analyzed_) analyze();
     budget_ = affordable();
     share_ = begin_;
@@ -406,7 +408,7 @@ bool DirectProblem::solve_exactly() {
             if (budget_ == 0) break;
             begin_from_sweeps();
             share_ = share_ == 1.0 ? softest : 0.1 * share_;
-            begin_ = softest;  // for the rest of the step
+            begin_ = softest;  // also for the rest of the step
             guess_states();
             continue;
         }
@@ -425,9 +427,9 @@ bool DirectProblem::solve_exactly() {
     return false;
 }
 
-/// Projected Gauss-Seidel: used when there are too many bodies or no solution. Each row in turn
-/// gets the impulse that satisfies (1) for it alone. It begins with the best impulses that were
-/// found: velocities and impulses of an unfinished search do not match.
+/// Projected Gauss-Seidel: used if there are too many bodies or no solution. Each row in turn gets
+/// the impulse that satisfies (1) for this row alone. It begins with the best impulses found so
+/// far, because velocities and impulses of an unfinished search do not match.
 void DirectProblem::sweep(int most) {
     u_.setZero();
     share_ = 1.0;
@@ -457,7 +459,7 @@ void DirectProblem::sweep(int most) {
     }
 }
 
-/// If the rows of the pass before tell little, a few sweeps find the rows that push.
+/// If the rows of the previous pass are of little use, a few sweeps find the rows that push.
 void DirectProblem::begin_from_sweeps() {
     sweep(first_sweeps);
     for (size_t i = 0; i < lines_.size(); ++i) lines_[i].memory = row(i).impulse;
@@ -466,15 +468,15 @@ void DirectProblem::begin_from_sweeps() {
 bool DirectProblem::solve(std::span<DirectRow> all, std::span<const MassScale> scales,
                           std::span<SolverBody> solver_bodies, bool applied) {
     all_ = all;
-    take(scales, solver_bodies, applied);
+    read(scales, solver_bodies, applied);
     const bool solved = solve_exactly();
     if (!solved) {
-        // Not tried again in this step, which would take a hundred times as long.
-        hopeless_ = least_left_ > bearable;
+        // The search is not repeated in this step; it would take a hundred times as long.
+        search_failed_ = least_left_ > acceptable;
         sweep(std::clamp(int(most_visits / lines_.size()), least_sweeps, most_sweeps));
     }
-    give(scales, solver_bodies);
-    return solved || least_left_ <= bearable;
+    write(scales, solver_bodies);
+    return solved || least_left_ <= acceptable;
 }
 
 }  // namespace fettle::physics::detail

@@ -12,14 +12,15 @@ namespace fettle::physics::detail {
 /// direct_problem.cpp.
 class DirectProblem {
   public:
-    /// `bodies` are solver bodies that move, `rows` indices of rows. The two ends of row i are at
-    /// `place[rows[i].a]` and `place[rows[i].b]` among the bodies, or -1 where nothing moves.
+    /// `bodies`: moving solver bodies; `rows`: indices of rows. The two ends of row i are at
+    /// `place[rows[i].a]` and `place[rows[i].b]` in the list of bodies, or -1 for an end that does
+    /// not move.
     DirectProblem(std::vector<uint32_t> bodies, std::vector<uint32_t> rows,
                   std::span<const DirectRow> all, std::span<const int32_t> place);
 
     /// Sets the impulses of the rows and the velocities of the bodies. `applied`: the velocities
-    /// already contain the current impulses of the rows. False when the problem was too large or no
-    /// solution was found: the result then comes from sweeps over the rows.
+    /// already contain the current impulses of the rows. False if the problem was too large or no
+    /// solution was found: then the result comes from sweeps over the rows.
     bool solve(std::span<DirectRow> all, std::span<const MassScale> scales,
                std::span<SolverBody> solver_bodies, bool applied);
 
@@ -32,17 +33,15 @@ class DirectProblem {
         double on_a[3], on_b[3];
         double base = 0.0;    ///< velocity without any impulse
         double memory = 0.0;  ///< impulse of the last round
-        double best = 0.0;    ///< impulse of the round with the smallest residual, at first of the
-                              ///< pass before
+        double best = 0.0;    ///< impulse of the round with the smallest residual
         State state = State::free;
-        double velocity = 0.0, ahead = 0.0;  ///< of a line search: velocity at its start, and
-                                             ///< change along its direction
+        double velocity = 0.0, ahead = 0.0;  ///< of a line search: at its start, and change
     };
 
     void analyze();
-    void take(std::span<const MassScale> scales, std::span<const SolverBody> solver_bodies,
+    void read(std::span<const MassScale> scales, std::span<const SolverBody> solver_bodies,
               bool applied);
-    void give(std::span<const MassScale> scales, std::span<SolverBody> solver_bodies) const;
+    void write(std::span<const MassScale> scales, std::span<SolverBody> solver_bodies) const;
     bool solve_exactly();
     bool solve_boxed(int most);
     void guess_states();
@@ -58,7 +57,7 @@ class DirectProblem {
     static double inverse_mass(const Line& line);
     double along(const Line& line, const Eigen::VectorXd& u) const;
     void add(const Line& line, double impulse, Eigen::VectorXd& to) const;
-    /// `wanted`: impulse of row i at a velocity; then that impulse within its bounds.
+    /// `wanted`: impulse of row i at a velocity. `allowed`: that impulse within its bounds.
     double wanted(size_t i, double velocity);
     double allowed(size_t i, double velocity);
     State next_state(size_t i, double velocity);
@@ -73,11 +72,9 @@ class DirectProblem {
     Eigen::SparseMatrix<double> matrix_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
     bool analyzed_ = false;
-    bool hopeless_ = false;
-    double share_ = 1.0, begin_ = 1.0;  ///< share of the rigidity of rows: current, and at the
-                                        ///< start
-    double work_left_ = 0.0;            ///< multiplications that the problem may still use in this
-                                        ///< step
+    bool search_failed_ = false;
+    double share_ = 1.0, begin_ = 1.0;  ///< share of rigidity: now, at the start
+    double work_left_ = 0.0;            ///< multiplications left in this step
     double work_ = 0.0;                 ///< multiplications of a factorization; 0: not yet computed
     int budget_ = 0;                    ///< factorizations that the problem may still make
     double least_left_ = 0.0;           ///< smallest `residual` of all rounds of this problem

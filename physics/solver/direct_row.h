@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-// Joints and contacts for the direct solver: rows, each a direction in which two bodies act on each
+// Joints and contacts for the direct solver. A row is a direction in which two bodies act on each
 // other.
 
 namespace fettle::physics::detail {
 
-/// Square roots of the inverse masses along x and y and of the inverse inertia: 0 where the body
-/// does not move.
+/// Square roots of the inverse masses along x and y and of the inverse inertia; 0 if the body does
+/// not move.
 struct MassScale {
     double x = 0.0, y = 0.0, turn = 0.0;
 };
@@ -24,7 +24,7 @@ struct Jacobian {
     uint32_t a = 0, b = 0;  ///< solver bodies
     double on_a[3] = {}, on_b[3] = {};
 
-    /// `direction` on b, its opposite on a, with the lever arms r×direction.
+    /// Acts with `direction` on b and its opposite on a, with the lever arms r×direction.
     static Jacobian along(const JointEnds& ends, V2 direction, float lever_a, float lever_b) {
         return along(ends.a, ends.b, direction, lever_a, lever_b);
     }
@@ -45,8 +45,8 @@ struct Jacobian {
     }
 };
 
-/// λ = clamp(-(stiffness·v + push), low, high): a stiff row holds v = -push/stiffness with any
-/// impulse that is needed, a spring has a low stiffness, a force has none.
+/// λ = clamp(-(stiffness·v + push), low, high). A stiff row holds v = -push/stiffness with any
+/// necessary impulse, a spring has a low stiffness, a force has stiffness 0.
 struct DirectRow {
     static constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -54,10 +54,11 @@ struct DirectRow {
     double stiffness = 0.0;
     double push = 0.0;
     double low = -no_limit, high = no_limit;
-    bool rigid = false;    ///< the row stands for an infinite stiffness: v is to be -push/stiffness
+    bool rigid = false;    ///< infinite stiffness: v must become -push/stiffness
     double impulse = 0.0;  ///< total impulse: of the pass before, then of this one
 
-    /// Friction: bounded by `friction` times the impulses of `bearers` rows from `bearer` on.
+    /// For friction: the bound is `friction` times the impulses of `bearers` rows, beginning with
+    /// `bearer`.
     uint32_t bearer = 0, bearers = 0;
     double friction = 0.0;
     /// Two consecutive rows whose impulses are a vector with a maximum length: the other row is the
@@ -69,8 +70,7 @@ struct DirectRow {
     V2* kept_along = nullptr;  ///< or the vector that the impulse is a part of, along `axis`
     V2 axis;
 
-    /// Writes the impulse back to the constraint; the first of two parts of a vector resets the
-    /// vector.
+    /// Writes the impulse back to the constraint. The first part of a vector resets the vector.
     void keep() const {
         const float value = bounded(float(impulse), 1e30f);
         if (kept != nullptr) *kept = value;
@@ -81,10 +81,10 @@ struct DirectRow {
 
 /// The pass of a sub-step for which rows are written. Biased: positions are corrected. Relaxed,
 /// after the bodies moved: without correction and without springs. Bounced, at the end of the step:
-/// as relaxed, but with the bounces of hits.
+/// like relaxed, but with the bounces of hits.
 enum class DirectPass { biased, relaxed, bounced };
 
-/// Share of an error that a sub-step corrects.
+/// Share of an error that one sub-step corrects.
 inline constexpr float direct_correction = 0.2f;
 
 class RowWriter {
@@ -109,9 +109,9 @@ class RowWriter {
         hold(Jacobian::at_anchors(ends, {1.0f, 0.0f}), gap.x, impulse.x);
         hold(Jacobian::at_anchors(ends, {0.0f, 1.0f}), gap.y, impulse.y);
     }
-    /// Keeps `room` from becoming negative.
+    /// Prevents `room` from becoming negative.
     DirectRow& limit(const Jacobian& jacobian, float room, float& impulse) {
-        double bias = double(room) / h_;  // it may just close the gap
+        double bias = double(room) / h_;  // the room may close completely, but not more
         if (room < 0.0f) bias = biased() ? double(direct_correction) * bias : 0.0;
         DirectRow& row = rigid(jacobian, bias, impulse);
         row.low = 0.0;
@@ -132,13 +132,13 @@ class RowWriter {
         hold_still(row);
         return row;
     }
-    /// Two springs that are the parts of a vector with a maximum length.
+    /// Two springs that are the components of a vector with a maximum length.
     void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, V2 error,
                  float greatest, V2& impulse);
     /// Two rows that drive the velocity of the anchors.
     void motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse);
 
-    /// A row that is as rigid as the arithmetic allows: it yields by a ten millionth of the effect
+    /// A row with the greatest rigidity that the arithmetic allows: it yields by 10⁻⁷ of the effect
     /// of the impulse on the two bodies alone.
     DirectRow& rigid(const Jacobian& jacobian, double bias, float& impulse) {
         DirectRow& row = rows_.emplace_back();
@@ -168,7 +168,7 @@ class RowWriter {
         add(scales_[j.b], j.on_b);
         return sum;
     }
-    /// `Spring::impulse` as a row: the impulse at which the spring no longer changes it.
+    /// `Spring::impulse` as a row: the impulse that the spring itself would not change any more.
     DirectRow& elastic(const Jacobian& jacobian, const Spring& spring, float mass, float error) {
         DirectRow& row = rows_.emplace_back();
         row.jacobian = jacobian;
@@ -178,13 +178,13 @@ class RowWriter {
         row.stiffness = scale * double(spring.mass_scale);
         row.push = scale * double(spring.push) * double(error);
         if (row.stiffness <= most) return row;
-        // Stiffer than rigid; at the limit of single precision it holds the position at once.
+        // Stiffer than a rigid row. At the limit of single precision it holds the position at once.
         const double rate = double(spring.push) / double(spring.mass_scale);
         row.stiffness = most;
         row.push = most * double(error) * (rate * h_ <= 1.0 ? rate : 1.0 / h_);
         return row;
     }
-    /// Impulses of the biased pass are no part of the relaxed one.
+    /// Impulses of the biased pass are not part of the relaxed pass.
     void hold_still(DirectRow& row) const {
         if (biased()) return;
         row.low = row.high = row.impulse;
@@ -206,8 +206,8 @@ class RowWriter {
     DirectPass pass_;
 };
 
-/// The axes along which a spring at a point oscillates independently: eigenvectors of the (inverse)
-/// mass there.
+/// The axes along which a spring at a point oscillates independently: eigenvectors of the inverse
+/// mass at the point.
 struct PointAxes {
     V2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
     float first_mass = 0.0f, second_mass = 0.0f;

@@ -19,7 +19,8 @@ double normal_bias(const RowWriter& rows, const ContactConstraint& c, const Cons
     float separation = p.separation + opened;
     double bias = 0.0;
     if (extra != nullptr && extra->corner.distance != 0.0f) {
-        // The gap may be closed along the normal as fast as the path around the corner opens it.
+        // The velocity along the normal may close the gap as fast as the path around the corner
+        // opens it.
         const Motion motion = {a.velocity, b.velocity, a.angular_velocity, b.angular_velocity};
         const float h = float(rows.h());
         const float velocity = dot(c.normal, motion.vb - motion.va) +

@@ -8,11 +8,11 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Joints that a thread takes at a time.
+/// Number of joints in a task of a thread.
 constexpr size_t joints_at_a_time = 128;
 
-/// Note of an awake joint before it is prepared: the node it belongs to, and this bit if it can
-/// break; 0 if it does not act.
+/// Note about an awake joint before it is prepared: its node, plus this bit if it can break; 0 if
+/// it does not act.
 constexpr uint8_t can_break = 0x80;
 static_assert(2 * most_strips <= can_break);
 
@@ -28,9 +28,9 @@ void list_acting(ObjectState& objects, const BodyScratch& bodies,
             if (role == JointRole::idle) forget_impulses(objects, awake[i]);
             scratch.joint_notes[i] = 0;
             if (role != JointRole::acting) continue;  // it keeps its impulses until a body wakes
-            // Unlike a contact, a joint also writes to a body that moves on its own: the nodes of
-            // all joints of such a body are on one path from the root, so no two are solved at the
-            // same time.
+            // Unlike a contact, a joint also writes to a body that moves on its own. The nodes of
+            // all joints of such a body are on one path from the root, so no two of them are solved
+            // at the same time.
             const SolverEnd a = bodies.solver_ends[joint.bodies[0]],
                             b = bodies.solver_ends[joint.bodies[1]];
             const StripNode node =

@@ -3,8 +3,8 @@
 #include <state/joint_kind.h>
 #include <threads/pool.h>
 
-// A step writes the acting joints into constraints, by type and in the order of their nodes, solves
-// the joints of some nodes at a time, and reads their impulses back.
+// A step writes the acting joints into constraints, by type and in the order of their nodes; solves
+// the joints of some nodes at a time; and reads their impulses back.
 
 namespace fettle::physics::detail {
 
@@ -53,14 +53,14 @@ struct JointSource {
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          const BodyScratch& bodies, JointScratch& joints, float h,
                          float impulse_ratio, ThreadPool* threads);
-/// Tells `JointShare` which bodies have joints.
+/// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
-/// Runs a pass over the joints of some nodes, as often as the step sweeps over them.
+/// Runs a pass over the joints of some nodes; repeats it by the number of sweeps of the step.
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes);
 
-/// After each sub-step: adds up the loads of the joints that can break.
+/// Called after each sub-step: adds up the loads of the joints that can break.
 void strain_joints(const ObjectState& objects, JointScratch& joints);
 void store_joints(ObjectState& objects, const JointScratch& joints, const JointStep& step,
                   ThreadPool* threads);

@@ -6,8 +6,8 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Four floats at once, on every processor: velocity, angular velocity and inverse mass, or motion
-/// and inverse inertia.
+/// Four floats at once, on every processor: velocity, angular velocity and inverse mass, or shift,
+/// rotation and inverse inertia.
 using Quad = float __attribute__((vector_size(16)));
 
 template <typename From>

@@ -4,30 +4,30 @@
 
 #include <algorithm>
 
-// The method of a student project of 2008: bodies move, contacts are found, and then each is
-// corrected by itself, once, the worst first (after I. Millington, "Game Physics Engine
+// The method of a student project of 2008: bodies move, contacts are found, and then each contact
+// is corrected by itself, once, the worst first (after I. Millington, "Game Physics Engine
 // Development", 2007, ch. 7 and 14: impulses, then overlaps, in order of severity). Contacts of
-// shapes that are near but do not touch take part: a body that is pushed into a neighbor is
-// corrected in the same pass.
+// shapes that are near but do not touch are included, so that a body that is pushed into a neighbor
+// is corrected in the same pass.
 //
 // In each sub-step, with h its length, s the separation and v the relative velocity of a point:
 //
-// 1. velocities change by the forces; 2. points in order of s + h·v_n, their separation after the
-// move (the depth in the project, which moved bodies first). A point that would overlap gets the
-// impulse after which v_n = -s/h, or v_n = -e·v_n where it bounces, and with it friction up to μ
-// times that; 3. bodies move; 4. points in order of s: half of each overlap is removed, by a shift
-// along the normal that the two bodies share by their inverse masses.
+// 1. Velocities change by the forces. 2. Points in order of s + h·v_n, their separation after the
+// move (in the project, the depth, because it moved bodies first). A point that would overlap gets
+// the impulse after which v_n = -s/h, or v_n = -e·v_n if it bounces, and friction up to μ times
+// that impulse. 3. Bodies move. 4. Points in order of s: half of each overlap is removed by a shift
+// along the normal, which the two bodies share by their inverse masses.
 //
-// There is no iteration and no warm start: a push that arrives at a point after its turn has an
-// effect in the next sub-step only. So stacks of more than a few boxes tremble and sink. Both
-// points of a manifold are contacts of their own. Joints, which the project did not have, are
-// solved as in the soft step.
+// There is no iteration and no warm start: a push that arrives at a point that was already
+// processed has an effect only in the next sub-step. So stacks of more than a few boxes tremble and
+// sink. Both points of a manifold are separate contacts. Joints, which the project did not have,
+// are solved as in the soft step.
 
 namespace fettle::physics::detail {
 namespace {
 
 struct Turn {
-    float severity;  ///< separation, m: the deepest come first
+    float severity;  ///< separation, m; the deepest come first
     uint32_t constraint;
     uint32_t point;
 
@@ -117,7 +117,7 @@ class SequentialPass {
         ConstraintPoint& p = c.points[turn.point];
         ContactExtra* extra = c.extra != 0 ? &extras_[c.extra - 1] : nullptr;
         const Gap gap = gap_of(turn);
-        // Where the shapes are apart, the point may just close the gap.
+        // If the shapes are apart, the gap may close, but not more.
         const float excess = gap.velocity + max(gap.separation, 0.0f) / h_;
         if (!(excess < 0.0f)) return;
         const bool bounces =
@@ -127,11 +127,11 @@ class SequentialPass {
         p.normal_impulse = p.normal_mass * change;
         apply(c, c.normal, p.normal_impulse, p.normal_lever_a, p.normal_lever_b);
         if (extra != nullptr) resist_rolling(c, *extra, p.normal_impulse);
-        rub(c, p, extra != nullptr ? extra->surface_speed : 0.0f);
+        apply_friction(c, p, extra != nullptr ? extra->surface_speed : 0.0f);
     }
 
-    /// Friction after the normal impulse, which turns the bodies, too.
-    void rub(const ContactConstraint& c, ConstraintPoint& p, float surface_speed) {
+    /// Applies friction after the normal impulse, which has changed the rotation, too.
+    void apply_friction(const ContactConstraint& c, ConstraintPoint& p, float surface_speed) {
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         const V2 t = right_perp(c.normal);
         const float slip =

@@ -8,10 +8,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Contacts that a thread takes at a time.
+/// Number of contacts in a task of a thread.
 constexpr size_t contacts_at_a_time = 64;
 
-/// Notes of a prepared contact, and of a stored one.
+/// Notes about a prepared contact and a stored one.
 enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
 enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
 
@@ -68,7 +68,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
         prepare_point(m.points[k], c, t, a, b, impulse_ratio, c.points[k]);
     }
     if (m.count < 2) {
-        // The second point has no mass: solving it changes nothing.
+        // The second point has no mass, so solving it has no effect.
         c.points[1] = {};
         c.coupling_normal = c.coupling_tangent = 0.0f;
         return;
@@ -86,7 +86,7 @@ V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
     return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
 }
 
-/// Gives a place in `extras` to each contact that needs one.
+/// Assigns an index in `extras` to each contact that needs one.
 void give_extras(ContactScratch& scratch) {
     scratch.extras.clear();
     uint32_t rolling = 0;
@@ -116,10 +116,10 @@ void prepare_extra_of(size_t serial, const ObjectState& objects, const Columns& 
                                                    bend(record.shape_b, -c.normal)};
 }
 
-/// Returns the note of the contact.
+/// Stores the impulses of a constraint in its contact; returns the note of the contact.
 uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtra> extras,
                          ContactRecord& record) {
-    // A bounce takes less than one step, and the shapes are apart before and after it: an impulse
+    // A bounce takes less than one step, and the shapes are apart before and after it. An impulse
     // in one of the sub-steps shows that they touched.
     bool pushed = false;
     if (c.extra != 0) {
@@ -130,13 +130,14 @@ uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtr
     float nearest = infinity;
     for (int k = 0; k < record.manifold.count; ++k) {
         ManifoldPoint& point = record.manifold.points[k];
-        // An overflow would stay for ever: the next step begins with this impulse.
+        // An overflow would never disappear, because the next step begins with this impulse.
         point.normal_impulse = bounded(c.points[k].normal_impulse, greatest_impulse);
         point.tangent_impulse = bounded(c.points[k].tangent_impulse, greatest_impulse);
         pushed |= point.normal_impulse > 0.0f;
         nearest = min(nearest, point.separation);
     }
-    // A touch ends only at twice the distance, so that it does not flicker at the limit.
+    // A touch ends only at twice the distance, so that it does not begin and end repeatedly at the
+    // limit.
     const bool touching = pushed || nearest <= (record.touching ? 2.0f : 1.0f) * touch_distance;
     return uint8_t((touching ? touches : 0) | (touching != record.touching ? is_news : 0) |
                    (record.hit_events ? may_hit : 0));
@@ -204,8 +205,8 @@ void store_serial(ContactScratch& scratch, const Touching& touching, float hit_t
 
 namespace {
 
-/// Reports new and ended touches of the wide contacts in the order of the acting contacts, not of
-/// the colors.
+/// Reports touches of wide contacts that begin or end, in the order of the acting contacts instead
+/// of the colors.
 void report_wide(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                  ThreadPool* threads) {
     const std::vector<GroupNews>& news = scratch.news;

@@ -6,21 +6,21 @@
 #include <state/world_state.h>
 #include <threads/pool.h>
 
-// Contacts that are solved one at a time: where a body is locked along an axis, where surfaces
-// roll, bounce, move or bend, and where no color was left. Constraints are written once a step in
-// the order of the nodes they belong to, and their impulses are read back.
+// Contacts that are solved one at a time: if a body is locked along an axis, if surfaces roll,
+// bounce, move or are curved, or if no color was left. Constraints are written once per step in the
+// order of their nodes, and their impulses are read back.
 
 namespace fettle::physics::detail {
 
-/// `ratio`: length of this sub-step divided by that of the last one, to scale impulses.
+/// `ratio`: length of this sub-step divided by that of the last one; scales the impulses.
 void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
                     ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
                     float ratio, ThreadPool* threads);
 void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                   ThreadPool* threads);
 
-/// Stores the impulses of the serial contacts (those of wide contacts are stored when their block
-/// is solved), and reports touches that begin or end, and hits.
+/// Stores the impulses of the serial contacts, and reports hits and touches that begin or end.
+/// (Impulses of wide contacts are stored when their block is solved.)
 void store_contacts(ContactScratch& contacts, const Touching& touching, float hit_threshold,
                     ThreadPool* threads);
 

@@ -8,18 +8,18 @@
 #include <atomic>
 #include <bit>
 
-// The soft step (E. Catto, "Solver2D", 2024) over all blocks: in each sub-step velocities, warm
-// start, biased solve, positions, relax; at the end restitution. Joints come before contacts,
+// The soft step (E. Catto, "Solver2D", 2024) over all blocks. In each sub-step: velocities, warm
+// start, biased solve, positions, relax. At the end: restitution. Joints come before contacts, and
 // contacts that are solved one at a time before those that are solved sixteen at a time.
 
 namespace fettle::physics::detail {
 namespace {
 
-// Groups and bodies that a thread takes at a time.
+// Numbers of groups and bodies in a task of a thread.
 constexpr size_t groups_at_a_time = 8, bodies_at_a_time = 1024;
 
-/// The memory for wide contacts, one for each thread: a thread takes an idle one for the block that
-/// it solves, and gives it back.
+/// The memory for wide contacts, one per thread. A thread takes an idle one for the block that it
+/// solves, and returns it.
 class IdleBlocks {
   public:
     explicit IdleBlocks(std::vector<WideBlock>& blocks)
@@ -35,7 +35,7 @@ class IdleBlocks {
 
   private:
     std::vector<WideBlock>& blocks_;
-    std::atomic<uint64_t> idle_;  // one bit for each: a world has at most 64 threads
+    std::atomic<uint64_t> idle_;  // one bit per memory; a world has at most 64 threads
 };
 
 /// The soft step over all blocks: their common data, and the loops over their sections.
@@ -55,8 +55,8 @@ struct alignas(line_size) SoftStep {
         return block.cut ? input.threads : nullptr;
     }
 
-    /// Runs `work(section, nodes)` for each section of a block, on all threads if they share it
-    /// out.
+    /// Runs `work(section, nodes)` for each section of a block, on all threads if they share the
+    /// block.
     auto section_loop(const SolverBlock& block, auto work) {
         const Sections& plan = schedule.sections_of(block);
         return SectionLoop(plan, helpers_of(block),
@@ -71,7 +71,7 @@ struct alignas(line_size) SoftStep {
                            });
     }
 
-    /// Before a group is prepared: the contacts in its lanes.
+    /// Called before a group is prepared: sets the contacts in its lanes.
     void fill_group(size_t group, WideContact& wide, ContactLanes& from) {
         from.touching = from.tells_always = 0;
         for (uint32_t lane = 0; lane < uint32_t(lanes); ++lane) {
@@ -93,7 +93,8 @@ struct alignas(line_size) SoftStep {
         }
     }
 
-    /// After a group is stored: which touches begin or end, and which contacts report hits.
+    /// Called after a group is stored: notes which touches begin or end, and which contacts report
+    /// hits.
     void note_news(size_t group, const ContactLanes& of) {
         const uint32_t touches = (of.near & ~of.touching) | (of.within_twice & of.touching);
         contacts.news[group] = {uint16_t((touches ^ of.touching) | of.tells_always),
@@ -148,7 +149,7 @@ struct alignas(line_size) SoftStep {
                          });
     }
 
-    /// Solves a block of wide contacts only, through all sub-steps.
+    /// Solves a block that has only wide contacts, through all sub-steps.
     void solve_block(const SolverBlock& block, WideBlock& wide) {
         const auto all = [&](WidePass kernel) {
             return section_loop(block, [&, kernel](uint32_t section, const StripNodes&) {
@@ -176,9 +177,9 @@ struct alignas(line_size) SoftStep {
         }
     }
 
-    /// True if sub-steps after the first repeat the change of velocity that the contacts caused,
-    /// instead of a warm start of each contact. With many joints, separating their effect from that
-    /// of the contacts would take longer than the warm start.
+    /// True if later sub-steps repeat the change of velocity that the contacts caused, instead of a
+    /// warm start of each contact. With many joints, separating their effect from that of the
+    /// contacts would take longer than the warm start.
     bool repeats_pushes(const SolverBlock& block) {
         if (!contacts.rolling_contacts.empty()) return false;  // their direction has changed
         if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
@@ -188,7 +189,7 @@ struct alignas(line_size) SoftStep {
     }
 };
 
-/// Passes over the first block, which has joints and serial contacts, too.
+/// The passes over the first block, which also has joints and serial contacts.
 struct alignas(line_size) FirstBlock {
     SoftStep& step;
     const JointStep& joint_step;
@@ -331,7 +332,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
     const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
     solve_first_block(step, joint_step);
-    // The few large blocks are solved one after the other, each by all threads.
+    // The few large blocks are solved one after the other; all threads share each of them.
     for (uint32_t i = 1; i <= whole; ++i) {
         if (blocks[i].cut) step.solve_block(blocks[i], wide_blocks[0]);
     }

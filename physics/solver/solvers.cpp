@@ -1,3 +1,5 @@
+// Selection of the solver, and parts of a sub-step that several solvers use.
+
 #include <solver/motion.h>
 #include <solver/solvers.h>
 #include <state/limits.h>

@@ -31,7 +31,7 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);
 void solve_sequentially(const SolverInput& input, const JointStep& joint_step);
-/// Counts in `statistics` how many problems were solved and how many were not.
+/// Counts the solved and the unsolved problems in `statistics`.
 void solve_directly(const SolverInput& input, const JointStep& joint_step,
                     StepStatistics& statistics);
 

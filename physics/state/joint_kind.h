@@ -4,9 +4,8 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
-// Interface of a type of joint: a table of functions. A function of a step takes a range of the
-// joints of a type, so that one call processes many joints; the code for each joint is compiled for
-// the type.
+// Interface of a type of joint: a table of functions. A function of a step processes a range of the
+// joints of a type, so one call handles many joints; the code for a joint is compiled per type.
 
 namespace fettle::physics::detail {
 
@@ -27,7 +26,7 @@ struct JointLoad {
 struct JointKind {
     const char* name;
     size_t constraint_size;
-    /// Throws std::invalid_argument for settings that a setter refuses.
+    /// Throws std::invalid_argument for settings that a setter would refuse.
     void (*check)(const JointRecord& joint);
 
     /// Writes constraints from the records of the joints. True if one of them bears a heavy load.
@@ -36,11 +35,12 @@ struct JointKind {
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                           JointRange range);
     Pass warm_start, solve;
-    /// From the last joint to the first: `solve` carries an impulse down a chain, `relax` up.
+    /// From the last joint to the first: `solve` carries impulses down a chain, `relax` carries
+    /// them up.
     Pass relax;
     JointLoad (*load)(const JointArray& array, size_t index);
-    /// Writes the rows of all joints, at the current poses of their bodies. The requirements of
-    /// `solve` and `relax` hold here together.
+    /// Writes the rows of all joints, at the current poses of their bodies. The conditions of
+    /// `solve` and `relax` are all written at once.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);
     /// Writes impulses back to the records.
     void (*store)(const JointArray& array, ObjectState& objects, const JointStep& step,

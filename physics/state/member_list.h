@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-// Lists of the members of a struct, checked by the compiler: a member that is not listed is an
-// error. One list serves writing, reading, counting memory and releasing it.
+// Lists of the members of a struct, checked by the compiler: omitting a member is an error.
+// Writing, reading, counting memory and releasing it use the same list.
 
 namespace fettle::physics::detail {
 
-/// Converts to any type: a placeholder for a member.
+/// Converts to any type; a placeholder for a member.
 struct AnyMember {
     template <class T>
     operator T() const;
@@ -37,7 +37,7 @@ constexpr std::size_t count_members() {
         return least;
 }
 
-/// Some members under one name: a line of `World::memory`; "" if they own no memory.
+/// Several members under one name: one line of `World::memory`; "" if they own no memory.
 template <class... Member>
 struct NamedMembers {
     const char* name;
@@ -55,8 +55,8 @@ auto& part(Self& self) {
     return static_cast<std::conditional_t<std::is_const_v<Self>, const Part, Part>&>(self);
 }
 
-/// Passes every member to `io`, after `io.line(name)` if it has `line`. The members of `Base` are
-/// listed with those of `Whole`.
+/// Passes every member to `io`; if `io` has `line`, calls `io.line(name)` before. The members of
+/// `Base` are listed with those of `Whole`.
 template <class Whole, class... Base, class Io, class... Line>
 void list_members(Io& io, const Line&... lines) {
     constexpr std::size_t listed =
@@ -77,7 +77,7 @@ concept ListsMembers = requires(Io& io, T& value) {
     std::remove_const_t<T>::members(io, value);
 };
 
-/// Passes the lists of events, one by one.
+/// Passes the lists of events one by one.
 template <class Io, class Happened>
 void event_members(Io& io, Happened& e) {
     static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
@@ -86,7 +86,7 @@ void event_members(Io& io, Happened& e) {
     io(e.slept), io(e.woke);
 }
 
-/// Passes every part of an object that has parts of one kind.
+/// Passes every part of an object whose parts are all of one type.
 template <class Io, class T>
 void each_of(Io& io, T& parts) {
     std::apply([&io](auto&... each) { (io(each), ...); }, parts);

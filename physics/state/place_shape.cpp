@@ -7,8 +7,8 @@ namespace fettle::physics::detail {
 namespace {
 
 /// In the pool, the vertices of a large polygon are relative to the body's center of mass but not
-/// rotated. They change with an edit only; a step computes only a bounding box. Not inlined: that
-/// would take registers from the loop over the vertices of all other shapes.
+/// rotated. Only an edit changes them; a step computes just a bounding box. Not inlined, because
+/// that would take registers from the loop over the vertices of all other shapes.
 [[gnu::noinline]] Box4 place_large(ObjectState& objects, uint32_t shape, V2 local_center,
                                    Rotation q) {
     const ShapeForm& form = objects.forms[shape];

@@ -12,8 +12,8 @@
 #include <new>
 #include <type_traits>
 
-// Data of a world for each body, shape, contact and joint. Indices instead of pointers and no
-// ownership, so that the vectors of these records can be copied byte by byte.
+// Data of a world for each body, shape, contact and joint. They contain indices instead of pointers
+// and own no memory, so vectors of these records can be copied byte by byte.
 
 namespace fettle::physics::detail {
 
@@ -30,15 +30,15 @@ struct Generations {
     }
 };
 
-/// How a body takes part in the step. An infinitely heavy dynamic body is fixed.
+/// Mobility of a body in a step. An infinitely heavy dynamic body is fixed.
 enum class Mobility : uint8_t { fixed, kinematic, dynamic };
 
-/// A place in a list of a body: a contact or joint of two bodies is in the lists of both.
+/// An element of a list of a body. A contact or joint of two bodies is in the lists of both.
 struct ListEdge {
     uint32_t previous = none, next = none;  ///< edges: index << 1 | side
 };
 
-/// Puts an edge at the front of the list that begins with `first`; `at(edge)` is its place.
+/// Inserts an edge at the front of the list that begins with `first`; `at(edge)` is its element.
 void link_edge(uint32_t& first, uint32_t edge, auto&& at) {
     at(edge) = {none, first};
     if (first != none) at(first).previous = edge;
@@ -50,7 +50,7 @@ void unlink_edge(uint32_t& first, uint32_t edge, auto&& at) {
     if (next != none) at(next).previous = previous;
 }
 
-/// Marks an override that is not set; NaN. An override replaces the value that follows from the
+/// Value of an override that is not set (NaN). An override replaces the value that follows from the
 /// shapes.
 inline constexpr float not_given = std::numeric_limits<float>::quiet_NaN();
 inline bool is_given(float value) {
@@ -70,21 +70,19 @@ struct BodyRecord {
     float torque = 0.0f;
     V2 step_force;  ///< for the next step only
     float step_torque = 0.0f;
-    float angle_rest = 0.0f;  ///< the part of the angle that the float `angle` cannot hold: so slow
-                              ///< rotation adds up at any angle
-    float extent = 0.0f;      ///< farthest point of the shapes from the center of mass, m
-    float thickness =
-        0.0f;  ///< least half width of the shapes, m: a body that moves farther in a step is fast
+    float angle_rest = 0.0f;    ///< part of the angle below the resolution of `angle`
+    float extent = 0.0f;        ///< farthest point of the shapes from the center of mass, m
+    float thickness = 0.0f;     ///< smallest half width, m; a longer motion per step is fast
     float sleep_time = 0.0f;    ///< s below the sleep speed
-    uint32_t solver_index = 0;  ///< 1 + place in the list of awake bodies; 0: fixed or asleep
-    // In one byte: both are written with one access.
+    uint32_t solver_index = 0;  ///< 1 + index in the list of awake bodies; 0: fixed or asleep
+    // Both are in one byte, so that one access writes them.
     Mobility mobility : 4 = Mobility::fixed;
     uint8_t listed : 4 = 0;  ///< in the list of bodies to refresh
     BodyType type = BodyType::dynamic_body;
     bool locked_x = false, locked_y = false, locked_rotation = false;
     bool can_sleep = true;
     bool bullet = false;
-    bool never_awake = false;  ///< created asleep: gets its shapes without waking
+    bool never_awake = false;  ///< created asleep; gets its shapes without waking
 
     bool mass_dirty = false;
     bool placement_dirty =
@@ -125,7 +123,7 @@ struct ShapeForm {
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
 
-/// A value of any plain type; the type is known from other data. All types use the same memory.
+/// A value of any plain type; other data contain the type. All types use the same memory.
 template <size_t capacity>
 class PlainValue {
   public:
@@ -160,8 +158,7 @@ struct ShapeRecord {
     ShapeDef surface;
     Figure figure;
     ShapeType type = ShapeType::circle;
-    Mobility tree = Mobility::fixed;  ///< which tree contains the proxy: the one of fixed bodies or
-                                      ///< the other
+    Mobility tree = Mobility::fixed;  ///< tree with the proxy: of fixed bodies, or the other
     bool closed = false;              ///< a chain
     bool geometry_dirty = false;
     bool moved = false;     ///< in the list of shapes for which pairs are searched
@@ -169,14 +166,13 @@ struct ShapeRecord {
     uint32_t capacity = 0;  ///< vertices reserved in the pool
 
     // A chain or a concave polygon collides as its parts, which are shapes that only the library
-    // sees. The outline itself is in no tree. It owns the surface; the parts have copies.
+    // uses. The outline itself is in no tree. It owns the surface; the parts have copies.
     uint32_t outline = 0;                          ///< number of its points in the pool
     uint32_t owner = none;                         ///< outline of a part
     uint32_t first_part = none, next_part = none;  ///< first part of an owner; next part of a part
 
     int32_t proxy = -1;
-    uint32_t previous = none, next = none;  ///< in the list of the body; `next` of a free slot: the
-                                            ///< next free slot
+    uint32_t previous = none, next = none;  ///< in the list of the body; or next free slot
     uint32_t touching = 0;
     uint32_t rebuilds = 0;
     float area = 0.0f, moment = 0.0f;  ///< m², m⁴ about the centroid
@@ -191,7 +187,7 @@ struct ShapeRecord {
 };
 
 static_assert(sizeof(ShapeForm) == 24);
-// A world may have a hundred thousand of each: every byte of them counts.
+// A world may have a hundred thousand records of each type, so their size matters.
 static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
 
 /// True if both shapes are plain convex.
@@ -199,7 +195,7 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
     return (uint8_t(a.kind) | uint8_t(b.kind)) == 0;
 }
 
-/// A pair of shapes whose fat boxes overlap. It has a slot; the slots of awake contacts are listed.
+/// A pair of shapes whose fat boxes overlap. The slots of awake contacts are listed.
 struct alignas(64) ContactRecord {
     uint32_t shape_a = none, shape_b = none;  ///< shape_a < shape_b
     uint32_t body_a = none, body_b = none;
@@ -224,9 +220,8 @@ static_assert(sizeof(ContactRecord) == 128);
 
 /// Data of a contact that few stages of a step read.
 struct ContactLinks {
-    ListEdge edges[2];   ///< in the contact lists of body a and b; of a free slot: the next free
-                         ///< slot
-    uint32_t began = 0;  ///< the low bits of the number of the step in which it began to touch
+    ListEdge edges[2];   ///< in the lists of a and b, or next free slot
+    uint32_t began = 0;  ///< the low bits of the number of the step in which the touch began
 
     uint32_t& next_free() { return edges[0].next; }
 };
@@ -241,12 +236,10 @@ struct JointRecord {
     uint32_t awake_index = none;  ///< place in the list of awake joints of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
     V2 anchors[2];                ///< body coordinates
-    ListEdge edges[2];            ///< in the joint lists of body a and b; of a free slot: the next
-                                  ///< free slot
+    ListEdge edges[2];            ///< in the lists of a and b, or next free slot
     V2 force;                     ///< of the last step, on body b
     float torque = 0.0f;
-    float break_force = infinity, break_torque = infinity;  ///< N, N m: the joint breaks above
-                                                            ///< these
+    float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
     PlainValue<44> settings;                                ///< `Settings` of its type
     PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0 at first
     uint64_t user_data = 0;
@@ -259,15 +252,15 @@ struct JointRecord {
 struct FieldRecord {
     FieldDef def;
     uint32_t generation = 0;  ///< 0: the slot is free
-    uint32_t next = none;     ///< of a free slot: the next free slot
+    uint32_t next = none;     ///< for a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
 };
 
-/// Bodies that fell asleep together and wake together; a list through their records.
+/// Bodies that fell asleep together and will wake together; linked through their records.
 struct Island {
     uint32_t first = none;
-    uint32_t next = none;  ///< of a free slot: the next free slot
+    uint32_t next = none;  ///< for a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
 };

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// Notes of one stage of a step for a later stage.
+// Notes of one stage of a step for later stages.
 
 namespace fettle::physics::detail {
 
@@ -20,8 +20,7 @@ struct FastBody {
 /// Contacts that need more work after their manifolds: slots, in the order of the list.
 struct CollidedPiece {
     std::vector<uint32_t> over;  ///< pairs that end
-    std::vector<uint32_t> more;  ///< contacts whose touch ends, or that are about to hit a sleeping
-                                 ///< body
+    std::vector<uint32_t> more;  ///< touch ends, or about to hit a sleeping body
 
     void clear() {
         over.clear();
@@ -33,8 +32,7 @@ struct CollidedPiece {
 /// Bodies that need more work after they have moved.
 struct FinishedPiece {
     std::vector<int32_t> placed;  ///< leaves of the shapes that left their fat boxes
-    std::vector<uint32_t> moved;  ///< those of these shapes that were not in the list of moved
-                                  ///< shapes
+    std::vector<uint32_t> moved;  ///< those not yet listed as moved
     std::vector<FastBody> fast;
     uint32_t sleep_candidates = 0;
 

@@ -18,9 +18,9 @@
 
 namespace fettle::physics::detail {
 
-// Data that a step builds again, stage by stage. They are kept between steps for their capacity
-// only, and freed when most bodies have fallen asleep (memory.cpp). `scratch` lists the members, as
-// `members` does for the state.
+// Data that every step builds again, stage by stage. They are kept between steps only for their
+// capacity, and freed when most bodies have fallen asleep (memory.cpp). `scratch` lists the
+// members, as `members` does for the state.
 
 #define FETTLE_SCRATCH(Part, ...)                           \
     static void scratch(auto& io, auto& s) {                \
@@ -41,18 +41,18 @@ struct PairScratch {
                    s.parts_of_walk, s.collided, s.parted)
 };
 
-/// The bodies that are solved. Their index is the place in the list of awake bodies + 1; 0 is the
+/// The bodies of the solver. Their index is the index in the list of awake bodies plus 1; 0 is the
 /// fixed body.
 struct BodyScratch {
     std::vector<SolverBody> solver_bodies;
-    /// By body slot. Dense, unlike the records: every contact reads it.
+    /// By body slot. Compact, because every contact reads it, unlike the records.
     std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
     std::vector<uint8_t> gathered;  ///< results of the pieces of the list of awake bodies
     std::vector<uint32_t> locked;   ///< bodies with a locked axis
     std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
     bool axes_locked = false;       ///< some awake body is locked along x or y
-    bool driven = false;            ///< some awake body moves on its own
+    bool driven = false;            ///< an awake body moves on its own
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
                    s.locked, s.bounced, s.axes_locked, s.driven)
@@ -97,12 +97,12 @@ struct ContactScratch {
     std::vector<ActingContact> acting;
     std::vector<ActingPiece> acting_pieces;
     size_t colored_count = 0;             ///< acting contacts in groups
-    std::vector<uint32_t> lane_contacts;  ///< by lane: place of the acting contact
+    std::vector<uint32_t> lane_contacts;  ///< by lane: index of the acting contact
     std::vector<uint32_t> spare_lanes;
     std::vector<GroupNews> news;  ///< of each group
     std::vector<uint64_t> told;   ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
-    std::vector<uint32_t> serial_acting;             ///< places in the list of acting contacts
+    std::vector<uint32_t> serial_acting;             ///< indices in the list of acting contacts
     std::vector<uint32_t> serial_contacts;           ///< slots of the same contacts
     std::vector<ContactConstraint> constraints;      ///< of the serial contacts
     std::vector<ContactExtra> extras;
@@ -115,14 +115,13 @@ struct ContactScratch {
                    s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes)
 };
 
-/// Which constraints are solved together, and in which order.
+/// Groups of constraints that are solved together, and their order.
 struct ScheduleScratch {
     SolverBlocks blocks;
     Hubs hubs;
-    Reordering reordering;                  ///< of a list, into the order of the strips
-    Sections whole_sections, cut_sections;  ///< of blocks that one thread solves, and of blocks
-                                            ///< that several threads share out
-    std::vector<uint32_t> color_begin;      ///< lanes, by counting thread, section and color
+    Reordering reordering;                  ///< for sorting a list into the order of the strips
+    Sections whole_sections, cut_sections;  ///< for one thread; shared by several
+    std::vector<uint32_t> color_begin;      ///< first lanes, by counting thread, section and color
     std::vector<uint32_t> first_groups;     ///< by section of each block, and the end
     std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting contacts
     std::vector<uint64_t> colors_of_body;              ///< by solver index, one bit for each color

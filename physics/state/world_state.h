@@ -15,17 +15,17 @@
 
 namespace fettle::physics::detail {
 
-// The state of a world: all data that a step needs from the step before, and nothing else. Each
-// struct lists its members once, in `members`; saving, restoring and the statistics of memory use
-// these lists, and a member that is not listed does not compile. `NamedMembers` divide a list into
-// the lines of `World::memory`.
+// The state of a world: all data that a step needs from the previous step, and nothing else. Each
+// struct lists its members once, in `members`. Saving, restoring and the statistics of memory use
+// these lists, and omitting a member is a compile error. `NamedMembers` divides a list into the
+// lines of `World::memory`.
 
-/// Which elements of an array of objects are in use: the free ones are a list through the array.
+/// The used elements of an array of objects. The free ones are linked in a list through the array.
 struct Slots {
     uint32_t free = none;  ///< the first free slot
     uint32_t count = 0;    ///< number of slots in use
 
-    /// Takes a slot for a new object; its elements in all arrays are new.
+    /// Takes a slot for a new object; its elements in all arrays have initial values.
     template <class Record, class... Other>
     uint32_t take(std::vector<Record>& records, std::vector<Other>&... others) {
         ++count;
@@ -62,7 +62,7 @@ struct ObjectState {
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
 
-    /// The shape that the user sees: the owner of a part, else the shape itself.
+    /// The shape that the user sees: the owner of a part, otherwise the shape itself.
     uint32_t named_shape(uint32_t slot) const {
         return shapes[slot].owner == none ? slot : shapes[slot].owner;
     }
@@ -104,8 +104,8 @@ struct ObjectState {
             return false;
         });
     }
-    /// True if `visit` is true of one of the contacts in a body's list, from `edge` on and before
-    /// the contact `end` (none: to the end of the list).
+    /// True if `visit` returns true for a contact in a body's list, from `edge` on and before the
+    /// contact `end` (`none`: to the end of the list).
     bool any_contact(uint32_t edge, uint32_t end, auto&& visit) const {
         while (edge != none && edge >> 1 != end) {
             const uint32_t next = contact_links[edge >> 1].edges[edge & 1].next;
@@ -169,8 +169,8 @@ inline Solid solid_of(const ObjectState& objects, const Columns& columns, uint32
 struct BroadPhaseState {
     std::vector<Box4> boxes;      ///< by shape slot, tight
     std::vector<Box4> fat_boxes;  ///< by shape slot, as they are in the tree
-    /// The fat boxes at the last search for pairs: two that overlapped then are a known pair. Empty
-    /// after an edit that may have changed which shapes collide.
+    /// The fat boxes at the last search for pairs: two boxes that overlapped then are a known pair.
+    /// Empty after an edit that may have changed which shapes collide.
     std::vector<Box4> paired_boxes;
     Tree fixed_tree, moving_tree;
     PairSet pairs;
@@ -186,7 +186,7 @@ struct BroadPhaseState {
 
 /// Objects that the next step processes: slots.
 struct ActiveLists {
-    std::vector<uint32_t> awake_bodies;  ///< the solver's index is the place + 1
+    std::vector<uint32_t> awake_bodies;  ///< index in the solver: index here plus 1
     std::vector<uint32_t> awake_contacts;
     std::array<std::vector<uint32_t>, joint_type_count> awake_joints;  ///< by type
     std::vector<uint32_t> edited_bodies, edited_shapes;                ///< to refresh
@@ -199,11 +199,10 @@ struct ActiveLists {
 
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
-    Strips strips;              ///< where the last step cut the world
+    Strips strips;              ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     uint64_t steps = 0;
-    uint32_t sleep_candidates = 0;  ///< number of bodies that had rested long enough in the last
-                                    ///< step
+    uint32_t sleep_candidates = 0;  ///< bodies that rested long enough in the last step
     Events events;                  ///< of the last step
     Events pending;                 ///< events of edits after it
     StepStatistics statistics;

@@ -5,19 +5,19 @@
 #include <state/limits.h>
 #include <step/finish.h>
 
-// Continuous collision. A body that moved far for its thickness may have passed through something
-// thin. If the core of one of its shapes (a disc of half the thickness round the centroid) met an
-// obstacle on the way, the body is put back to where the shape itself arrived; it keeps its
-// velocity, and the next step finds an ordinary contact. Only the core counts, so that bodies that
-// slide over a floor of many pieces are not stopped at every seam.
+// Continuous collision. A body that moved far compared with its thickness may have passed through a
+// thin obstacle. The core of a shape is a disc of half the thickness around the centroid. If it met
+// an obstacle on the way, the body is moved back to the point where the shape itself arrived. It
+// keeps its velocity, and the next step finds an ordinary contact. Only the core counts, so that
+// bodies that slide over a floor of many pieces are not stopped at every seam.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Arrives this close, m: within the reach of a speculative contact.
+/// Distance from the obstacle at arrival, m; within the range of a speculative contact.
 constexpr float arrival_gap = 0.25f * speculative_margin;
 
-/// Where a disc arrives.
+/// Finds where a disc arrives at an obstacle.
 Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
     if (obstacle.kind == FormKind::ellipse) {
         const Sweep disc = {{{&from, nullptr, nullptr, 1, radius}}, {}, way, 0.0f, 0.0f};
@@ -25,7 +25,7 @@ Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
         return {t < 1.0f && t > 0.0f ? t : 2.0f, {}};
     }
     if (obstacle.kind == FormKind::piece) {
-        // From behind, everything passes.
+        // A one-sided segment stops nothing from behind.
         const Piece piece(obstacle);
         if (piece.one_sided() && (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
             return {};
@@ -36,7 +36,7 @@ Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
     return cast_segment(grown, from, way);
 }
 
-/// How far shape `s` gets before obstacle `o`, as a fraction of the motion.
+/// The fraction of the motion that shape `s` reaches before obstacle `o`.
 float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
                   float core) {
     const ObjectState& objects = in.objects;
@@ -47,7 +47,7 @@ float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint3
         const float before = dot(plane.normal, start_centroid) - plane.depth - core;
         const float after = dot(plane.normal, centroid) - plane.depth - core;
         if (before <= 0.0f || after >= 0.0f) return 1.0f;
-        // Where the farthest vertex arrives, turning left aside.
+        // Arrival of the farthest vertex; the rotation is ignored.
         const float ahead = reach(solid_of(objects, in.columns, s), -plane.normal) +
                             dot(plane.normal, centroid - record.center);
         const float arrival = (before + core - ahead - arrival_gap) / (before - after);
@@ -63,19 +63,20 @@ float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint3
     const Sweep sweep = {solid_of(objects, in.columns, s), fast.start, fast.shift, fast.turn,
                          record.extent};
     const float arrival = time_of_impact(sweep, obstacle, center, arrival_gap);
-    // Touching from the start: its contacts hold it, but not beyond where the core would enter.
+    // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond the
+    // entry of the core.
     return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
 }
 
-/// A callback disabled the contact. Without callbacks pairs may be ending at the same time
-/// (`finish_bodies`).
+/// True if a callback disabled the contact. Without callbacks nothing is read, because pairs may be
+/// ending at the same time (`finish_bodies`).
 bool is_disabled(const FinishInput& in, uint32_t shape, uint32_t other) {
     if (!in.callbacks) return false;
     const uint32_t contact = in.boxes.pairs.find(shape, other);
     return contact != PairSet::absent && in.objects.contacts[contact].disabled;
 }
 
-/// How far the body gets, as a fraction of its motion.
+/// The fraction of its motion that the body reaches.
 float limit_motion(const FinishInput& in, const FastBody& fast) {
     const ObjectState& objects = in.objects;
     const std::vector<ShapeRecord>& shapes = objects.shapes;
@@ -107,7 +108,7 @@ float limit_motion(const FinishInput& in, const FastBody& fast) {
     return limit;
 }
 
-/// Puts the body back to the pose at which it arrived.
+/// Moves the body back to the pose of its arrival.
 void stop_body(const FinishInput& in, const FastBody& fast, FinishedPiece& piece) {
     const float limit = limit_motion(in, fast);
     if (limit >= 1.0f) return;
@@ -134,7 +135,7 @@ void stop_or_list(const FinishInput& in, const FastBody& fast, FinishedPiece& pi
 }
 
 void stop_fast_bodies(const FinishInput& in) {
-    // Bullets last: the bodies that they may hit are then where they stay.
+    // Bullets are last, so that the bodies that they may hit have their final poses.
     for (const bool bullets : {false, true}) {
         for (const FastBody& fast : in.scratch.fast_bodies) {
             if (in.objects.bodies[fast.body].bullet != bullets) continue;

@@ -1,3 +1,5 @@
+// Forces of fields on bodies.
+
 #include <collision/ellipse.h>
 #include <collision/large_polygon.h>
 #include <collision/piece.h>
@@ -82,14 +84,14 @@ class FieldOnBody {
     }
 
     void operator()(const AttractorField& attractor) {
-        // The position of the body in the middle of the step: a leapfrog, which keeps orbits
-        // closed.
+        // Uses the position of the body in the middle of the step: a leapfrog method, which keeps
+        // orbits closed.
         const V2 d = to_v2(attractor.center) - (body_.center + (0.5f * dt_) * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);
         float acceleration = attractor.strength;
         for (int i = 0; i < attractor.falloff; ++i) acceleration /= far;
-        // Within the core it falls linearly to nothing.
+        // Within the core it decreases linearly to 0.
         push_.force = push_.force + (body_.mass * acceleration / max(far, 1e-6f)) * d;
     }
 
@@ -97,14 +99,14 @@ class FieldOnBody {
     void each_shape(auto&& visit) const {
         for (uint32_t s = body_.first_shape; s != none; s = objects_.shapes[s].next) {
             const ShapeDef& surface = objects_.shapes[s].surface;
-            if (!objects_.is_solid(s)) continue;  // its parts are
+            if (!objects_.is_solid(s)) continue;  // its parts are used instead
             if ((surface.category & mask_) != 0 && !surface.sensor) visit(s);
         }
     }
     V2 blow(const WindField& wind, V2 arm) const { return to_v2(wind.velocity) - velocity_at(arm); }
     void blow_on_edge(const WindField& wind, V2 arm, V2 n, float length) {
         const float speed = dot(blow(wind, arm), n);
-        if (speed >= 0.0f) return;  // on the lee
+        if (speed >= 0.0f) return;  // on the side away from the wind
         push_.at(arm, (-0.5f * wind.density * speed * speed * length) * n);
     }
     void blow_on_polygon(const WindField& wind, const Solid& solid) {
@@ -118,7 +120,7 @@ class FieldOnBody {
             const V2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
             blow_on_edge(wind, arm, n, length(next - v));
         }
-        // The round corners together are a circle: ∫ cos³θ r dθ over its windward half.
+        // The round corners together form a circle: ∫ cos³θ r dθ over its windward half.
         const V2 u = blow(wind, middle);
         push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
     }
@@ -166,7 +168,7 @@ bool concerns(const ObjectState& objects, std::span<const Box4> boxes, uint32_t 
     return any;
 }
 
-/// A resistance takes no more velocity than the body has relative to its surroundings.
+/// A resistance removes at most the velocity of the body relative to its surroundings.
 V2 limited(V2 force, float mass, float dt, V2 against) {
     const float most = mass * length(against) / dt, size = length(force);
     return size > most && size > 0.0f ? (most / size) * force : force;

@@ -7,7 +7,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Bodies that a thread takes at a time.
+/// Number of bodies in a task of a thread.
 constexpr size_t bodies_of_piece = 64;
 
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
@@ -28,7 +28,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     record.center = {bounded(record.center.x, greatest_coordinate),
                      bounded(record.center.y, greatest_coordinate)};
     if (turn != 0.0f) {
-        // The part of the rotation that the angle cannot represent is kept for the next step.
+        // The part of the rotation that the angle cannot represent is stored for the next step.
         const float sum = turn + record.angle_rest;
         const float angle = bounded(state.angle + sum, greatest_coordinate);
         record.angle_rest = sum - (angle - state.angle);
@@ -41,8 +41,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     state.position =
         to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
     finish_shapes(in, slot, q, piece);
-    // A slower body cannot move past the reach of a speculative contact, nor with more than half
-    // of itself through a thin obstacle.
+    // A slower body cannot move past the range of a speculative contact, nor with more than half of
+    // its thickness through a thin obstacle.
     const float near = max(0.5f * record.thickness, speculative_margin);
     if (settings.continuous && record.mobility == Mobility::dynamic &&
         length_squared(shift) > near * near) {
@@ -94,7 +94,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
     std::vector<FinishedPiece>& finished = in.scratch.finished;
     const size_t count = awake.size();
     finished.resize((count + bodies_of_piece - 1) / bodies_of_piece);
-    // With callbacks, a fast body looks up its pairs, to see whether they are disabled.
+    // With callbacks, a fast body looks up its pairs, because they may be disabled.
     if (in.callbacks) end_pairs(in.list, in.pairs);
     share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {

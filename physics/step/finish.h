@@ -5,9 +5,9 @@
 #include <state/world_state.h>
 #include <threads/pool.h>
 
-// After the solver: poses, rotated vertices, boxes, and bodies put back to where they first hit
-// something. Each piece of the bodies has lists of what else is to do; these are then processed in
-// the order of the pieces.
+// The stages after the solver: poses, rotated vertices, boxes, and moving fast bodies back to their
+// first hit. Each piece of the bodies has lists of remaining work, which are then processed in the
+// order of the pieces.
 
 namespace fettle::physics::detail {
 
@@ -19,7 +19,7 @@ struct FinishInput {
     const WorldDef& settings;
     const BodyScratch& bodies;
     FinishScratch& scratch;
-    PairScratch& pairs;  ///< with the pairs that end
+    PairScratch& pairs;  ///< contains the pairs that end
     ContactList list;
     UserFilter filter;
     bool callbacks;  ///< the user has callbacks that may disable contacts
@@ -30,15 +30,15 @@ struct FinishInput {
 /// Returns the number of bodies that have rested long enough to sleep.
 uint32_t finish_bodies(const FinishInput& input, float dt);
 
-// Parts of it.
+// Parts of `finish_bodies`.
 
-/// Bodies that have to wait until the others are finished.
+/// Stops the bodies that have to wait until the others are finished.
 void stop_fast_bodies(const FinishInput& input);
-/// Places the shapes of a body, and gives new fat boxes to those that left theirs.
+/// Places the shapes of a body, and gives new fat boxes to shapes that left theirs.
 void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, FinishedPiece& piece);
-/// Processes a body that moved far compared with its thickness. Only fixed shapes stop most bodies,
-/// so any thread may compute where. A body waits if it may hit a bullet or if the user's filter
-/// must be called.
+/// Processes a body that moved far compared with its thickness. Most bodies are stopped by fixed
+/// shapes only, so any thread may compute the result. A body waits if it may hit a bullet or if the
+/// user's filter must be called.
 void stop_or_list(const FinishInput& input, const FastBody& fast, FinishedPiece& piece);
 
 }  // namespace fettle::physics::detail

@@ -7,10 +7,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Bodies that a thread takes at a time.
+/// Number of bodies in a task of a thread.
 constexpr size_t gathered_at_a_time = 256;
 
-/// What at least one of some bodies has, and few have.
+/// Rare features of bodies, as bits: at least one body of a piece has it.
 enum Gathered : uint8_t {
     some_locked = 1,
     some_axis_locked = 2,
@@ -35,7 +35,7 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity
                 bounded(h * (record.gravity_scale * gravity.y + record.inverse_mass * force.y),
                         2 * greatest_speed)};
     f.turn_change = bounded(h * record.inverse_inertia * torque, 2 * greatest_speed);
-    // Implicit: stable for any damping.
+    // Implicit integration, which is stable for any damping.
     f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
     f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
     const bool axis = record.locked_x || record.locked_y;
@@ -77,7 +77,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     hubs.begin(strips.count());
     for (size_t piece = 0; piece < bodies.gathered.size(); ++piece) {
         found |= bodies.gathered[piece];
-        // The solvers that solve one contact after the other need no hubs.
+        // Solvers that solve one contact after the other need no hubs.
         if ((bodies.gathered[piece] & some_crowded) != 0 && settings.solver == Solver::soft_step)
             find_hubs(objects, awake, piece * gathered_at_a_time,
                       std::min((piece + 1) * gathered_at_a_time, count), bodies, hubs);

@@ -15,11 +15,11 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads);
 
-// Fields of force: once a step they add to the forces of the sub-steps on the awake bodies. A
-// resistance never takes more velocity in a step than there is: that keeps dense air stable.
+// Fields of force: once per step they add to the forces of the sub-steps on the awake bodies. A
+// resistance never removes more velocity in a step than there is, so that dense air is stable.
 
-/// Adds to the forces of a sub-step of length `h` of a step of `dt`. `boxes`: of the shapes, by
-/// slot.
+/// Adds the fields to the forces of a sub-step of length `h`; the step has length `dt`. `boxes`:
+/// the boxes of the shapes, by slot.
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
                   std::span<const uint32_t> awake, V2 gravity, float h, float dt,
                   std::span<SolverForce> forces);

@@ -13,17 +13,17 @@
 namespace fettle::physics::detail {
 namespace {
 
-// How long a thread looks for work: first it spins, since the stages of a step follow each other
-// within microseconds; then it yields the processor; then it sleeps, since the next step may be far
-// away.
+// How long a thread searches for work. First it spins, because the stages of a step follow each
+// other within microseconds; then it yields the processor; then it sleeps, because the next step
+// may be far away.
 constexpr int spins = 20'000, yields = 2000;
 
-// How long a thread waits for threads that are about to finish, before it takes their remaining
-// blocks: the data of these blocks are in the cache of the other thread. About a microsecond.
+// How long a thread waits for almost finished threads before it takes their remaining blocks, whose
+// data are in the cache of the other thread. About a microsecond.
 constexpr int patience = 40;
 
-// How long the caller waits for the last blocks before it yields: the thread that works on one may
-// have lost its processor.
+// How long the caller waits for the last blocks before it yields: the system may have interrupted
+// the thread of such a block.
 constexpr int spins_at_end = 2000;
 
 void pause() {
@@ -33,7 +33,7 @@ void pause() {
 }
 
 // A turn or a share in one word: 24 bits for the round, 20 bits for the first remaining block, 20
-// for the end.
+// bits for the end.
 constexpr int count_bits = 20;
 constexpr uint64_t count_mask = (uint64_t{1} << count_bits) - 1;
 constexpr uint64_t one_first = uint64_t{1} << count_bits;
@@ -50,7 +50,7 @@ constexpr uint64_t end_of(uint64_t word) {
 constexpr uint64_t word_of(uint64_t round, uint64_t first, uint64_t end) {
     return round << (2 * count_bits) | first << count_bits | end;
 }
-/// The next round. Never round 0: a share of round 0 was never claimed.
+/// The next round. 0 is skipped, because a share in round 0 counts as never claimed.
 constexpr uint64_t after(uint64_t round) {
     constexpr uint64_t last = ~uint64_t{0} >> (2 * count_bits);
     return round == last ? 1 : round + 1;
@@ -90,15 +90,15 @@ void ThreadPool::stop() {
     workers_.clear();
 }
 
-/// Share of a thread in `count` blocks: the same range in every round.
+/// The share of a thread in `count` blocks. It is the same range in every round.
 uint64_t ThreadPool::share_of(uint64_t turn, size_t thread) const {
     const uint64_t count = end_of(turn), threads = shares_.size();
     return word_of(round_of(turn), count * thread / threads, count * (thread + 1) / threads);
 }
 
-/// Takes a block of a thread's share. If the share is still of an earlier round, the first thread
-/// that comes begins it; the current round cannot be over then, since all blocks of that share
-/// remain.
+/// Takes a block of a thread's share. If the share still belongs to an earlier round, the first
+/// thread that arrives initializes it. The current round cannot be over then, because all blocks of
+/// that share remain.
 bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) {
     std::atomic<uint64_t>& share = shares_[thread].left;
     uint64_t seen = share.load(std::memory_order_acquire);
@@ -110,7 +110,7 @@ bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) 
         }
         if (first_of(left) >= end_of(left)) return false;
         block = uint32_t(own ? first_of(left) : end_of(left) - 1);
-        // Other threads take from the end, which is farthest from the place of the owner.
+        // Other threads take blocks from the end, which is farthest from the position of the owner.
         const uint64_t taken = own ? left + one_first : left - 1;
         if (share.compare_exchange_weak(seen, taken, std::memory_order_acq_rel,
                                         std::memory_order_acquire))
@@ -118,7 +118,7 @@ bool ThreadPool::claim(uint64_t turn, size_t thread, bool own, uint32_t& block) 
     }
 }
 
-/// While a claimed block is not done, the round cannot end and its function cannot change.
+/// While a claimed block is unfinished, the round cannot end and its function cannot change.
 void ThreadPool::work_on(uint64_t turn, size_t thread, bool own) {
     uint32_t done = 0;
     for (uint32_t block = 0; claim(turn, thread, own, block); ++done)
@@ -141,15 +141,15 @@ void ThreadPool::work_until_done(uint64_t turn, uint32_t goal, size_t self) {
 }
 
 void ThreadPool::share_out(uint32_t count, Function function, void* context) {
-    // All blocks of the last round are done: no thread reads these members.
+    // All blocks of the last round are finished, so no thread reads these members.
     function_.store(function, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
     const uint32_t goal = goal_.load(std::memory_order_relaxed) + count;
     goal_.store(goal, std::memory_order_relaxed);
     const uint64_t round = after(round_of(turn_.load(std::memory_order_relaxed)));
     if (round == 1) {
-        // After 2²⁴ rounds the numbers repeat: reset the shares, so that none seems to be of this
-        // round.
+        // The numbers repeat after 2²⁴ rounds, so the shares are reset; otherwise an old share
+        // could seem to belong to this round.
         for (Share& share : shares_) share.left.store(0, std::memory_order_relaxed);
     }
     const uint64_t turn = word_of(round, 0, count);

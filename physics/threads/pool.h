@@ -13,26 +13,26 @@ namespace fettle::physics::detail {
 /// Number of processors that the system reports; a large number if it reports none.
 int processors();
 
-/// Threads that share out the blocks of a loop. The calling thread works, too, and returns when all
-/// blocks are done. Each thread begins with a range of blocks of its own, the same one in every
+/// Threads that share the blocks of a loop. The calling thread works, too, and returns when all
+/// blocks are finished. Each thread begins with its own range of blocks, the same one in every
 /// loop, so that the data it wrote in the last loop are still in its cache; then it takes remaining
-/// blocks of other threads. Which thread works on a block varies from run to run; the caller must
-/// make sure that results do not depend on it. Sharing out work allocates nothing.
+/// blocks of other threads. The thread of a block varies from run to run; the caller must make sure
+/// that results do not depend on it. Sharing work allocates nothing.
 class ThreadPool {
   public:
-    /// The greatest number of blocks of a loop.
+    /// Maximum number of blocks of a loop.
     static constexpr uint32_t most_blocks = (1u << 20) - 1;
 
-    /// `threads`: how many threads work, the caller's included; `at_a_time`: how many of them work
-    /// at the same time. More than there are processors would only slow each other down. If the
-    /// system provides fewer, throws std::runtime_error, which says how many there are.
+    /// `threads`: number of threads, including the caller; `at_a_time`: how many of them work at
+    /// the same time. More threads than processors would slow each other down. If the system
+    /// provides fewer, throws std::runtime_error with the number of threads that exist.
     explicit ThreadPool(int threads, int at_a_time = processors());
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int threads() const { return threads_; }
-    /// How many of the threads work at the same time.
+    /// Number of threads that work at the same time.
     int at_a_time() const { return int(shares_.size()); }
 
     /// Calls `work(block)` once for every block below `count`.
@@ -46,8 +46,8 @@ class ThreadPool {
 
   private:
     using Function = void (*)(void* context, uint32_t block);
-    /// Remaining blocks of a thread: round, first and end in one word, so that a late thread never
-    /// claims a block of another round.
+    /// Remaining blocks of a thread. Round, first block and end are in one word, so that a late
+    /// thread never claims a block of another round.
     struct alignas(64) Share {
         std::atomic<uint64_t> left = 0;
     };
@@ -61,20 +61,20 @@ class ThreadPool {
     void serve(std::size_t self);
     void stop();
 
-    // Written by the caller, read by all: round and number of blocks in one word.
+    // Written by the caller, read by all threads: round and number of blocks in one word.
     alignas(64) std::atomic<uint64_t> turn_ = 0;
     std::atomic<Function> function_ = nullptr;
     std::atomic<void*> context_ = nullptr;
-    std::atomic<uint32_t> goal_ = 0;  ///< `done_` when the round is over
+    std::atomic<uint32_t> goal_ = 0;  ///< value of `done_` when the round is over
     std::atomic<bool> stop_ = false;
-    alignas(64) std::atomic<uint32_t> done_ = 0;  ///< blocks of all rounds, modulo 2³²
+    alignas(64) std::atomic<uint32_t> done_ = 0;  ///< finished blocks of all rounds, modulo 2³²
     alignas(64) std::atomic<uint32_t> sleepers_ = 0;
     const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;
 };
 
-/// As `run`; without a pool, the caller works on the blocks one after the other.
+/// Like `run`; without a pool, the caller processes the blocks one after the other.
 template <typename Work>
 void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
     if (pool != nullptr && count > 1) {
@@ -84,11 +84,11 @@ void share_out(ThreadPool* pool, uint32_t count, Work&& work) {
     for (uint32_t block = 0; block < count; ++block) work(block);
 }
 
-/// Data that all threads read often and that no thread writes have cache lines of their own:
+/// Data that all threads read often and that no thread writes are in cache lines of their own:
 /// reading a line that another thread has just written takes longer than a short loop.
 inline constexpr std::size_t line_size = 64;
 
-/// Calls `work(begin, end)` for 0 … size in pieces of `piece`, as often as it is run.
+/// Calls `work(begin, end)` for 0 … size in pieces of `piece`; can be run several times.
 template <typename Work>
 class alignas(line_size) RangeLoop {
   public:

@@ -1,5 +1,5 @@
-// The solver's passes eight lanes at a time. This file alone is compiled for AVX2 and is only
-// called where there is AVX2.
+// The kernels for AVX2: eight lanes at a time. Only this file is compiled for AVX2, and it is
+// called only if the machine has AVX2.
 #if defined(__x86_64__)
 #define FETTLE_LANES 8
 

@@ -1,5 +1,5 @@
-// The solver's passes for machines with AVX-512: sixteen lanes at a time. Compiled for that
-// instruction set; nothing here may run before `wide_kernels` has seen that the machine has it.
+// The kernels for AVX-512: sixteen lanes at a time. Compiled for that instruction set; no code of
+// this file may run before `wide_kernels` has detected it on the machine.
 #if defined(__x86_64__)
 #define FETTLE_LANES 16
 

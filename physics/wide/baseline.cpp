@@ -1,4 +1,4 @@
-// The solver's passes for what every machine of this architecture has: four lanes at a time.
+// The kernels for every machine of this architecture: four lanes at a time.
 #define FETTLE_LANES 4
 
 #include <wide/kernels_here.h>

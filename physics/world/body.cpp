@@ -1,3 +1,5 @@
+// Methods of bodies: state, motion and forces.
+
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <geometry/trigonometry.h>
@@ -16,8 +18,8 @@ Rotation rotation(const BodyState& state) {
     return {state.cosine, state.sine};
 }
 
-/// Puts a body at another pose: bodies that rested on it wake, derived data are out of date, and
-/// nothing is drawn in between.
+/// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
+/// outdated, and nothing is drawn in between.
 void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
     wake_for_edit(data.activity(), body);
     wake_touching(data.activity(), body);
@@ -36,7 +38,8 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
     mark_placement(data, data, body);
 }
 
-/// An impulse at the center of mass and an angular impulse. No effect on a body that does not move.
+/// Applies an impulse at the center of mass and an angular impulse. No effect on a body that does
+/// not move.
 void kick(const BodyRecord& record, BodyState& state, V2 impulse, float angular_impulse) {
     if (record.mobility != Mobility::dynamic) return;
     const V2 velocity = to_v2(state.velocity) + record.inverse_mass * impulse;
@@ -72,12 +75,12 @@ FETTLE_BODY_READ(BodyType, type, record.type)
 FETTLE_BODY_READ(Vec2, position, state.position)
 FETTLE_BODY_READ(float, angle, state.angle)
 FETTLE_BODY_READ(Pose, previous_pose, data.previous[id_.index])
-FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // a center of mass that moves changes it
+FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // an edited center of mass changes it
 FETTLE_BODY_READ(float, angular_velocity, state.angular_velocity)
 FETTLE_BODY_READ(Vec2, force, to_vec2(record.force))
 FETTLE_BODY_READ(Vec2, applied_force, to_vec2(record.step_force))
 FETTLE_BODY_READ(float, applied_torque, record.step_torque)
-FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // an infinite mass does not wake
+FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // falls asleep with an infinite mass
 FETTLE_BODY_READ(bool, can_sleep, record.can_sleep)
 FETTLE_BODY_READ(bool, bullet, record.bullet)
 FETTLE_BODY_READ(bool, is_touching, record.touching > 0)
@@ -108,7 +111,7 @@ void Body::set_type(BodyType type) {
     mark_mass(data, data, id_.index);
     detail::refresh_mass(
         data.editing(),
-        id_.index);  // at once: reading `awake` or setting a velocity next depends on it
+        id_.index);  // at once, because reading `awake` or setting a velocity depends on it
 }
 
 void Body::set_position(const Vec2& position) {
@@ -131,7 +134,7 @@ void Body::set_pose(const Pose& pose) {
 
 namespace {
 
-/// True if the body may have a velocity; then it is awake.
+/// Whether the body may have a velocity; if so, it is awake afterwards.
 bool moves_after_edit(WorldData& data, uint32_t body) {
     data.read_mass(body);
     if (data.bodies[body].mobility == Mobility::fixed) return false;
@@ -163,11 +166,11 @@ void Body::set_force(const Vec2& force) {
 
 namespace {
 
-/// Limit of the sum of forces, N, and torques, N m.
+/// Limit of the sum of forces (N) and torques (N m).
 constexpr float greatest_force = std::numeric_limits<float>::max();
 
-/// A force for the next step. Wakes the body. A force on a body that it cannot move is dropped:
-/// otherwise it would act as soon as the body can move.
+/// Adds a force for the next step, and wakes the body. A force on a body that it cannot move is
+/// dropped; otherwise it would act later, when the body can move.
 void push(WorldData& data, uint32_t body, V2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;

@@ -1,6 +1,6 @@
 #include <world/live.h>
 
-// Mass and size of a body: derived from its shapes, or overridden.
+// Mass and size of a body: computed from its shapes, or overridden.
 
 namespace fettle::physics {
 

@@ -1,5 +1,5 @@
-// For hosts that keep slots: the values that they read and write most, without a check that the
-// body lives.
+// Functions for hosts that store slots: the values that they read and write most. They do not check
+// that the body lives.
 
 #include <fettle/physics/world.h>
 #include <world/world_data.h>
@@ -11,30 +11,30 @@ namespace fettle::physics {
 using namespace detail;
 
 Vec2 World::velocity(uint32_t index) const {
-    data_->read_mass(index);  // a center of mass that moves changes it
+    data_->read_mass(index);  // an edited center of mass changes the velocity
     return data_->states[index].velocity;
 }
 
 namespace {
 
-/// Returns whether the body moves by itself; it is awake afterwards, with the bodies that touch it
-/// if necessary.
-bool stir(WorldData& data, uint32_t index) {
+/// Returns whether the body moves by itself. If so, it is awake afterwards; the bodies that touch
+/// it wake if necessary.
+bool wake_for_write(WorldData& data, uint32_t index) {
     data.read_mass(index);
     if (data.bodies[index].mobility == Mobility::fixed) return false;
     wake_for_edit(data.activity(), index);
     return true;
 }
 
-/// Almost every body that is written is like this: stirring it is one store.
-bool stirs(const WorldData& data, const BodyRecord& record) {
+/// The fast case, true for almost all bodies that are written: waking needs only one store.
+bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
     return record.solver_index != 0 && record.mobility == Mobility::dynamic && !record.listed &&
            !data.self.locked();
 }
 
 [[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
     data.self.may_edit("World", "set_velocity");
-    if (!stir(data, index)) return false;
+    if (!wake_for_write(data, index)) return false;
     data.states[index].velocity = velocity;
     return true;
 }
@@ -47,8 +47,8 @@ bool same(const Vec2& a, const Vec2& b) {
     return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 
-/// Apart, so that no jump is taken on the way of what is written. The velocity of a body just
-/// edited is not yet what its cell says: it changes with the center of mass.
+/// A separate function, so that the usual path contains no jump. The stored velocity of a body just
+/// edited is out of date, because the velocity changes with the center of mass.
 [[gnu::cold, gnu::noinline]] Written not_written(const BodyRecord& record, bool held) {
     return held && !record.listed ? Written::same : Written::refused;
 }
@@ -56,14 +56,14 @@ bool same(const Vec2& a, const Vec2& b) {
 template <class T>
 Written store(const WorldData& data, BodyRecord& record, T& cell, const T& value) {
     const bool held = same(cell, value);
-    if (held || !stirs(data, record)) [[unlikely]]
+    if (held || !is_awake_and_current(data, record)) [[unlikely]]
         return not_written(record, held);
     record.sleep_time = 0.0f;
     cell = value;
     return Written::done;
 }
 
-/// What the next step reads.
+/// Writes a value that only the next step reads.
 template <float BodyRecord::*setting>
 Written set(WorldData& data, uint32_t index, float value) {
     BodyRecord& record = data.bodies[index];
@@ -74,7 +74,7 @@ Written set(WorldData& data, uint32_t index, float value) {
 
 bool World::set_velocity(uint32_t index, const Vec2& velocity) {
     BodyRecord& record = data_->bodies[index];
-    if (!stirs(*data_, record)) [[unlikely]]
+    if (!is_awake_and_current(*data_, record)) [[unlikely]]
         return stir_and_set(*data_, index, velocity);
     record.sleep_time = 0.0f;
     data_->states[index].velocity = velocity;

@@ -16,7 +16,7 @@ using namespace detail;
 
 namespace detail {
 
-/// True also if the filter throws.
+/// The answer of the filter; also true if the filter throws.
 bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
     if (!self.filter) return true;
     bool agrees = true;
@@ -60,18 +60,18 @@ UserFilter WorldData::user_filter() const {
 
 namespace {
 
-/// Calls the callbacks for the contacts of a step, one after the other in their order, so that
-/// equal inputs have equal results.
-class Consultation {
+/// Calls the callbacks for the contacts of a step in their order, so that equal inputs give equal
+/// results.
+class ContactCallbacks {
   public:
-    explicit Consultation(WorldData& world) : world_(world) {}
+    explicit ContactCallbacks(WorldData& world) : world_(world) {}
 
     void mix_all() {
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
             c.disabled = false;
             if (!acts(c)) continue;
-            remix(world_, world_.settings, c);  // a change by a callback is for one step
+            remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
             if (!world_.self.mix) continue;
             ContactEdit edit = edit_of(c);
             if (world_.self.ask(in_mixing, [&] { world_.self.mix(edit); }))
@@ -80,7 +80,7 @@ class Consultation {
     }
 
     /// For the callback two shapes are one contact, however many of their parts touch. It is called
-    /// in the place of the first part, and its changes hold for all.
+    /// at the position of the first part in the order, and its changes apply to all parts.
     void before_solve_all() {
         if (!world_.self.before_solve) return;
         list_parts();
@@ -100,7 +100,7 @@ class Consultation {
     }
 
   private:
-    /// A contact among the awake ones, and which two shapes it is of.
+    /// An awake contact and the pair of shapes it belongs to.
     struct Part {
         uint64_t pair;
         uint32_t at;
@@ -144,8 +144,9 @@ class Consultation {
         return edit;
     }
 
-    /// With several parts, only what the callback changed: each part has its own mixture. A value
-    /// out of range becomes the nearest valid one, and NaN means no change: a step does not throw.
+    /// If there are several parts, only values that the callback changed are stored, because each
+    /// part has its own mixed values. A value out of range becomes the nearest valid one, and NaN
+    /// means no change: a step must not throw.
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
         const auto given = [&](float ContactEdit::*field) {
             const float now = edit.*field;
@@ -160,7 +161,7 @@ class Consultation {
         c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
     }
 
-    /// Describes the deepest of the parts, with the impulse of all.
+    /// Calls the callback with the deepest of the parts and the impulse of all parts.
     void ask(std::span<const Part> parts) {
         ContactEdit edit = edit_of(record(parts.front()));
         float impulse = edit.impulse;
@@ -187,16 +188,16 @@ class Consultation {
     }
 
     WorldData& world_;
-    std::vector<Part> parts_;  ///< by pair, then in the order of the contacts
+    std::vector<Part> parts_;  ///< sorted by pair, then in the order of the contacts
 };
 
 }  // namespace
 
 void WorldData::consult_callbacks() {
     if (!self.see_contacts()) return;
-    Consultation consultation(*this);
-    consultation.mix_all();
-    consultation.before_solve_all();
+    ContactCallbacks contact_callbacks(*this);
+    contact_callbacks.mix_all();
+    contact_callbacks.before_solve_all();
 }
 
 void remix_all(WorldData& data) {
@@ -211,7 +212,7 @@ void remix_all(WorldData& data) {
 
 void World::set_filter(PairFilter filter) {
     WorldData& data = edit(__func__);
-    data.read_all();  // a refresh callback that throws leaves the filter there was
+    data.read_all();  // if a refresh callback throws, the old filter stays
     data.self.filter = std::move(filter);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {

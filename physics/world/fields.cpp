@@ -46,7 +46,7 @@ void detail::check(const FieldDef& def) {
 Field World::create_field(const FieldDef& def) {
     WorldData& data = populate(__func__);
     check(def);
-    const FieldDef own = def;  // that of another field moves with the list of fields
+    const FieldDef own = def;  // a copy: a reference into the list of fields would become invalid
     const uint32_t slot = data.field_slots.take(data.fields);
     data.fields[slot] = {own, data.self.link->generations.take(), none};
     detail::wake_all(data.activity());

@@ -5,9 +5,9 @@
 
 namespace fettle::physics::detail {
 
-// For the handles of bodies and shapes.
+// Common code of the handles of bodies and shapes.
 
-/// The data of the world in which the object lives; `kind` is what an error calls it.
+/// The data of the world in which the object lives; `kind`: name of its type for errors.
 template <class Id>
 WorldData& live(WorldLink* link, Id id, const char* kind) {
     if (link == nullptr || link->data == nullptr || !link->data->is_valid(id)) [[unlikely]]
@@ -15,7 +15,7 @@ WorldData& live(WorldLink* link, Id id, const char* kind) {
     return *link->data;
 }
 
-/// The body that carries the bounds of a world has nothing to edit.
+/// Throws: the body that carries the bounds of a world cannot be edited.
 [[noreturn]] void refuse_border_body(const char* function);
 
 inline void may_edit_body(const WorldData& data, BodyId id, const char* function) {
@@ -26,30 +26,31 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
 
 }  // namespace fettle::physics::detail
 
-// The first line of every method of `Body` that needs a live one: `data`, and its records.
+// The first line of every method of `Body` that requires a live body: declares `data` and its
+// records.
 #define FETTLE_LIVE_BODY                                          \
     WorldData& data = detail::live(link_, id_, "body");           \
     [[maybe_unused]] BodyRecord& record = data.bodies[id_.index]; \
     [[maybe_unused]] BodyState& state = data.states[id_.index];
-// The same for one that edits it.
+// The same for methods that edit it.
 #define FETTLE_EDIT_BODY \
     FETTLE_LIVE_BODY     \
     may_edit_body(data, id_, __func__);
 
-// A read-only property.
+// Defines a read-only property.
 #define FETTLE_BODY_READ(Value, name, value) \
     Value Body::name() const {               \
         FETTLE_LIVE_BODY                     \
         return value;                        \
     }
-// A property that follows from the shapes and may be out of date.
+// Defines a property that follows from the shapes and may be out of date.
 #define FETTLE_BODY_DERIVED(Value, name, value) \
     Value Body::name() const {                  \
         FETTLE_LIVE_BODY                        \
         data.read_mass(id_.index);              \
         return value;                           \
     }
-// A number that a step reads: it is checked, and writing it wakes the body.
+// Defines a number that a step reads: it is checked, and writing it wakes the body.
 #define FETTLE_BODY_NUMBER(name, check)        \
     FETTLE_BODY_READ(float, name, record.name) \
     void Body::set_##name(float value) {       \
@@ -58,7 +59,8 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
         wake_body(data.activity(), id_.index); \
     }
 
-// The first line of every method of `Shape` that needs a live one: `data`, and its records.
+// The first line of every method of `Shape` that requires a live shape: declares `data` and its
+// records.
 #define FETTLE_LIVE_SHAPE                                          \
     WorldData& data = detail::live(link_, id_, "shape");           \
     [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
@@ -70,12 +72,12 @@ inline void may_edit_body(const WorldData& data, BodyId id, const char* function
     data.refresh;                                                  \
     [[maybe_unused]] ShapeRecord& record = data.shapes[id_.index]; \
     [[maybe_unused]] ShapeForm& form = data.forms[id_.index];
-// The first line of one that edits it.
+// The first line of methods that edit it.
 #define FETTLE_EDIT_SHAPE \
     FETTLE_LIVE_SHAPE     \
     data.self.may_edit("Shape", __func__);
 
-// A read-only property.
+// Defines a read-only property.
 #define FETTLE_SHAPE_READ(Value, name, value) \
     Value Shape::name() const {               \
         FETTLE_LIVE_SHAPE                     \

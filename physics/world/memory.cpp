@@ -5,9 +5,8 @@
 #include <string_view>
 #include <type_traits>
 
-// The memory of a world on the heap. Slots grow by a fifth (geometry/growth.h). The scratch of a
-// step is released when most of what was awake sleeps, so that a world at rest holds little more
-// than its state.
+// Heap memory of a world. Slots grow by a fifth (geometry/growth.h). The scratch data of a step are
+// released when most bodies sleep, so that a world at rest uses little more memory than its state.
 
 namespace fettle::physics {
 
@@ -19,7 +18,7 @@ concept ListsScratch = requires(Io& io, T& value) {
     std::remove_const_t<T>::scratch(io, value);
 };
 
-/// Sums up what the vectors hold that it is shown, line by line.
+/// Adds up the memory of vectors, line by line.
 class MemoryLines {
   public:
     void line(const char* name) {
@@ -63,7 +62,7 @@ class MemoryLines {
     size_t line_ = 0;
 };
 
-/// Empties the vectors that it is shown.
+/// Releases the memory of vectors.
 struct MemoryRelease {
     template <class T>
     void operator()(std::vector<T>& list) {
@@ -81,8 +80,8 @@ struct MemoryRelease {
 
 }  // namespace
 
-/// Releases scratch when three quarters of the bodies that a step once solved sleep now, or when
-/// edits made or moved that many shapes.
+/// Releases scratch data when three quarters of the bodies that a step once solved sleep now, or
+/// when edits created or moved that number of shapes.
 void WorldData::trim() {
     const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
     if ((awake_bodies.size() + 1) * 4 > once) return;

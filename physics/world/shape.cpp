@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-// What all shapes have in common: owner, surface, filter, derived data. Geometry is in
+// Common methods of all shapes: owner, surface, filter, derived data. Geometry is in
 // shape_geometry.cpp.
 
 namespace fettle::physics {
@@ -13,14 +13,16 @@ using namespace detail;
 
 namespace {
 
-/// What the border takes from the settings of its world would be lost when those are set.
+/// Throws for a value of the border that comes from the settings of its world: a later change of
+/// the settings would overwrite it. `instead`: the setter of the world.
 void refuse_border(const ShapeRecord& record, const char* instead) {
     if (record.type == ShapeType::border) [[unlikely]]
         throw std::invalid_argument(std::string("the border of the world: set its ") + instead +
                                     " instead");
 }
 
-/// What no setting of the world is for, the border does not have.
+/// Throws for a value that the border does not have, because no setting of the world corresponds to
+/// it.
 void refuse_border_any(const ShapeRecord& record, const char* what) {
     if (record.type == ShapeType::border) [[unlikely]]
         throw std::invalid_argument(std::string(what) +
@@ -35,7 +37,7 @@ void surface_changed(WorldData& data, uint32_t shape) {
     wake_for_edit(data.activity(), data.forms[shape].body);
 }
 
-/// A user's filter may read the world: no data may be out of date when it is called. The refresh
+/// A user's filter may read the world, so no data may be out of date when it is called. The refresh
 /// callback may throw, so it comes before the edit.
 template <class T>
 void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) {
@@ -103,7 +105,8 @@ FETTLE_SHAPE_READ(bool, is_touching, record.touching > 0)
 FETTLE_SHAPE_READ(uint32_t, rebuilds, record.rebuilds)
 FETTLE_SHAPE_READ(uint64_t, user_data, record.surface.user_data)
 
-// A number of the surface. The border refuses it by `refuse`, its value is `checked`.
+// Defines a number of the surface. `refuse` is called for the border; `checked` is the checked
+// value.
 #define FETTLE_SURFACE(name, refuse, checked)           \
     FETTLE_SHAPE_READ(float, name, record.surface.name) \
     void Shape::set_##name(float value) {               \
@@ -148,7 +151,8 @@ void Shape::set_sensor(bool sensor) {
     if (form.body != none) {
         wake_for_edit(data.activity(), form.body);
         wake_touching(data.activity(), form.body);
-        destroy_contacts_of_shape(data.contact_list(), id_.index);  // ended as what they were
+        // The contacts end with their old kind, as sensor contacts or not.
+        destroy_contacts_of_shape(data.contact_list(), id_.index);
     }
     record.surface.sensor = sensor;
     share_surface(data, id_.index);

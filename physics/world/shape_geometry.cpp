@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-// The geometry of a shape: each type has properties of its own.
+// Geometry of a shape: each type has its own properties.
 
 namespace fettle::physics {
 
@@ -11,8 +11,8 @@ using namespace detail;
 
 namespace {
 
-/// Call after any change of geometry: wakes the affected bodies and marks derived data as out of
-/// date.
+/// Must be called after any change of geometry: wakes the affected bodies and marks derived data as
+/// outdated.
 void geometry_changed(WorldData& data, uint32_t shape) {
     const uint32_t body = data.forms[shape].body;
     if (body != none) {
@@ -22,7 +22,7 @@ void geometry_changed(WorldData& data, uint32_t shape) {
     mark_geometry(data, data, shape);
 }
 
-/// Of which type a shape is that is such a figure.
+/// The type of a shape with that figure.
 template <class Kind>
 inline constexpr ShapeType type_of = ShapeType::border;
 template <>
@@ -34,8 +34,8 @@ inline constexpr ShapeType type_of<Segment> = ShapeType::segment;
 template <>
 inline constexpr ShapeType type_of<Ellipse> = ShapeType::ellipse;
 
-/// A measure of the figure that the shape is, if it is one of those that have it. `name`: as the
-/// error calls it for other shapes.
+/// A value of the figure, if the shape has one of the given figures. `name`: name of the value in
+/// errors for other shapes.
 template <class Kind, class T, class... Others>
 T measure(const ShapeRecord& record, const char* name, T Kind::*member, Others... others) {
     if (record.type == type_of<Kind>) return record.figure.as<Kind>().*member;
@@ -45,7 +45,7 @@ T measure(const ShapeRecord& record, const char* name, T Kind::*member, Others..
         wrong_type(name, record.type);
 }
 
-/// The figure is written only if it is valid afterwards.
+/// The figure is written only if it is valid with the new value.
 template <class Kind, class T, class... Others>
 void set_measure(WorldData& data, uint32_t shape, const char* name,
                  const std::type_identity_t<T>& value, T Kind::*member, Others... others) {
@@ -67,7 +67,7 @@ float polygon_rounding(const ShapeRecord& record) {
     return record.figure.as<PolygonFigure>().rounding;
 }
 
-/// The same two floats in either struct.
+/// Both structs consist of the same two floats.
 std::span<const Vec2> as_vectors(std::span<const V2> points) {
     static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
     return {reinterpret_cast<const Vec2*>(points.data()), points.size()};
@@ -154,7 +154,7 @@ std::span<const Vec2> Shape::vertices() const {
     FETTLE_LIVE_SHAPE
     if (!data.is_solid(id_.index)) return as_vectors(data.outline_of(id_.index));
     if (form.count < 2) return {};
-    // A polygon's hull was computed when it was written.
+    // The hull of a polygon was computed when it was written.
     if (record.type != ShapeType::polygon) data.read_shape(id_.index);
     return as_vectors({&data.pool.local[form.begin], form.count});
 }
@@ -172,7 +172,7 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
 }
 
 void Shape::set_vertices(std::span<const Vec2> given) {
-    // They may lie in the memory of the world, which is written below.
+    // A copy, because `given` may be in the memory of the world, which is written below.
     const std::vector<Vec2> points(given.begin(), given.end());
     FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::concave || record.type == ShapeType::chain) {

@@ -13,12 +13,12 @@
 #include <chrono>
 #include <utility>
 
-// The order of the stages of a step. docs/design/physics.md says why it is this one.
+// The order of the stages of a step. docs/design/physics.md explains it.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// In a world without gravity, loads are measured by this gravity, m/s².
+/// Without gravity in the world, loads are measured with this gravity, m/s².
 constexpr float usual_gravity = 10.0f;
 
 class StageClock {
@@ -54,7 +54,7 @@ void WorldData::step(float dt) {
     ContactScratch& contact_scratch = *this;
     ScheduleScratch& schedule = *this;
     const WideKernels& kernels = wide_kernels(most_lanes);
-    const bool groups = settings.solver == Solver::soft_step;  // other solvers know no groups
+    const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const float h = dt / float(settings.substeps);
     const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
     const ContactStiffness stiffness = stiffness_of(settings, h);

@@ -1,3 +1,5 @@
+// Methods of a world: settings, creation and lists of objects.
+
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <fettle/physics/instruction_set.h>
@@ -13,13 +15,13 @@ using namespace detail;
 World::World(const WorldDef& def) {
     check(def);
     data_ = std::make_unique<WorldData>();
-    data_->self.link = &take_link();  // it is given back with the data
+    data_->self.link = &take_link();  // returned together with the data
     data_->settings = def;
     detail::make_border(data_->editing());
     begin();
 }
 
-/// Handles find the data from now on.
+/// Publishes the data for handles.
 void World::begin() {
     columns_ = data_.get();
     link_ = data_->self.link;
@@ -73,7 +75,7 @@ void World::step(float dt) {
     lock.finish();
 }
 
-// A setting: read, and written after a check; `then` is what else the change does.
+// Defines a setting that is checked before it is written; `then`: further effects of the change.
 #define FETTLE_WORLD_SETTING(Value, Argument, name, checked, then) \
     Value World::name() const {                                    \
         return data_->settings.name;                               \
@@ -161,7 +163,7 @@ void World::clear() {
 
 namespace {
 
-/// A handle for each slot from the first on that is used and `wanted`.
+/// Handles of the used slots from `first` on for which `wanted` is true.
 template <class Handle, class Id>
 std::vector<Handle> handles(World* world, const std::vector<uint32_t>& generations, uint32_t first,
                             const auto& wanted) {
@@ -217,7 +219,7 @@ const StepStatistics& World::statistics() const {
 }
 
 uint64_t World::hash() const {
-    // FNV-1a over whole words, each mixed first: cheap, and every bit counts.
+    // FNV-1a over whole words, each mixed before. It is cheap, and every bit influences the result.
     uint64_t hash = 0xcbf29ce484222325u;
     auto add = [&hash](float a, float b) {
         uint32_t words[2];

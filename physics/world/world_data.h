@@ -16,7 +16,7 @@ namespace fettle::physics::detail {
 /// A world: its state, the scratch data of its step, and its other data. Member functions are
 /// grouped by the file that defines them.
 struct WorldData : WorldState, StepScratch {
-    int most_lanes = lanes;  ///< tests compare instruction sets
+    int most_lanes = lanes;  ///< limited by tests that compare instruction sets
     bool stepping = false;
     WorldSelf self;                 ///< callbacks, owner, threads: not part of the state
     ThreadPool* threads = nullptr;  ///< of `self`
@@ -26,8 +26,8 @@ struct WorldData : WorldState, StepScratch {
     ShapeId shape_id(uint32_t slot) const { return detail::shape_id(*this, *this, slot); }
     Solid solid(uint32_t shape) const { return solid_of(*this, *this, shape); }
 
-    // callbacks.cpp: `read_...` before a value is read that edits may have left out of date, and
-    // before an edit that reads it; the refresh callback of the user is called first.
+    // callbacks.cpp: `read_...` is called before a value is read that edits may have left out of
+    // date, and before an edit that reads it. It calls the refresh callback of the user first.
     void read_all() {
         if (!edited_bodies.empty() || !edited_shapes.empty()) read_edited({});
     }

@@ -11,10 +11,10 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Multiples of the golden ratio of 2³² lie far apart, however many there are.
+/// Multiples of 2³² divided by the golden ratio are far apart, for any number of them.
 constexpr uint32_t apart = 2654435769u;
-/// Far more than a world makes between two looks at a foreign state, far fewer than lie between the
-/// numbers that two links begin with.
+/// Much more generations than a world creates between two restored states, and much fewer than the
+/// distance between the first generations of two links.
 constexpr uint32_t soon = 1u << 24;
 
 struct Links {
@@ -23,14 +23,14 @@ struct Links {
     std::vector<WorldLink*> unused;
 };
 
-/// Never destroyed: a world or a handle may be a global variable.
+/// Never destroyed, because a world or a handle may be a global variable.
 Links& links() {
     alignas(Links) static std::byte room[sizeof(Links)];
     static Links& all = *new (room) Links;
     return all;
 }
 
-/// Frees the links when the program ends or the library is unloaded, if no world is left.
+/// Frees the links when the program ends or the library is unloaded, if no world exists any more.
 struct AtEnd {
     ~AtEnd() {
         Links& known = links();
@@ -64,7 +64,7 @@ WorldLink& take_link() {
         known.unused.pop_back();
         return link;
     }
-    known.unused.reserve(known.all.size() + 1);  // giving back must not throw
+    known.unused.reserve(known.all.size() + 1);  // returning a link must not throw
     const auto number = uint32_t(known.all.size());
     WorldLink& link = *known.all.emplace_back(std::make_unique<WorldLink>());
     link.generations.next = number * apart + 1;

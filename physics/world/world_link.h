@@ -14,24 +14,24 @@ namespace fettle::physics::detail {
 struct WorldData;
 
 /// Link from handles to their world: the world and its data, or null after its destruction. Later
-/// worlds use links again and links are never freed, so a handle may outlive its world. A link also
-/// gives the generations: it never gives a number twice, and two links begin far apart. Therefore
-/// an id is invalid in any other world, and in a later world of the same link.
+/// worlds use links again, and links are never freed, so a handle may outlive its world. A link
+/// also gives the generations: it never gives a number twice, and two links begin far apart.
+/// Therefore an id is invalid in any other world, and in a later world of the same link.
 struct WorldLink {
     World* world = nullptr;     ///< null: destroyed
     WorldData* data = nullptr;  ///< null: destroyed
     Generations generations;
 
-    /// Skips generations of a state from another link, so that none of them is given again soon.
+    /// Skips generations of a state from another link, so that they are not given again soon.
     void skip(std::span<const uint32_t> given);
 };
 
-/// Of a new world.
+/// A link for a new world.
 WorldLink& take_link();
-/// Its world was destroyed.
+/// Must be called when the world of the link was destroyed.
 void return_link(WorldLink& link);
 
-/// Throws for a handle without an object: default-constructed, or its object or its world was
+/// Throws for a handle without an object: it is default-constructed, or its object or its world was
 /// destroyed.
 [[noreturn]] void dangling(const char* kind, const WorldLink* link, uint32_t index,
                            uint32_t generation);

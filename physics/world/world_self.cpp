@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-// User functions run in the middle of library functions: forbidden calls are refused here, and if a
+// User functions run in the middle of library functions. Forbidden calls are refused here, and if a
 // user function throws or destroys the world, the world's data stay valid.
 
 namespace fettle::physics::detail {
@@ -60,7 +60,7 @@ void WorldLock::unlock() {
         if (self.owner != nullptr) self.owner->tell_unlocked();
         return;
     }
-    // This was the last use of the data of a world that is gone.
+    // The World is destroyed, and this was the last use of its data.
     const std::unique_ptr<WorldData> dead = std::move(self.orphan_);
 }
 

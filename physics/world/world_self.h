@@ -21,15 +21,14 @@ inline constexpr const char in_refresh[] = "the refresh callback (World::on_refr
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
-/// Data of a world that are not its state: its identity, user functions, owner, threads, and lock.
-/// Copying or restoring a state does not change them.
+/// Data of a world that are not part of its state: identity, user functions, owner, threads, and
+/// lock. Copying or restoring a state does not change them.
 struct WorldSelf {
-    WorldLink* link = nullptr;  ///< null: a state that is in no world
+    WorldLink* link = nullptr;  ///< null: a state without a world
     PairFilter filter;
     ContactCallback mix, before_solve;
     RefreshCallback refresh;
-    const Owner* owner = nullptr;  ///< only it may create and destroy objects; null: every caller
-                                   ///< may
+    const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
     std::unique_ptr<ThreadPool> pool;
 
     WorldSelf();
@@ -39,19 +38,19 @@ struct WorldSelf {
 
     bool see_contacts() const { return mix || before_solve; }
 
-    /// While functions of the user may be called, nothing is edited.
+    /// While user functions may be called, editing is forbidden.
     bool locked() const { return work_.load(std::memory_order_relaxed) != 0; }
-    /// In the middle of a step or an edit, the state must not be copied either.
+    /// In the middle of a step or an edit, copying the state is forbidden as well.
     bool in_the_middle() const { return work_.load(std::memory_order_relaxed) >= middle; }
     /// True if a function that the World was calling destroyed it.
     bool orphaned() const { return orphan_ != nullptr; }
 
-    /// Throws Locked if nothing may be edited: `of` and `function` are what was called.
+    /// Throws Locked if editing is forbidden. `of` and `function`: the called type and method.
     void may_edit(const char* of, const char* function) const {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
     }
-    /// As `may_edit`, for creating or destroying objects, or attaching them.
+    /// Like `may_edit`, for creating, destroying or attaching objects.
     void may_populate(const char* of, const char* function) const {
         may_edit(of, function);
         if (owner != nullptr && !owner->acts()) [[unlikely]]
@@ -62,8 +61,9 @@ struct WorldSelf {
             refuse_copy(what);
     }
 
-    /// Calls a function of the user in a step or an edit, which is not left by an exception: the
-    /// first is kept until `WorldLock::finish`. False when it threw, or may not be called any more.
+    /// Calls a user function in a step or an edit, which an exception must not interrupt: the first
+    /// exception is stored until `WorldLock::finish`. False if it threw, or if user functions may
+    /// not be called any more.
     bool ask(const char* callback, auto&& call) const {
         if (orphaned()) return false;
         const char* const outer = enter(callback);
@@ -77,7 +77,8 @@ struct WorldSelf {
         leave_to(outer);
         return answered && !orphaned();
     }
-    /// A function that the World is calling destroys it: the data live until that call is over.
+    /// Called if a function that the World is calling destroys it: keeps the data until that call
+    /// is over.
     void keep(std::unique_ptr<WorldData> data);
     [[noreturn]] void throw_orphaned() const;
 
@@ -95,16 +96,17 @@ struct WorldSelf {
     }
     void leave_to(const char* outer) const { inside_.store(outer, std::memory_order_relaxed); }
 
-    /// Queries count one, and may be made by several threads; a step or an edit counts `middle`.
+    /// A query, of which several threads may make some, counts 1; a step or an edit counts
+    /// `middle`.
     mutable std::atomic<uint32_t> work_ = 0;
-    mutable std::atomic<const char*> inside_ = in_step;  ///< what runs, for messages
-    mutable std::exception_ptr thrown_;                  ///< first, by what a step or an edit asked
+    mutable std::atomic<const char*> inside_ = in_step;  ///< the running operation, for messages
+    mutable std::exception_ptr thrown_;                  ///< first one of a user function
     mutable std::unique_ptr<WorldData> orphan_;
     const char* destroyed_inside_ = nullptr;
 };
 
-/// While it lives, user functions may be called: the world cannot be edited, and its data live on
-/// if one of those functions destroys it.
+/// While it lives, user functions may be called: the world cannot be edited, and its data stay
+/// alive if one of those functions destroys it.
 class WorldLock {
   public:
     enum class During { query, change };
@@ -113,8 +115,8 @@ class WorldLock {
     WorldLock(const WorldLock&) = delete;
     WorldLock& operator=(const WorldLock&) = delete;
 
-    /// At the end of a change: throws on what a function of the user has thrown. At the end of
-    /// either: throws Locked if one destroyed the world.
+    /// At the end of a change: throws the stored exception of a user function. At the end of any
+    /// operation: throws Locked if a user function destroyed the world.
     void finish();
 
   private:

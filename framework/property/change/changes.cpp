@@ -9,7 +9,7 @@
 namespace fettle::property {
 namespace {
 
-constexpr std::size_t most_fresh_kept = 1024;  // room for instances made between barriers
+constexpr std::size_t most_fresh_kept = 1024;  // enough for the instances made between two barriers
 
 }  // namespace
 
@@ -24,17 +24,18 @@ void Observer::wrote_plain(const PlainWrites& writes) {
         if (write.instance) wrote(write.instance, *write.property, write.value());
 }
 
-void Changes::tell_untold() {
-    const PlainWrites told = writes.untold();
-    // Emptied first: who is told may ask for things that tell again. Nobody who is told writes.
+void Changes::report_unreported() {
+    const PlainWrites told = writes.unreported();
+    // The list is emptied first, because an observer may call functions that report writes again.
+    // Observers write nothing.
     writes.tell(author.writer, author.step);
     if (!replaying && !observers.all.empty())
         observers.tell([&](Observer& observer) { observer.wrote_plain(told); });
 }
 
-/// Whose edit it is, should the barrier find that it changed something else. Its place costs more
-/// than a callback of a game may pay, so it is looked up only while something is watched that an
-/// edit elsewhere changes.
+/// Remembers the author of an edit, in case the barrier finds derived values that it changed.
+/// Looking up the place in a script costs more than a callback of a game may pay. So it is looked
+/// up only while a watched value depends on other cells.
 void Changes::note_edit() {
     edited = true;
     ++invalidations;
@@ -49,7 +50,7 @@ void Changes::note_edit() {
 void Changes::written(Handle handle, const Node& node, const Property& property,
                       const Value& old_value) {
     note_edit();
-    tell_plain_writes();
+    report_plain_writes();
     writes.note(handle, property, author.writer, author.step);
     if (recording()) writes.note_in_full(handle, property.symbol, author.cause());
     if (!node.watched && property.interest == 0) return;
@@ -101,21 +102,22 @@ void Changes::queue_creation(Handle handle, const Class& of, WatcherId recipient
                 .recipients = recipient == 0 ? std::vector<WatcherId>{} : std::vector{recipient}});
 }
 
-bool Changes::wants_farewell(Handle handle, const Class& of, bool only_own) const {
+bool Changes::wants_deletion_notice(Handle handle, const Class& of, bool only_own) const {
     return !watchers.of_deletion(handle.index, of, only_own).empty();
 }
 
 void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
-    // Who was never told of the instance is not told of its end; its own watchers knew it.
+    // A watcher that did not receive the creation of the instance does not receive its deletion.
+    // Only the watchers of the instance itself knew it.
     const bool only_own = nodes[handle.index].fresh;
-    const bool wanted = wants_farewell(handle, of, only_own);
+    const bool wanted = wants_deletion_notice(handle, of, only_own);
     if (!wanted && deleted_event->listeners == 0 && !nodes[handle.index].watched) return;
-    Existence gone = farewell_of(handle, of, wanted);
+    Existence gone = deletion_notice_of(handle, of, wanted);
     gone.cause = cause;
-    queue_farewell(std::move(gone), only_own);
+    queue_deletion_notice(std::move(gone), only_own);
 }
 
-Existence Changes::farewell_of(Handle handle, const Class& of, bool with_values) const {
+Existence Changes::deletion_notice_of(Handle handle, const Class& of, bool with_values) const {
     Existence gone{.instance = handle,
                    .instance_class = &of,
                    .path = tree.path(handle),
@@ -133,11 +135,11 @@ void Changes::forget_fresh() {
     if (queue.fresh.capacity() > most_fresh_kept) queue.fresh.shrink_to_fit();
 }
 
-void Changes::queue_farewell(Existence gone, bool only_own) {
+void Changes::queue_deletion_notice(Existence gone, bool only_own) {
     const Handle handle = gone.instance;
     if (replaying) {
-        // Watchers of an instance that was made in the same restore end with it, untold; those of
-        // the others are told when the restore is over.
+        // Watchers of an instance that was made in the same restore end with it and are not called.
+        // All other watchers are called when the restore is over.
         if (only_own) watchers.retire(handle.index, {});
         return;
     }
@@ -189,7 +191,7 @@ void Changes::compare_shadows() {
     queue_item({.kind = QueueItem::Kind::motion, .what = std::move(motion)});
 }
 
-/// A cell that waits to be delivered already, because it was edited, is delivered once.
+/// Merges a change into the queued change of the same cell, so that the cell is reported once.
 void Changes::join_queued(Motion& motion) {
     std::erase_if(motion.changes, [&](const CellChange& change) {
         const auto place = queue.changes.find({change.instance.index, change.property->symbol});

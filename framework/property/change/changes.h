@@ -1,5 +1,5 @@
 #pragma once
-// What changes in a tree, and who is told of it: observers at once, watchers at the next barrier.
+// Changes of a tree and their delivery: to observers at once, to watchers at the next barrier.
 
 #include <cstdint>
 #include <exception>
@@ -42,48 +42,49 @@ struct Changes {
     Shadows shadows;
     Observers observers;
     Queue queue;
-    const Event* deleted_event = nullptr;  // of Object
+    const Event* deleted_event = nullptr;  // the event `deleted` of Object
 
-    bool replaying = false;  // what is done now was done before: nobody is told, nothing settles
+    bool replaying = false;  // set while recorded writes are repeated: no callbacks, no settling
     bool stepped = false;    // since the shadows were last compared
     bool edited = false;
-    Cause last_edit;  // kept while anything is shadowed; its place, while what is derived
-    std::uint64_t invalidations = 1;  // what `epoch` counts beside writes in the log
+    Cause last_edit;  // kept while there are shadows; its place only while some are derived
+    std::uint64_t invalidations = 1;  // part of `epoch` that does not come from the log of writes
 
-    /// Another after whatever may have changed a value that nobody announces. What the shortest way
-    /// takes back it had before: nobody can have looked in between.
+    /// A number that changes whenever a value may have changed without an announcement. A write
+    /// that the fastest path undoes does not count: no code can have run in between.
     std::uint64_t epoch() const { return invalidations + writes.ever(); }
     void note_edit();
-    /// Whether what is written now is an edit for the history.
+    /// Whether a write now is an edit for the history.
     bool recording() const { return !replaying && writes.closed_for(WritesLog::Reason::recorded); }
-    /// A cell was written by anything but the typed ways.
+    /// Called when a cell was written by anything but the typed functions.
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
 
     /// Calls `what(observer)` for each observer.
     template <class What>
     void tell(What what) {
-        tell_plain_writes();
+        report_plain_writes();
         if (!replaying && !observers.all.empty()) observers.tell(what);
     }
-    /// What the typed ways have written is told before anything else.
-    void tell_plain_writes() {
-        if (writes.any_untold()) tell_untold();
+    /// Reports the writes of the typed functions before anything else is reported.
+    void report_plain_writes() {
+        if (writes.any_unreported()) report_unreported();
     }
-    void tell_untold();
+    void report_unreported();
 
-    // changes.cpp: what is queued
+    // changes.cpp: the queue
     void queue_item(QueueItem item);
     void queue_change(Handle handle, const Property& property, const Value& old_value,
                       const Value& new_value, const Cause& cause);
-    /// `recipient`: the only watcher to be told; 0: all.
+    /// `recipient`: the only watcher to be called; 0: all watchers.
     void queue_creation(Handle handle, const Class& of, WatcherId recipient = 0);
     void queue_deletion(Handle handle, const Class& of, const Cause& cause);
-    /// The same for one that is gone already. `only_own`: only its own watchers knew it.
-    void queue_farewell(Existence gone, bool only_own);
-    bool wants_farewell(Handle handle, const Class& of, bool only_own) const;
-    /// What is told of its end. The cause is not known yet.
-    Existence farewell_of(Handle handle, const Class& of, bool with_values) const;
-    /// From now on instances are old: who watches classes knows of them.
+    /// The same for an instance that is already deleted. `only_own`: only the watchers of the
+    /// instance itself knew it.
+    void queue_deletion_notice(Existence gone, bool only_own);
+    bool wants_deletion_notice(Handle handle, const Class& of, bool only_own) const;
+    /// What watchers of the deletion receive. Its cause is not known yet.
+    Existence deletion_notice_of(Handle handle, const Class& of, bool with_values) const;
+    /// Marks all instances as old: the watchers of their classes know them now.
     void forget_fresh();
     void compare_shadows();
 
@@ -96,11 +97,11 @@ struct Changes {
     void refresh_shadows_below(std::uint32_t top);
 
     // delivery.cpp
-    /// Calls the handlers of one item. Their errors are kept where `errors` says.
+    /// Calls the handlers of one item. `errors` decides where their exceptions go.
     void deliver(QueueItem& item, std::exception_ptr& first_error);
     template <class What>
     void call(const Watcher& watcher, const What& what);
-    /// In an account of what caused what.
+    /// Describes one item for a report of what caused what.
     std::string describe(const QueueItem& item, std::size_t part) const;
 
   private:

@@ -1,4 +1,4 @@
-// Handlers are called with what has waited for the barrier.
+// Delivery: the handlers are called with the items that were queued for the barrier.
 
 #include <algorithm>
 #include <exception>
@@ -25,7 +25,7 @@ std::string Changes::describe(const Occurrence& occurrence) const {
     return where + " " + occurrence.event->name;
 }
 
-/// A change names its own cause.
+/// The text for one item of the queue; a change includes its own cause.
 std::string Changes::describe(const QueueItem& item, std::size_t part) const {
     const auto told = [this](const Change& change) {
         return describe(change) + " by " + change.cause.text();
@@ -65,7 +65,7 @@ void Changes::call(const Watcher& watcher, const What& what) {
     }
 }
 
-/// To those who are interested now.
+/// Calls the watchers that want the change now.
 void Changes::deliver_change(const Change& change, WatcherId until) {
     if (nodes.find(change.instance) == nullptr || change.old_value == change.new_value) return;
     watchers.of_change(change, until, queue.called);
@@ -73,7 +73,8 @@ void Changes::deliver_change(const Change& change, WatcherId until) {
         if (watcher->active) call(*watcher, change);
 }
 
-/// Whoever throws, the others still hear: the first error is thrown again by the barrier.
+/// After an exception the remaining changes are delivered all the same. The barrier throws the
+/// first exception again.
 void Changes::deliver_motion(Motion& motion, WatcherId until, std::exception_ptr& error) {
     Change change;
     change.cause = motion.cause;
@@ -93,19 +94,20 @@ void Changes::deliver_motion(Motion& motion, WatcherId until, std::exception_ptr
     queue.part = 0;
 }
 
-template void Changes::call(const Watcher&, const Occurrence&);  // of question.cpp
+template void Changes::call(const Watcher&, const Occurrence&);  // used by question.cpp
 
-/// A handler may delete what the event names before the next one is called.
+/// A handler may delete an instance that the event refers to; then the remaining handlers are not
+/// called.
 void Changes::deliver_event(const Occurrence& occurrence, WatcherId until) {
     const Event& event = *occurrence.event;
-    if (event.begin != nullptr && queue.untold.take(occurrence)) return;
+    if (event.begin != nullptr && queue.undelivered.take(occurrence)) return;
     bool told = false;
     for (const Watcher* watcher : watchers.of_event(occurrence.instance, event, until)) {
         if (!watcher->active) continue;
         if (nodes.find(occurrence.instance) == nullptr) return;
         const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
         if (event.begin == nullptr && std::ranges::any_of(occurrence.record.values, deleted)) {
-            if (event.end != nullptr && !told) queue.untold.note(tree, occurrence);
+            if (event.end != nullptr && !told) queue.undelivered.note(tree, occurrence);
             return;
         }
         told = true;
@@ -113,7 +115,7 @@ void Changes::deliver_event(const Occurrence& occurrence, WatcherId until) {
     }
 }
 
-/// To the recipients it was queued for.
+/// Calls the recipients that were fixed when the item was queued.
 template <class What>
 void Changes::deliver_to(const QueueItem& item, const What& what) {
     for (const WatcherId id : item.recipients) {

@@ -18,7 +18,7 @@ void HandlerErrors::report(std::exception_ptr& kept, const std::function<std::st
 }
 
 void HandlerErrors::tell(const HandlerError& error) const {
-    // It may put another in its place.
+    // The sink may replace itself while it runs.
     if (const auto now = sink) now(error);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where what handlers throw goes.
+// Where the exceptions of handlers go.
 
 #include <exception>
 #include <functional>
@@ -15,16 +15,18 @@ namespace fettle::property {
 struct HandlerErrors {
     const Lifetime& lifetime;
     std::function<void(const HandlerError&)> sink{};
-    std::exception_ptr* first = nullptr;  // where the first goes without a sink: `Collect`
+    std::exception_ptr* first = nullptr;  // used without a sink; see `Collect`
 
-    /// To the sink.
+    /// Calls the sink.
     void tell(const HandlerError& error) const;
-    /// In a handler of exceptions: the one at hand goes to the sink. Without a sink, and where that
-    /// throws, it is kept in `kept` unless there is one: the others are told all the same.
+    /// Called in a `catch` block: passes the current exception to the sink. Without a sink, or if
+    /// the sink throws, the exception is stored in `kept` unless `kept` holds one already. So the
+    /// remaining handlers are called all the same.
     void report(std::exception_ptr& kept, const std::function<std::string()>& path,
                 const std::string& where = {}) const;
 
-    /// While it lives, handlers are called; the first error is thrown when all are told.
+    /// While it lives, the first exception of a handler is collected. The owner throws it after all
+    /// handlers were called.
     class Collect {
       public:
         Collect(HandlerErrors& errors, std::exception_ptr& first)

@@ -8,13 +8,13 @@ namespace fettle::property {
 
 void Growth::pass_mark() {
     mark = INT64_MAX;
-    // It may set another.
+    // The callback may set another one.
     const Pin pin(lifetime, "the function given to mark_weight");
     const auto passed = std::exchange(mark_passed, {});
     if (!passed || lifetime.ending) return;
     try {
         passed();
-    } catch (...) {  // what grows is in the middle of a change
+    } catch (...) {  // An exception must not leave here: the tree is in the middle of a change.
         errors.tell({.path = "mark_weight",
                      .where = {},
                      .message = exception_text(),

@@ -1,5 +1,5 @@
 #pragma once
-// About how much memory a tree has come to take (weight.h).
+// An estimate of the memory that a tree takes (see weight.h).
 
 #include <cstdint>
 #include <functional>
@@ -13,7 +13,7 @@ struct Growth {
     const HandlerErrors& errors;
     std::int64_t bytes = 0;
     std::int64_t mark = INT64_MAX;
-    std::function<void()> mark_passed{};  // told once
+    std::function<void()> mark_passed{};  // called once
 
     void add(std::int64_t more) {
         bytes += more;

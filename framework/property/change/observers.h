@@ -1,5 +1,5 @@
 #pragma once
-// Who is told of everything at once, and not at a barrier.
+// Observers: callbacks that receive every change at once instead of at a barrier.
 
 #include <vector>
 
@@ -13,11 +13,11 @@ class WriteLog;
 
 struct Observers {
     Lifetime& lifetime;
-    std::vector<Observer*> all{};   // null: it left while they were told
-    int telling = 0;                // calls of them that go on
-    std::vector<WriteLog*> logs{};  // told of numbers, too
+    std::vector<Observer*> all{};   // null: the observer left during a call
+    int telling = 0;                // number of nested calls that are running
+    std::vector<WriteLog*> logs{};  // also receive the numbering of children
 
-    /// Calls `what(observer)` for each. They may come and go meanwhile.
+    /// Calls `what(observer)` for each observer. Observers may be added and removed meanwhile.
     template <class What>
     void tell(What what) {
         struct Telling {

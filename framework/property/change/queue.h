@@ -1,5 +1,5 @@
 #pragma once
-// What waits to be delivered at the next barrier.
+// The queue of items that are delivered at the next barrier.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +13,12 @@
 #include <instances/cell.h>
 
 #include "shadows.h"
-#include "untold.h"
+#include "undelivered_begins.h"
 #include "watchers.h"
 
 namespace fettle::property {
 
-/// What the simulation did to watched cells, found at one barrier.
+/// Changes of watched cells by the simulation, found at one barrier.
 struct Motion {
     std::vector<CellChange> changes;
     Cause cause;
@@ -30,21 +30,21 @@ struct QueueItem {
     std::variant<Change, Motion, Existence, Occurrence> what;
     WatcherId until = 0;                  // watchers registered later have seen the result already
     std::vector<WatcherId> recipients{};  // fixed when queued (deletions, initial values)
-    bool retire = false;                  // the recipients' instance is gone: they end with this
-    std::ptrdiff_t trigger = -1;          // item of the generation before whose handler caused this
-    std::size_t trigger_part = 0;         // of a motion: which of its changes
+    bool retire = false;                  // their instance is deleted; they end with this item
+    std::ptrdiff_t trigger = -1;          // item of the previous generation that caused this one
+    std::size_t trigger_part = 0;         // in a motion: the index of the change
 };
 
 struct Queue {
     std::vector<QueueItem> items;
     std::unordered_map<Cell, std::size_t, CellHash> changes;  // cell -> its place in `items`
     std::vector<std::uint32_t> fresh;            // slots of instances made since the last barrier
-    std::vector<std::function<void()>> actions;  // for the end of a barrier between steps
-    UntoldBeginnings untold;
-    // While a barrier delivers:
+    std::vector<std::function<void()>> actions;  // called at the end of a barrier between steps
+    UndeliveredBegins undelivered;
+    // Position of the delivery that runs now.
     bool delivering = false;
-    std::ptrdiff_t item = -1;  // which of its generation
-    std::size_t part = 0;      // of a motion
+    std::ptrdiff_t item = -1;  // its index in the generation
+    std::size_t part = 0;      // in a motion: the index of the change
     Watchers::List called;
 
     void clear() {

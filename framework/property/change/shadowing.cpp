@@ -1,5 +1,4 @@
-// Which cells are compared with shadows: those that somebody watches and that change without an
-// edit of their own.
+// Selection of the cells that have shadows: watched cells whose values change without an edit.
 
 #include "changes.h"
 
@@ -10,7 +9,7 @@ void Changes::count_interest(const Watcher& watcher, int sign) {
         if (Watchers::may_want(watcher, property))
             property.note_interest(property.interest + static_cast<std::uint32_t>(sign));
     };
-    if (watcher.property) {  // about one name: whatever else there is need not be looked at
+    if (watcher.property) {  // The watcher wants one property name, so only that name is looked up.
         for (std::uint32_t i = 0; i < instances.classes.size(); ++i) {
             const Property* property = instances.classes[i].property(watcher.property);
             if (property != nullptr && property->owner == &instances.classes[i]) count(*property);
@@ -29,8 +28,8 @@ void Changes::refresh_shadows_below(std::uint32_t top) {
     instances.visit_below(top, [this](std::uint32_t i) { refresh_shadows(i); });
 }
 
-/// Visits every shadowed cell that a broad watcher wants or would want. Only what the watcher may
-/// be about is looked at, so that a pattern costs the same whatever else is watched.
+/// Visits every shadowed cell that a broad watcher wants or could want. Only cells that the watcher
+/// could match are visited, so the cost of a pattern does not depend on other watchers.
 template <class Visit>
 void Changes::each_cell_wanted(const Watcher& watcher, Visit visit) {
     std::vector<std::vector<const Property*>> of_class(instances.classes.size());
@@ -56,8 +55,8 @@ void Changes::each_cell_wanted(const Watcher& watcher, Visit visit) {
         if (nodes[i].alive()) look_at(i);
 }
 
-/// The instance below which everything hangs that a pattern can match: "world.crates" of
-/// "world.crates.*.position". 0 where there is none.
+/// The lowest instance that contains all possible matches of the pattern: "world.crates" for
+/// "world.crates.*.position". 0 if there is none.
 std::uint32_t Changes::top_of(const Pattern& pattern) const {
     std::uint32_t top = instances.root.index;
     for (std::size_t i = 0; i + 1 < pattern.segments().size() && top != 0; ++i) {

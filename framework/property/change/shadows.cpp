@@ -47,7 +47,8 @@ std::vector<CellChange> Shadows::compare(const Instances& instances, std::uint64
         for (Row& row : group.rows) {
             const Property& property = *row.property;
             const Node& node = instances.nodes[row.instance.index];
-            // What most rows are, and most of them have not changed: no Value is made of these.
+            // Most cells are vectors that have not changed. They are compared without making a
+            // Value.
             if (property.binding.vec2.get != nullptr && row.last.is(Type::vec2)) {
                 const Vec2 now = property.binding.vec2.get(property.binding, node.row);
                 if (same_bits(now, row.last.vec2())) continue;

@@ -1,7 +1,7 @@
 #pragma once
-// Shadows: the last known values of what the simulation writes, and of what is derived, kept only
-// for watched cells. The simulation tells nobody; comparing these few cells at the barrier finds
-// what it did.
+// Shadows: the last known values of cells that the simulation writes and of derived cells. The
+// simulation does not announce its writes; they are found at the barrier by comparing the cells
+// with their shadows. Only watched cells have shadows.
 
 #include <unordered_map>
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace fettle::property {
 
-/// One cell that changed by itself.
+/// One cell that changed without an edit.
 struct CellChange {
     Handle instance;
     const Property* property = nullptr;
@@ -25,29 +25,29 @@ struct CellChange {
 
 class Shadows {
   public:
-    /// `log`: writes go the long way while there are shadows.
+    /// `log`: while there are shadows, writes do not take the shortest path.
     explicit Shadows(WritesLog& log) : log_(log) {}
-    /// Starts and stops shadowing cells of one instance, as its watchers want it now. Idempotent.
+    /// Adds and removes shadows of one instance as its watchers need them now. Idempotent.
     void refresh(const Tree& tree, const Watchers& watchers, Handle instance);
     void forget(const Tree& tree, Handle instance);
-    /// Starts shadowing one cell, unless it is shadowed.
+    /// Adds a shadow of one cell unless it has one.
     void keep(const Tree& tree, Handle instance, const Property& property) {
         if (!holds({instance.index, property.symbol})) add(tree, instance, property);
     }
     void drop(Cell cell) { remove(cell); }
-    /// After a queued change of a cell: what it holds now is known.
+    /// Sets the shadow to the value of a change that is already queued.
     void update(Cell cell, const Value& value);
     bool holds(Cell cell) const { return places_.contains(cell); }
     bool empty() const { return places_.empty(); }
     void clear();
-    /// Whether an edit elsewhere may change any of them.
+    /// Whether any of the cells may change because another cell is edited.
     bool any_derived() const { return derived_ != 0; }
 
-    /// Compares, remembers, and returns each cell that differs. `step`: at which the simulation
-    /// wrote them, 0 when an edit did.
+    /// Returns each cell that differs from its shadow, and updates the shadow. `step`: the step at
+    /// which the simulation wrote the cells; 0 if an edit changed them.
     std::vector<CellChange> compare(const Instances& instances, std::uint64_t step);
-    /// The step at which the simulation last changed the cell; 0 when it did not, or is not known
-    /// to have, or an edit came after it.
+    /// The step at which the simulation last changed the cell. 0 if it is unknown, or if an edit
+    /// came later.
     std::uint64_t simulated_at(Cell cell) const;
 
   private:
@@ -57,7 +57,7 @@ class Shadows {
         Value last;
         std::uint64_t step = 0;
     };
-    struct Group {  // one property name: visited in the order of first watching
+    struct Group {  // cells with one property name, in the order of their first watcher
         Symbol property;
         std::vector<Row> rows;
     };
@@ -70,7 +70,7 @@ class Shadows {
     WritesLog& log_;
     std::vector<Group> groups_;
     std::unordered_map<Cell, Position, CellHash> places_;
-    std::size_t derived_ = 0;  // cells
+    std::size_t derived_ = 0;  // number of derived cells
 };
 
 }  // namespace fettle::property

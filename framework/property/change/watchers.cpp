@@ -74,7 +74,7 @@ void Watchers::stop(WatcherId id) {
     if (found == all_.end()) return;
     std::unique_ptr<Watcher> watcher = std::move(found->second);
     all_.erase(found);
-    if (watcher->active) {  // else it was retired before
+    if (watcher->active) {  // otherwise it was retired before
         watcher->active = false;
         unlist(*watcher);
         changes_.watcher_removed(*watcher);
@@ -132,7 +132,7 @@ Watcher* Watchers::find(WatcherId id) const {
     return found == all_.end() ? nullptr : found->second.get();
 }
 
-// --- Who is interested
+// --- Search for watchers
 
 bool Watchers::may_want(const Watcher& watcher, const Property& property) {
     if (watcher.kind == WatchKind::pattern) return watcher.pattern->may_match(property.symbol);
@@ -148,7 +148,7 @@ bool Watchers::wants(const Watcher& watcher, Handle instance, const Property& pr
            changes_.tree.class_of(instance).is_a(*watcher.of);
 }
 
-/// Visits the broad watchers that may be about the property until one visit returns true.
+/// Visits the broad watchers that could match the property, until a visit returns true.
 template <class Visit>
 bool Watchers::any_broad_on(const Property& property, Visit visit) const {
     for (const Symbol name : {property.symbol, Symbol()}) {
@@ -160,7 +160,8 @@ bool Watchers::any_broad_on(const Property& property, Visit visit) const {
 
 namespace {
 
-// A broad watcher's interest in one instance, whose names are found once for all patterns.
+// Tests broad watchers against one property of one instance. The path is computed once for all
+// patterns.
 class Interest {
   public:
     Interest(const Tree& tree, Handle instance, const Property& property)
@@ -182,7 +183,7 @@ class Interest {
     Handle instance_;
     const Property& property_;
     std::vector<std::string> names_;
-    int patterns_ = 0;  // asked so far; the names are worth finding from the second on
+    int patterns_ = 0;  // tested so far; the path is computed at the second one
     bool hangs_ = false;
 };
 
@@ -205,7 +206,7 @@ std::uint32_t Watchers::interest(const Property& property) const {
 
 namespace {
 
-// Those registered up to `until`, in order of registration.
+// Keeps the watchers registered up to `until`, in the order of registration.
 void put_in_order(std::vector<Watcher*>& list, WatcherId until) {
     std::erase_if(list, [until](const Watcher* watcher) { return watcher->id > until; });
     const auto older = [](const Watcher* a, const Watcher* b) { return a->id < b->id; };

@@ -1,6 +1,6 @@
 #pragma once
-// Watchers: who wants to hear of what. They are found by what they watch, called in the order they
-// were registered, and survive whatever a handler does to them meanwhile.
+// Watchers: they are found by what they watch and are called in the order of registration. A
+// handler may add and remove watchers while it runs.
 
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Watcher {
     WatcherId id = 0;
     WatchKind kind = WatchKind::cell;
     std::uint32_t index = 0;       // cell, instance, deleted, event
-    Symbol property;               // cell; of_class, pattern (empty: more than one)
+    Symbol property;               // cell; of_class, pattern (empty: several properties)
     const Class* of = nullptr;     // of_class, created, deleted, class_event
     const Event* event = nullptr;  // event, class_event
     std::unique_ptr<Pattern> pattern;
@@ -46,15 +46,15 @@ struct Watcher {
     bool broad() const { return kind == WatchKind::of_class || kind == WatchKind::pattern; }
 };
 
-/// Watchers in order of registration. One that is taken out leaves a hole, and the holes are closed
-/// when they are the greater part: however many there are, taking out costs a search among them.
+/// Watchers in order of registration. A removed watcher leaves a hole. The holes are closed when
+/// they are the majority, so a removal costs one search, however many watchers there are.
 class WatcherList {
   public:
     void add(Watcher& watcher) { entries_.push_back({watcher.id, &watcher}); }
     void take_out(const Watcher& watcher);
     bool empty() const { return entries_.size() == holes_; }
     void append_to(std::vector<Watcher*>& out) const;
-    /// Whether `test` is true of one; it is not asked further then.
+    /// Whether `test` is true for a watcher. The search ends with the first one.
     template <class Test>
     bool any(Test test) const {
         return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
@@ -79,19 +79,20 @@ class Watchers {
 
     explicit Watchers(Changes& changes)
         : changes_(changes), self_(std::make_shared<Watchers*>(this)) {}
-    /// Handlers may hold connections: these find no watchers any more from here on.
+    /// The destructor invalidates all connections first, because handlers may own connections.
     ~Watchers() { self_.reset(); }
     Watchers(const Watchers&) = delete;
 
     Connection add(Watcher watcher);
     void stop(WatcherId id);
     bool active(WatcherId id) const { return all_.contains(id); }
-    /// nullptr once it was stopped.
+    /// nullptr if it was stopped.
     Watcher* find(WatcherId id) const;
     std::size_t size() const { return all_.size(); }
     WatcherId last_id() const { return last_id_; }
 
-    // Those who want to hear, in order of registration; only those registered up to `until`.
+    // The watchers of a change or event in order of registration; only those registered up to
+    // `until`.
     void of_change(const Change& change, WatcherId until, List& out) const;
     List of_event(Handle instance, const Event& event, WatcherId until) const;
     List of_event(std::uint32_t index, const Class& instance_class, const Event& event,
@@ -102,11 +103,11 @@ class Watchers {
 
     /// Whether any pattern or class watcher wants this property of this instance.
     bool broadly_watched(Handle instance, const Property& property) const;
-    /// Whether this one, which must be broad, wants it.
+    /// Whether this watcher, which must be broad, wants the property.
     bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
-    /// Whether it may want the property of some instance: cheap.
+    /// Whether it could want the property of some instance. This test is cheap.
     static bool may_want(const Watcher& watcher, const Property& property);
-    /// Whether a watcher of this very cell or of its instance exists.
+    /// Whether a watcher of this cell or of its instance exists.
     bool directly_watched(Cell cell) const {
         return cells_.contains(cell) || instances_.contains(cell.index);
     }
@@ -116,15 +117,16 @@ class Watchers {
     bool any_deleted() const { return !deleted_.empty(); }
     /// Slots of instances with watchers of their own.
     std::vector<std::uint32_t> watched_slots() const;
-    /// How many broad watchers may want a property of that name: kept in `Property::interest`.
+    /// The number of broad watchers that could want a property of that name. It is cached in
+    /// `Property::interest`.
     std::uint32_t interest(const Property& property) const;
 
-    /// The instance is gone: its watchers are no longer found by it (its slot may be somebody
-    /// else's soon). Those in `keep` stay callable until they are stopped.
+    /// Ends the watchers of a deleted instance: they are not found by its slot any more, because
+    /// the slot may be reused. Watchers in `keep` can still be called until they are stopped.
     void retire(std::uint32_t index, const std::vector<WatcherId>& keep);
 
-    /// While handlers run, a watcher that is stopped lives on until they are done: it may be the
-    /// one that runs. Handlers may be asked questions while others run.
+    /// While handlers run, a stopped watcher is not freed, because it may be the one that runs. The
+    /// calls may be nested: a handler may ask a question.
     class HandlersRun {
       public:
         explicit HandlersRun(Watchers& watchers) : watchers_(watchers) {
@@ -149,14 +151,14 @@ class Watchers {
     std::shared_ptr<Watchers*> self_;
     WatcherId last_id_ = 0;
     std::unordered_map<WatcherId, std::unique_ptr<Watcher>> all_;
-    std::vector<std::unique_ptr<Watcher>> stopped_;  // while handlers run
-    int handlers_run_ = 0;                           // calls of handlers, one in the other
+    std::vector<std::unique_ptr<Watcher>> stopped_;  // freed when no handler runs
+    int handlers_run_ = 0;                           // number of nested calls of handlers
     std::unordered_map<Cell, WatcherList, CellHash> cells_;
     std::unordered_map<std::uint32_t, WatcherList> instances_;
     std::unordered_map<std::uint32_t, WatcherList> deleted_on_;
     std::unordered_map<Cell, WatcherList, CellHash> events_;
-    std::unordered_map<std::uint32_t, WatcherList> on_index_;  // of any of these kinds
-    // By the property they are about; those about several under the empty symbol.
+    std::unordered_map<std::uint32_t, WatcherList> on_index_;  // all kinds that watch one slot
+    // By the property they watch; those that watch several are under the empty symbol.
     std::unordered_map<Symbol, WatcherList> broad_lists_;
     std::size_t broad_ = 0;
     WatcherList created_, deleted_, class_events_;

@@ -1,3 +1,5 @@
+// Look-up of the members of a class.
+
 #include <fettle/property/class.h>
 
 namespace fettle::property {

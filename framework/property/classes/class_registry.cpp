@@ -14,7 +14,7 @@
 namespace fettle::property {
 namespace {
 
-// A node keeps the number of its class in 16 bits; and a class, unlike an instance, stays for ever.
+// A node stores the number of its class in 16 bits. Classes are never deleted.
 constexpr std::size_t most_classes = 10'000;
 static_assert(most_classes <= UINT16_MAX);
 
@@ -23,9 +23,9 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// What a property of this type holds when its descriptor names no default.
+// The default of a property whose descriptor gives none.
 Value zero_of(const Property& property) {
-    // A write of nil to a reference stores the reference to nothing.
+    // A write of nil to a reference stores the empty reference.
     if (property.any_type || (property.nullable && property.type != Type::reference)) return {};
     switch (property.type) {
         case Type::boolean:
@@ -50,7 +50,8 @@ Value zero_of(const Property& property) {
     return {};
 }
 
-/// The bound itself if it is a float, else the next one inside (`inwards`: 1 or -1).
+/// The bound itself if it is a float, otherwise the next float inside the range (`inwards`: 1 or
+/// -1).
 double inner_float(double bound, float inwards) {
     const auto nearest = static_cast<float>(bound);
     const double widened = static_cast<double>(nearest);
@@ -60,8 +61,8 @@ double inner_float(double bound, float inwards) {
                    : widened;
 }
 
-// Numbers and vectors may be read and written without a Value in between where that leaves out
-// nothing of what a write is.
+// A number or vector may be read and written without a Value if that skips no check or callback of
+// an ordinary write.
 Property::Shortcut shortcut_to(const Property& property) {
     Property::Shortcut shortcut;
     const bool number = property.type == Type::number;
@@ -75,7 +76,7 @@ Property::Shortcut shortcut_to(const Property& property) {
         const Way called = number ? Way::number : Way::vec2;
         if (number ? binding.number.get != nullptr : binding.vec2.get != nullptr)
             shortcut.read = called;
-        // A column's own setter may refuse.
+        // A column's own setter may refuse the value.
         const bool plain = binding.kind != BindingKind::column || binding.set == nullptr;
         if (plain && (number ? binding.number.put != nullptr : binding.vec2.put != nullptr))
             shortcut.write = called;
@@ -85,12 +86,12 @@ Property::Shortcut shortcut_to(const Property& property) {
         (number ? binding.number.plain : binding.vec2.plain))
         shortcut.plain = shortcut.write;
     shortcut.narrow = property.precision() == Precision::single_precision;
-    // An integer that becomes a double up to there was that very number, and is it in the memory.
+    // Up to this bound, an integer converts to the stored type and back without change.
     const double largest = shortcut.narrow ? 0x1p24 : 0x1p53 - 1;
     shortcut.takes.min = std::max(property.range.min, -largest);
     shortcut.takes.max = std::min(property.range.max, largest);
     if (shortcut.narrow) {
-        // What lies between two floats of the range is in it after rounding too.
+        // With these bounds, a value between two floats stays in the range after rounding.
         shortcut.takes.min = inner_float(shortcut.takes.min, 1);
         shortcut.takes.max = inner_float(shortcut.takes.max, -1);
     }
@@ -164,7 +165,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     return *classes_.emplace_back(std::move(made));
 }
 
-/// Ends with what they are the ends of.
+/// Connects each event `*_begin` with its `*_end`.
 void ClassRegistry::pair_events(Class& made) {
     constexpr std::string_view begins = "_begin", ends = "_end";
     for (Event& begin : made.descriptor_.events) {
@@ -200,20 +201,19 @@ void ClassRegistry::add_property(Class& made, Property property) {
     property.symbol = Symbol(property.name);
     const Property* inherited = made.property(property.symbol);
     if (inherited != nullptr) {
-        // The same property with a default of its own: everything else stays what the base class
-        // says.
+        // The class redeclares the property with its own default. Everything else is inherited.
         Property again = *inherited;
         if (!property.default_value.is_nil()) again.default_value = property.default_value;
         if (!property.doc.empty()) again.doc = property.doc;
         property = std::move(again);
     }
     property.owner = &made;
-    // Whoever gives no way to write a value means it to be read only.
+    // A property without a function that writes it is read-only.
     if (property.binding.kind == BindingKind::accessor && property.binding.set == nullptr)
         property.read_only = true;
     if (property.binding.kind == BindingKind::node && property.binding.node_set == nullptr)
         property.read_only = true;
-    // What the memory cannot hold must be refused, not wrapped around.
+    // A value that does not fit into the memory is refused; it must not wrap around.
     if (property.binding.kind == BindingKind::column && property.binding.native == Native::i32) {
         property.range.min = std::max(property.range.min, -0x1p31);
         property.range.max = std::min(property.range.max, 0x1p31 - 1);
@@ -247,8 +247,8 @@ void ClassRegistry::add_property(Class& made, Property property) {
     made.property_index_[kept.symbol] = &kept;
 }
 
-/// As all values are set that are set together: in the order of declaration, since what one may be
-/// can depend on those before it.
+/// Initial values are set in the order of declaration, because the valid values of a property may
+/// depend on properties before it.
 void ClassRegistry::order_initial(Class& made) {
     std::vector<const Property*> ordered;
     for (const Property* property : made.properties_)
@@ -260,7 +260,7 @@ void ClassRegistry::order_initial(Class& made) {
 void ClassRegistry::check_default(const Class& made, Property& property) const {
     if (property.default_value.is_nil()) {
         property.default_value = zero_of(property);
-        // Not given: it has to be in the range only if a reset can write it.
+        // A default that the class does not give must be in range only if a reset can write it.
         if (property.read_only || property.binding.reset != nullptr || !property.range.bounded() ||
             property.default_value.is_nil())
             return;

@@ -21,16 +21,16 @@ class ClassRegistry {
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
     std::vector<std::string> names() const;
 
-    // What only the tree itself wants to know of a class.
+    // Details of a class that only the tree needs.
     static const std::deque<Property>& own_properties(const Class& of) {
         return of.own_properties_;
     }
-    /// Those that the tree keeps, those that are compared with shadows while they are watched, and
-    /// those that are inherited from a module with a default of the class's own.
+    /// `stored`: properties whose values the tree keeps. `observed`: properties that have shadows
+    /// while they are watched, and properties inherited from a module with a new default.
     static const std::vector<const Property*>& stored(const Class& of) { return of.stored_; }
     static const std::vector<const Property*>& observed(const Class& of) { return of.observed_; }
     static const std::vector<const Property*>& initial(const Class& of) { return of.initial_; }
-    /// Whether all columns have been found to have memory.
+    /// Whether all columns of the class were found to have memory.
     static bool& columns_found(const Class& of) { return of.columns_found_; }
 
   private:

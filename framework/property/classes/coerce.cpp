@@ -13,7 +13,7 @@ namespace fettle::property {
 
 namespace {
 
-// 2^63 is exactly representable, INT64_MAX is not.
+// 2^63 is exactly representable as a double, INT64_MAX is not.
 constexpr double integer_limit = 9223372036854775808.0;
 
 std::string range_text(const Property& property, const Range& range) {
@@ -27,7 +27,7 @@ std::string range_text(const Property& property, const Range& range) {
            number_text(range.max, property.precision()) + unit;
 }
 
-/// What `property`, or an element of it, takes: of a type, within bounds.
+/// The type and range that `property`, or an element of its list, accepts.
 std::string expectation_in(const Property& property, Type type, const Range& range) {
     if (property.any_type) return "a value";
     const bool takes_nil = property.nullable && type == property.type && type != Type::reference;
@@ -58,7 +58,7 @@ std::string expectation_in(const Property& property, Type type, const Range& ran
             return "a value";
     }
     if (property.enumerators.empty()) return "a text" + nil;
-    // Names of keys, say: the nearest one tells more than all of them.
+    // Enumerations may be long (names of keys). Then the message lists only the nearest name.
     constexpr std::size_t most_listed = 16;
     if (property.enumerators.size() > most_listed)
         return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
@@ -132,7 +132,7 @@ class Coercion {
     [[noreturn]] void out_of_range(const Value& value) const {
         fail(ErrorKind::out_of_range, "expected " + expected() + ", got " + shown(value));
     }
-    /// Finite, and more than a float can be.
+    /// For a finite value that is too large for a float.
     [[noreturn]] void too_large(const Value& value) const {
         constexpr double most = std::numeric_limits<float>::max();
         const Range fits{.min = std::max(property_.range.min, -most),
@@ -142,9 +142,9 @@ class Coercion {
                                           shown(value));
     }
 
-    // A number of this property: finite unless it allows infinity, narrowed to what its memory
-    // holds, then in range. Bounds are narrowed as well: who writes the number that a message
-    // names, or that is declared, writes the bound.
+    // A number of this property: finite unless infinity is allowed, then rounded to what its memory
+    // holds, then checked against the range. The bounds are rounded as well, so the number in the
+    // declaration or in an error message is accepted as a bound.
     double component(double x, const Value& whole) const {
         if (std::isnan(x)) fail(ErrorKind::not_finite, "expected " + expected() + ", got nan");
         if (std::isinf(x) && !property_.infinity)
@@ -258,7 +258,7 @@ class Coercion {
         return result;
     }
 
-    // Untyped: anything but a NaN, at any depth.
+    // An untyped property accepts anything but NaN, at any depth.
     Value any(const Value& value) const {
         const auto is_nan = [](double x) { return std::isnan(x); };
         bool nan = false;
@@ -278,7 +278,7 @@ class Coercion {
 
     const Property& property_;
     const CoerceContext& context_;
-    mutable std::size_t element_ = 0;  // of a list, which is being looked at; from 1; 0: none
+    mutable std::size_t element_ = 0;  // index in the list, from 1; 0: not in a list
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Coercion and validation: what a written value becomes as a value of a property, or why it cannot.
+// Coercion and validation: converts a written value to the type of a property, or says why not.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 namespace fettle::property {
 
 struct CoerceContext {
-    const Tree* tree = nullptr;  // for references; may be null, then only the type is checked
-    /// Called for the path only when a message is needed.
+    const Tree* tree = nullptr;  // needed for references; if null, only the type is checked
+    /// Called for the path when an error message is made.
     std::string (*path)(const void* what) = nullptr;
     const void* what = nullptr;
 };
@@ -17,8 +17,8 @@ struct CoerceContext {
 /// Throws Error(wrong_type, out_of_range, not_finite).
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context);
 
-/// As a float holds it. A call, since GCC 12 at -O2 makes nothing of two such roundings whose
-/// results lie beside each other, as those of a vector do.
+/// Rounds to a float. Not inline, because GCC 12 at -O2 removes two such roundings whose results
+/// lie side by side in memory, as those of a vector do.
 double narrowed(double x);
 Vec2 narrowed(const Vec2& v);
 

@@ -38,7 +38,7 @@ class DescriptorCheck {
 
     // --- Names
 
-    /// `kind`: "property". What a class and its bases have is told apart by name alone.
+    /// `kind`: "property", for example. All members of a class and its bases need different names.
     void take_name(const char* kind, const std::string& name, bool word) {
         const std::string member = std::string(kind) + " " + in_quotes(name);
         if (name.empty()) refuse(ErrorKind::bad_name, member, "it has no name");
@@ -102,7 +102,7 @@ class DescriptorCheck {
         check_binding(member, property);
     }
 
-    /// Declared by a base class, and here once more.
+    /// Checks a property that a base class declares and this class redeclares.
     void check_again(const std::string& member, const Property& again,
                      const Property& inherited) const {
         const bool other_type = again.type != inherited.type && again.type != Type::number;
@@ -156,11 +156,12 @@ class DescriptorCheck {
             refuse(ErrorKind::wrong_type, member, "it is of no type, and does not take any");
     }
 
-    /// A class has no instance to name. What else a default may be is seen to when it is coerced.
+    /// A default must not refer to an instance, since a class has none. Other errors are found when
+    /// the default is coerced.
     void check_default(const std::string& member, const Property& property) const {
         if (names_somebody(property.default_value))
             refuse(ErrorKind::wrong_type, member,
-                   "its default names an instance: a reference begins as nobody");
+                   "its default names an instance: a reference must begin empty");
     }
     static bool names_somebody(const Value& value) {
         if (value.is(Type::list)) return std::ranges::any_of(value.list(), names_somebody);
@@ -208,7 +209,7 @@ class DescriptorCheck {
         check_number(member, "the native type of its column", binding.native, Native::enumeration);
         if (binding.base == nullptr)
             refuse(ErrorKind::bad_structure, member, "its column has no `base`");
-        // 0: all rows are one, as those of a service.
+        // A stride of 0 means that all rows share one value, as in a service.
         const std::size_t least = binding.stride == 0 ? 0 : size_of(binding.native);
         if (binding.stride < least || binding.stride > largest_stride)
             refuse(ErrorKind::bad_structure, member,

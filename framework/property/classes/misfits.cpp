@@ -17,10 +17,11 @@ std::vector<std::string> Misfits::lines() const {
     for (const auto& [name, of] : all_) {
         const std::string others =
             of.count == 1 ? "" : " and " + std::to_string(of.count - 1) + " more";
-        lines.push_back(name + ": the saved value " + value_text(of.first) + others +
-                        " cannot be " + expectation(*of.property) +
-                        ", which it is by now: " + (of.count == 1 ? "it is" : "they are") +
-                        " the default, " + value_text(of.property->default_value));
+        lines.push_back(
+            name + ": the saved value " + value_text(of.first) + others + " cannot be " +
+            expectation(*of.property) +
+            ", as the property now requires: " + (of.count == 1 ? "it is" : "they are") +
+            " the default, " + value_text(of.property->default_value));
     }
     return lines;
 }

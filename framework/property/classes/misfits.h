@@ -1,5 +1,5 @@
 #pragma once
-// Saved values that the properties of today cannot hold.
+// Saved values that do not fit the current declaration of their property.
 
 #include <cstddef>
 #include <map>
@@ -13,7 +13,7 @@ namespace fettle::property {
 class Misfits {
   public:
     void add(const Property& property, Value saved);
-    /// A line for each property, in the order of their names.
+    /// One line for each property, sorted by name.
     std::vector<std::string> lines() const;
 
   private:

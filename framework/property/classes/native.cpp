@@ -1,3 +1,5 @@
+// Types and sizes of the elements of columns.
+
 #include <fettle/property/native.h>
 
 namespace fettle::property {

@@ -1,4 +1,4 @@
-// What a formula depends on: all that it read when it ran last.
+// Dependencies of a formula: every cell that its last run read.
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace fettle::property {
 
-/// Enters the formula among the dependents of a cell it reads.
+/// Adds the formula to the dependents of a cell that it reads.
 void Formulas::depend(Entry& e, std::uint32_t dependency) {
     Dependency& d = e.dependencies[dependency];
     std::vector<Dependent>& list = dependents_[d.cell].list;
@@ -16,8 +16,8 @@ void Formulas::depend(Entry& e, std::uint32_t dependency) {
     list.push_back({&e, dependency});
 }
 
-/// The last of the list takes the place of the one that leaves, so that a cell may have any number
-/// of dependents.
+/// Removes a dependent. The last dependent takes its place, so the cost does not depend on the
+/// length of the list.
 void Formulas::depend_no_more(const Dependency& gone) {
     std::vector<Dependent>& list = dependents_.at(gone.cell).list;
     const Dependent last = list.back();
@@ -33,7 +33,7 @@ void Formulas::depend_no_more(const Dependency& gone) {
     if (names.empty()) read_of_.erase(gone.cell.index);
 }
 
-/// Gives the formula its new dependencies; `places`: which of them a cell is.
+/// Replaces the dependencies of the formula. `places`: the index of each cell among them.
 void Formulas::enter_dependencies(Entry& e, std::vector<Dependency> found, const Places& places) {
     std::vector<Dependency> before = std::exchange(e.dependencies, std::move(found));
     std::vector<Dependency>& now = e.dependencies;
@@ -59,7 +59,7 @@ void Formulas::enter_dependencies(Entry& e, std::vector<Dependency> found, const
 }
 
 void Formulas::set_dependencies(Entry& e, const std::vector<Read>& found) {
-    // The same cell read again tells nothing new; a read of the value says more than a look at the
+    // A second read of a cell adds nothing. A read of the value counts more than a look-up of the
     // name.
     Places places;
     std::vector<Dependency> distinct;

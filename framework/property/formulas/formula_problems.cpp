@@ -1,4 +1,4 @@
-// What is wrong with a formula, to whom it is told, and how a value came about.
+// Errors of formulas, their reports, and explanations of computed values.
 
 #include <algorithm>
 #include <unordered_set>
@@ -12,8 +12,8 @@
 namespace fettle::property {
 namespace {
 
-/// What two texts of an error have in common that differ in their numbers only: a formula may name
-/// the value it got, which is another one in each step.
+/// The text without its numbers. Two errors that differ only in numbers count as the same error: a
+/// formula may print its current value, which differs in each step.
 std::string without_numbers(std::string_view text) {
     std::string rest;
     for (const char c : text)
@@ -23,7 +23,7 @@ std::string without_numbers(std::string_view text) {
 
 }  // namespace
 
-/// Whether it is in error only because it reads a formula that is.
+/// Whether the formula fails only because it reads another formula that fails.
 bool Formulas::fails_by_another(const Entry& e) const {
     return std::any_of(e.dependencies.begin(), e.dependencies.end(), [&](const Dependency& d) {
         const Entry* source = d.formula ? entry(d.cell) : nullptr;

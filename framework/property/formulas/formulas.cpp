@@ -11,9 +11,9 @@
 namespace fettle::property {
 namespace {
 
-// Formulas that read formulas that read ... run inside each other the first time, when nobody knows
-// yet who reads whom. A script's interpreter has little room for that (200 C calls), so a deeper
-// nest is taken up again from its far end.
+// On the first run the dependencies are unknown, so formulas that read formulas run inside each
+// other. Lua allows only 200 nested C calls. A deeper nest is abandoned and computed from its
+// deepest formula on.
 constexpr std::size_t deepest_nest = 24;
 
 }  // namespace
@@ -22,7 +22,7 @@ bool takes_formula(const Property& property) {
     return !property.read_only && property.binding.kind != BindingKind::node;
 }
 
-// --- Making and ending
+// --- Creation and removal
 
 Formulas::Entry* Formulas::entry(Cell cell) const {
     const auto found = entries_.find(cell);
@@ -37,7 +37,8 @@ const Formula* Formulas::find(Cell cell) const {
 void Formulas::set(Handle instance, const Property& property, Formula formula) {
     const Cell cell{instance.index, property.symbol};
     remove(cell);
-    // Removed ones are let go of when they are the greater part: one at a time would be slow.
+    // Removed entries are erased when they are the majority; erasing each one at once would be
+    // slow.
     if (order_.size() > 64 + 2 * entries_.size())
         std::erase_if(order_, [](const auto& e) { return e->removed; });
     changes_.growth.add(weight_of_formula);
@@ -101,7 +102,7 @@ void Formulas::instance_gone(std::uint32_t index) {
 
 void Formulas::name_changed(std::uint32_t parent, const NodeName& name) {
     if (entries_.empty()) return;
-    // A name that nobody has asked for is no symbol, and does not become one.
+    // A name without a symbol was never read, so no formula depends on it.
     if (const Symbol asked = Symbol::find(name.text())) mark_dependents({parent, asked});
     mark_dependents(Reads::structure);
 }
@@ -117,7 +118,7 @@ void Formulas::written(Handle handle, const Node& node, const Property& property
 void Formulas::mark_dependents(Cell cell) {
     const auto first = dependents_.find(cell);
     if (first == dependents_.end()) return;
-    // A source that is written again and again marks its dependents once.
+    // A source that is written repeatedly marks its dependents once.
     if (std::exchange(first->second.marked, settlings_) == settlings_) return;
     std::vector<Entry*> reached;
     const auto reach = [&reached](Entry* e, State as) {
@@ -171,8 +172,8 @@ Formulas::Finding Formulas::look_at_sources(const Entry& e, Entry*& unsettled) c
     return Finding::unchanged;
 }
 
-// Sources first, along what was read last time: without recursion, so that a chain may be as long
-// as it likes.
+// Settles the sources first, along the dependencies of the last run. There is no recursion, so the
+// length of a chain is not limited.
 void Formulas::settle_known(Entry& top) {
     std::vector<Entry*> way{&top};
     top.queued = true;
@@ -231,15 +232,15 @@ void Formulas::settle(Cell cell) {
     if (found == entries_.end() || changes_.replaying) return;
     const std::shared_ptr<Entry> e = found->second;
     if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
-    // Its owner's memory must not be written in an inquiry: it keeps the value it has.
+    // An inquiry must not write the memory of the owner, so the formula keeps its value.
     if (!settled(*e) && underway_.inquiry == nullptr) settle(*e);
     if (!e->error.empty() && !e->removed)
         throw Error(ErrorKind::formula,
                     tree_.path(e->instance, *e->property) + " is in error: " + e->error);
 }
 
-// Every formula of a cycle gets the same text, begun at the one made first: so it does not matter
-// which is read first, and reading another of them again changes nothing.
+// Every formula of a cycle gets the same text, which begins with the formula that was made first.
+// So the text does not depend on which of them is read first.
 std::string Formulas::note_cycle(const Entry& again) {
     std::vector<Entry*> cycle(std::find(stack_.begin(), stack_.end(), &again), stack_.end());
     const auto first =
@@ -280,7 +281,7 @@ void Formulas::run(Entry& e) {
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
-    note_in(nullptr);  // a setter may read what it likes
+    note_in(nullptr);  // reads by a setter are not noted
     stack_.pop_back();
     e.running = false;
     struct Restore {
@@ -339,13 +340,13 @@ void Formulas::settle_all(bool stepped) {
     for (const std::shared_ptr<Entry>& e : all) {
         if (e->removed) continue;
         try {
-            // The simulation may have moved what a formula holds: the formula is the value.
+            // The simulation may have written the property; the value of the formula replaces it.
             if (stepped && e->property->simulated &&
                 !(tree_.peek(e->instance, *e->property) == e->value))
                 e->state = State::dirty;
             if (!settled(*e)) settle(*e);
         } catch (const Error&) {
-            // It stays with the cell, for whoever reads it.
+            // The entry stores the error; a read of the cell throws it.
         }
     }
 }

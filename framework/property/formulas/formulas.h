@@ -1,15 +1,16 @@
 #pragma once
-// Formulas of a tree. Push dirty, pull values:
+// Formulas of a tree. Dirty marks are pushed, values are pulled:
 //
-//   - a write marks the formulas that read the cell as *dirty*, and those that depend on these as
-//   to *check*;
-//   - a read settles: a formula to check asks its sources first and runs only when the version of
-//   one is new.
+//   - a write marks the formulas that read the cell as *dirty*, and the formulas that depend on
+//     those as *check*;
+//   - a read settles: a formula marked *check* settles its sources first and runs only if the
+//     version of one of them is new.
 //
-// So a diamond is computed once and never half, and an unchanged result stops there. What a formula
-// read is found by running it and found anew each time, so a branch not taken is no dependency; a
-// name that did not exist is one, so a formula recovers when it appears. Cells that nobody
-// announces (the simulation's, derived ones) are compared with what was read of them.
+// So a formula with two paths to one source runs once, with current values, and an unchanged result
+// marks nothing further. The dependencies of a formula are the cells that its last run read: a
+// branch that was not taken is no dependency. A name that did not exist is one, so the formula
+// recovers when the name appears. Cells without announced changes (simulated and derived ones) are
+// compared with the values that were read.
 
 #include <cstdint>
 #include <memory>
@@ -26,8 +27,8 @@
 
 namespace fettle::property {
 
-/// Whether the property can have a formula. What is read only cannot, nor can what tells where an
-/// instance is (its name and its parent): a formula computes a value, it moves nothing.
+/// Whether the property can have a formula. Read-only properties cannot, nor can name and parent: a
+/// formula computes a value, it does not move an instance.
 bool takes_formula(const Property& property);
 
 class Formulas {
@@ -37,14 +38,14 @@ class Formulas {
 
     Changes& changes() { return changes_; }
 
-    /// Makes formulas of their text; empty where nobody knows their language.
+    /// Compiles the text of a formula; empty if no language is registered.
     FormulaCompiler compiler;
 
     void set(Handle instance, const Property& property, Formula formula);
     void remove(Cell cell);
     const Formula* find(Cell cell) const;
 
-    /// For snapshots: all of them in order of making; and none of them.
+    /// For snapshots: all formulas in the order of creation.
     struct Image {
         Handle instance;
         Symbol property;
@@ -57,22 +58,23 @@ class Formulas {
     /// The path of the property whose formula runs.
     std::string running() const;
 
-    /// A cell was written: what follows from that, for formulas and for all others.
+    /// Called when a cell was written: marks the dependents and reports the change.
     void written(Handle handle, const Node& node, const Property& property, const Value& old_value);
-    /// An instance below `parent` has come, gone or been renamed.
+    /// Called when a child of `parent` was made, deleted or renamed.
     void name_changed(std::uint32_t parent, const NodeName& name);
     void instance_gone(std::uint32_t index);
 
-    /// Makes the cell's value current. Throws Error(formula) when it is in error.
+    /// Makes the value of the cell current. Throws Error(formula) if the formula fails.
     void settle(Cell cell);
-    /// All of them, in order of making; errors stay with the cells.
+    /// Settles all formulas in the order of creation. Errors are stored in the cells.
     void settle_all(bool stepped);
     std::string problem(Cell cell);
-    /// To whom problems are told, and that what is wrong with a formula was told.
+    /// Receives errors of formulas, and the news that an error is over.
     std::function<void(const FormulaProblem&)> problem_sink;
     void tell_problems();
     void problem_told(Cell cell);
-    /// Formulas of formulas are told `levels` deep: whoever reads that goes down by calls.
+    /// `levels`: how many formulas of formulas are explained. The limit exists because a reader of
+    /// the result may recurse.
     Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen,
                     int levels = most_levels);
     static constexpr int most_levels = 3000;
@@ -80,11 +82,11 @@ class Formulas {
   private:
     enum class State : std::uint8_t { clean, check, dirty };
     struct Dependency : Read {
-        std::uint64_t version = 0;  // of a cell with a formula
+        std::uint64_t version = 0;  // set if the cell has a formula
         bool formula = false;
         bool observed = false;
-        std::uint32_t place = 0;  // of its formula among the dependents of the cell
-        Value seen{};             // of an observed cell
+        std::uint32_t place = 0;  // index in the cell's list of dependents
+        Value seen{};             // value of an observed cell
     };
     struct Entry {
         Cell cell;
@@ -93,27 +95,26 @@ class Formulas {
         Formula formula;
         std::vector<Dependency> dependencies;
         std::string error;
-        std::string cycle;  // found while it ran
+        std::string cycle;  // a cycle that was found during the run
         std::uint64_t number = 0;
         std::uint64_t version = 1;
         Value value;                // the last good result
-        std::uint64_t checked = 0;  // epoch at which it was last known to be settled
+        std::uint64_t checked = 0;  // epoch at which it was last settled
         State state = State::dirty;
-        bool volatile_sources =
-            false;  // reads cells that nobody announces, itself or through another formula
+        bool volatile_sources = false;  // depends on unannounced cells, directly or not
         bool running = false;
-        bool queued = false;   // on the way of `settle_known`
-        bool removed = false;  // while it ran
+        bool queued = false;   // is in the list of `settle_known`
+        bool removed = false;  // removed during its run
     };
 
-    /// A formula that read a cell, and which of its dependencies that is.
+    /// A formula that read a cell, and the index of that dependency.
     struct Dependent {
         Entry* formula = nullptr;
         std::uint32_t dependency = 0;
     };
     struct Dependents {
         std::vector<Dependent> list;
-        std::uint64_t marked = 0;  // `settlings_` when all of them were marked: they still are
+        std::uint64_t marked = 0;  // `settlings_` when all of them were marked
     };
 
     Entry* entry(Cell cell) const;
@@ -122,14 +123,14 @@ class Formulas {
     void depend(Entry& e, std::uint32_t dependency);
     void depend_no_more(const Dependency& gone);
     bool settled(const Entry& e) const;
-    /// What stands between an entry and being settled, as far as its sources of the last run tell.
+    /// Whether the sources of the last run changed, or must be settled first.
     enum class Finding : std::uint8_t { unchanged, changed, unsettled_source };
     Finding look_at_sources(const Entry& e, Entry*& unsettled) const;
     void settle(Entry& e);
     void settle_known(Entry& e);
     void run(Entry& e);
     void note_settled(Entry& e);
-    /// Where what is read now is noted; nullptr: nowhere. Returns where it was before.
+    /// Sets the list that receives reads; nullptr: reads are not noted. Returns the previous list.
     std::vector<Read>* note_in(std::vector<Read>* reads);
     void finish(Entry& e, const Value& result);
     void fail(Entry& e, const std::string& error);
@@ -143,16 +144,16 @@ class Formulas {
     const Underway& underway_;
     Tree& tree_;
     std::unordered_map<Cell, std::shared_ptr<Entry>, CellHash> entries_;
-    std::vector<std::shared_ptr<Entry>> order_;  // of making; removed ones are passed over
+    std::vector<std::shared_ptr<Entry>> order_;  // in order of creation; removed ones are skipped
     std::unordered_map<Cell, Dependents, CellHash> dependents_;
-    // Errors that were told; they stay over a restore, which makes all formulas again.
+    // Errors that were reported. The map outlives a restore, which makes all formulas again.
     std::unordered_map<Cell, std::string, CellHash> told_;
     bool problems_changed_ = false;
-    std::uint64_t settlings_ = 1;  // how often a formula was settled
+    std::uint64_t settlings_ = 1;  // number of settled formulas so far
     std::unordered_map<std::uint32_t, std::unordered_set<Symbol>>
-        read_of_;                // index -> names with dependents
-    std::vector<Entry*> stack_;  // those running, outermost first
-    Entry* too_deep_ = nullptr;  // to be settled first, before the stack is climbed again
+        read_of_;                // slot -> names with dependents
+    std::vector<Entry*> stack_;  // running formulas, outermost first
+    Entry* too_deep_ = nullptr;  // is settled first, then the stack is built again
     bool pending_ = false;       // some entry is not clean
     std::size_t volatile_ = 0;
     std::uint64_t made_ = 0;

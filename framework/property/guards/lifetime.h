@@ -1,5 +1,5 @@
 #pragma once
-// How long a tree lives: what it calls may destroy it, or must not.
+// Lifetime of a tree: callbacks that may destroy it, and callbacks that must not.
 
 #include <memory>
 #include <utility>
@@ -13,15 +13,16 @@ struct Lifetime {
 
     std::shared_ptr<const Tree*> mark;  // null from the beginning of the destruction on
     bool ending = false;                // the tree is being destroyed
-    const char* pinned = nullptr;       // what is called and must not destroy the tree, if anything
-    int uses = 0;                       // calls that call handlers or methods
-    std::shared_ptr<void> rest;         // what one of those calls has left of the tree
+    const char* pinned = nullptr;       // running callback that must not destroy the tree
+    int uses = 0;                       // nested calls that run handlers or methods
+    std::shared_ptr<void> rest;         // state of the destroyed tree, held until these calls end
 
-    /// Throws where the tree must not be destroyed; from its destructor, which ends the program.
+    /// Throws if the tree must not be destroyed. In the destructor of the tree this ends the
+    /// program.
     void require_unpinned() const;
 };
 
-/// While it lives, what is called may destroy the tree: its state lives on as long.
+/// While it lives, a callback may destroy the tree; the tree's state is kept until the end of it.
 class Use {
   public:
     explicit Use(Lifetime& lifetime) : lifetime_(lifetime) { ++lifetime_.uses; }
@@ -29,15 +30,15 @@ class Use {
         if (--lifetime_.uses == 0) const std::shared_ptr<void> dead = std::move(lifetime_.rest);
     }
     Use(const Use&) = delete;
-    /// At the end: throws Error(deleted) if that happened.
+    /// Called at the end: throws Error(deleted) if the tree was destroyed.
     void finish() const;
 
   private:
     Lifetime& lifetime_;
 };
 
-/// While it lives, what is called must not destroy the tree: when it does so nevertheless, the
-/// program is ended with a message that names `what`: "a lifecycle function".
+/// While it lives, callbacks must not destroy the tree. If one does, the program ends with a
+/// message that names `what`, "a lifecycle function" for example.
 class Pin {
   public:
     Pin(Lifetime& lifetime, const char* what)

@@ -69,7 +69,7 @@ Transaction History::take(Transactions& list) {
     return taken;
 }
 
-/// It stays in the list by its name.
+/// Forgets what the transaction did. Its name stays in the list.
 void History::make_void(Transaction& transaction) {
     forget(transaction);
     transaction.steps = {};
@@ -79,7 +79,7 @@ void History::make_void(Transaction& transaction) {
 void History::add(EditStep step, const std::string& name) {
     const bool single = depth_ == 0;
     if (single) begin(name, false);
-    open_bytes_ += bytes_of(step);  // no part of the tree's weight: the list has its own limit
+    open_bytes_ += bytes_of(step);  // the list has its own memory limit
     if (const auto* edit = std::get_if<CellEdit>(&step))
         written_[{edit->instance.index, edit->property}] = open_.steps.size();
     else
@@ -101,7 +101,7 @@ CellState History::capture(Handle instance, const Property& property) const {
     return state;
 }
 
-/// Of an ad-hoc property that is not there: one that is not present.
+/// The state of an ad-hoc property; `present` is false if there is none of that name.
 CellState History::capture(Handle instance, Symbol name) const {
     const Property* property = tree_.find(instance, name);
     return property == nullptr ? CellState{} : capture(instance, *property);
@@ -111,7 +111,7 @@ void History::edited(Handle instance, const Property& property, CellState before
     if (observer_ != nullptr) observer_->edited(instance, property, before);
     references_.erase({instance.index, property.symbol});
     CellState after = capture(instance, property.symbol);
-    // A drag is many edits of one cell: only its ends are kept.
+    // A drag writes one cell many times. Only the first and the last value are kept.
     const Cell cell{instance.index, property.symbol};
     if (const auto step = written_.find(cell); depth_ > 0 && step != written_.end()) {
         auto& edit = std::get<CellEdit>(open_.steps[step->second]);
@@ -145,9 +145,9 @@ void History::dying(Handle instance) {
     note_references();
     ExistenceEdit existence;
     existence.top = instance;
-    existence.buried = buried_below(instance);
-    for (const Buried& buried : existence.buried) {
-        const Node& node = nodes_[buried.handle.index];
+    existence.deleted = deleted_below(instance);
+    for (const DeletedInstance& deleted : existence.deleted) {
+        const Node& node = nodes_[deleted.handle.index];
         if (node.watched) ++existence.lost_watchers;
     }
     const bool single = depth_ == 0;
@@ -156,26 +156,26 @@ void History::dying(Handle instance) {
         single ? !lists_.done.empty() && !lists_.done.top().too_large : !open_.too_large;
 }
 
-/// What is as in an instance just made is left out: of most, that is nearly all.
-std::vector<Buried> History::buried_below(Handle top) const {
-    std::vector<Buried> all;
+/// Leaves out every cell that has its initial state. For most instances that is nearly all cells.
+std::vector<DeletedInstance> History::deleted_below(Handle top) const {
+    std::vector<DeletedInstance> all;
     tree_.each_below(top, [&](Handle handle) {
-        Buried buried;
-        buried.handle = handle;
-        buried.of = &tree_.class_of(handle);
-        buried.position = nodes_.position(handle.index);
+        DeletedInstance deleted;
+        deleted.handle = handle;
+        deleted.of = &tree_.class_of(handle);
+        deleted.position = nodes_.position(handle.index);
         for (const Property* property : tree_.properties(handle)) {
             if (property->read_only || property->binding.kind == BindingKind::node) continue;
             CellState state = before_deletion(handle, *property);
             if (state.overridden || state.formula)
-                buried.cells.emplace_back(property->symbol, std::move(state));
+                deleted.cells.emplace_back(property->symbol, std::move(state));
         }
-        all.push_back(std::move(buried));
+        all.push_back(std::move(deleted));
     });
     return all;
 }
 
-/// Looked up once an edit, however many it deletes.
+/// Collects all references once per edit, however many instances the edit deletes.
 void History::note_references() {
     if (!wants_references_ || has_references_) return;
     has_references_ = true;
@@ -192,12 +192,14 @@ void History::note_references() {
                 if (value.is(Type::reference) && value.reference())
                     references_[{i, property->symbol}] = value.reference();
             } catch (...) {
-                // It is not what is deleted, and nobody has asked.
+                // This instance is not deleted by the edit, so an unreadable property of it does
+                // not matter.
             }
     }
 }
 
-/// The cell of who is about to be deleted: it refers to whom it did before they were.
+/// State of a cell whose instance is about to be deleted. A reference has the target that it had
+/// before the first deletion of this edit.
 CellState History::before_deletion(Handle instance, const Property& property) const {
     for (const Unresolved& each : unresolved_)
         if (each.instance == instance && each.property == property.symbol && may_resolve(each))
@@ -217,8 +219,8 @@ CellState History::before_deletion(Handle instance, const Property& property) co
 void History::forget(const Transaction& transaction) {
     for (const EditStep& step : transaction.steps)
         if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-            for (const Buried& buried : existence->buried)
-                if (!tree_.alive(buried.handle)) nodes_.free_kept(buried.handle);
+            for (const DeletedInstance& deleted : existence->deleted)
+                if (!tree_.alive(deleted.handle)) nodes_.free_kept(deleted.handle);
 }
 
 std::size_t History::bytes() const {
@@ -226,7 +228,7 @@ std::size_t History::bytes() const {
     return *bytes_;
 }
 
-/// By a quarter more than has to be, so that it is not every edit that looks for the last.
+/// Frees a quarter more than necessary, so that not every edit has to look for the oldest entry.
 void History::trim() {
     if (bytes() <= limit_) return;
     const std::size_t most = most_of_one();
@@ -254,12 +256,12 @@ Memory History::image() const {
     return std::make_shared<const Lists>(lists_);
 }
 
-// The slots of the dead that may come back are kept in the nodes' own image.
+// The image of the nodes contains the slots that are reserved for undo.
 void History::restore(const Memory& image) {
     unresolved_.clear();
     lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
     bytes_.reset();
-    // An edit that is under way goes on from here.
+    // An edit that is open now continues after the restore.
     open_.steps.clear();
     open_.too_large = false;
     open_bytes_ = 0;
@@ -274,8 +276,8 @@ void History::free_unclaimed() {
     const auto claim = [&](const Transaction& transaction) {
         for (const EditStep& step : transaction.steps)
             if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-                for (const Buried& buried : existence->buried)
-                    if (nodes.keeps(buried.handle)) claimed[buried.handle.index] = true;
+                for (const DeletedInstance& deleted : existence->deleted)
+                    if (nodes.keeps(deleted.handle)) claimed[deleted.handle.index] = true;
     };
     lists_.done.each(claim);
     lists_.undone.each(claim);
@@ -290,7 +292,7 @@ std::vector<HistoryEntry> History::entries() const {
         });
     };
     list(lists_.undone, true);
-    std::reverse(all.begin(), all.end());  // what was undone first was done last
+    std::reverse(all.begin(), all.end());  // the entry that was undone first was done last
     list(lists_.done, false);
     return all;
 }

@@ -1,8 +1,8 @@
 #pragma once
-// The history of a tree. Edits are kept as cells with what they were before and after; births and
-// deaths of instances as images of all their cells. An instance that is brought back gets its old
-// slot and generation, so handles to it work again; its slot is kept free for it while the history
-// remembers it.
+// The history of a tree. Edits are stored as cells with their states before and after; created and
+// deleted instances are stored as images of all their cells. Undo brings an instance back with its
+// old slot and generation, so old handles to it work again. Its slot stays reserved while the
+// history contains it.
 
 #include <cstdint>
 #include <optional>
@@ -29,7 +29,7 @@ class History {
           tree_(structure.tree) {}
 
     void observe(EditObserver* observer) { observer_ = observer; }
-    /// Whether what is written now is a person's edit.
+    /// Whether a write by this writer is an edit by a person.
     bool recording(Writer writer) const {
         if (applying_) return false;
         switch (writer) {
@@ -44,14 +44,14 @@ class History {
                 return false;
         }
     }
-    /// To be called whenever the writer is another, or an edit begins or ends.
+    /// Must be called whenever the writer changes or an edit begins or ends.
     void note_recording();
     void begin(std::string name, bool scripts);
     void end();
 
     CellState capture(Handle instance, const Property& property) const;
-    /// What the cell is now, where it is about to be edited and that is recorded. Names and parents
-    /// are recorded as moves.
+    /// The current state of a cell that is about to be edited, if the edit is recorded. Names and
+    /// parents are recorded as moves instead.
     std::optional<CellState> before_edit(Handle instance, const Property& property) const {
         if (!structure_.changes.recording() || property.binding.kind == BindingKind::node)
             return {};
@@ -60,26 +60,26 @@ class History {
     void edited(Handle instance, const Property& property, CellState before);
     void moved(Handle instance, const Position& before);
     void born(Handle instance);
-    /// Before it dies. Its slots are kept for it.
+    /// Called before an instance is deleted. Reserves the slots for undo.
     void dying(Handle instance);
 
     UndoResult undo();
     UndoResult redo();
-    /// The latest first; what was undone is later than what was not.
+    /// All entries, the latest first. Undone entries come before those that were not undone.
     std::vector<HistoryEntry> entries() const;
     void set_limit(std::size_t bytes);
-    /// Memory it takes, about.
+    /// Approximate memory of the lists.
     std::size_t bytes() const;
-    /// Of all that was ever put into it; what is not in it now is forgotten, though images made
-    /// before may hold it.
+    /// Bytes of all entries that were ever added. Entries that are no longer in the lists may still
+    /// be in older images.
     std::size_t bytes_ever() const { return bytes_ever_; }
 
-    /// The lists as they are, to be put back by `restore`; null puts back nothing: an empty
-    /// history. Costs the same however long they are.
+    /// The current lists, for `restore`. Restoring null gives an empty history. The cost does not
+    /// depend on the length of the lists.
     Memory image() const;
     void restore(const Memory& image);
-    /// Slots that are kept for the dead of edits that are forgotten: a state of the past may keep
-    /// them for what was forgotten since.
+    /// Frees reserved slots that no entry of the history needs any more. A restored state may
+    /// reserve slots for entries that were forgotten since.
     void free_unclaimed();
     std::uint64_t version() const { return version_; }
 
@@ -87,7 +87,8 @@ class History {
     struct Lists {
         Transactions done, undone;
     };
-    /// While it lives and something is deleted, whom the living refer to is known as it was before.
+    /// While it lives and instances are deleted, the references of living instances are known as
+    /// they were before the first deletion.
     class References {
       public:
         References(History& history, bool wanted);
@@ -99,10 +100,10 @@ class History {
         bool before_;
     };
 
-    /// One that has changed nothing yet is none: `undo()` is a console command, and each is an
-    /// edit.
+    /// An edit that has changed nothing yet does not count: every console command is an edit, also
+    /// `undo()`.
     bool edit_is_open() const { return depth_ > 0 && (!open_.steps.empty() || open_.too_large); }
-    /// What is more than this is forgotten as soon as it is made.
+    /// A transaction that takes more bytes than this is forgotten at once.
     std::size_t most_of_one() const { return limit_ - limit_ / 4; }
     void add(EditStep step, const std::string& name);
     void close();
@@ -113,7 +114,7 @@ class History {
     void forget(const Transaction& transaction);
     void make_void(Transaction& transaction);
     void trim();
-    std::vector<Buried> buried_below(Handle top) const;
+    std::vector<DeletedInstance> deleted_below(Handle top) const;
     void note_references();
     CellState before_deletion(Handle instance, const Property& property) const;
     UndoResult run(Transaction& transaction, bool back);
@@ -121,9 +122,9 @@ class History {
     void apply(ExistenceEdit& existence, bool back, UndoResult& result);
     void apply(MoveEdit& move, bool back, UndoResult& result);
     void set_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
-    bool hangs_too_deep(const ExistenceEdit& existence) const;
+    bool would_be_too_deep(const ExistenceEdit& existence) const;
     void revive(ExistenceEdit& existence, UndoResult& result);
-    void bury(ExistenceEdit& existence, UndoResult& result);
+    void delete_again(ExistenceEdit& existence, UndoResult& result);
     void place(Handle instance, const Position& at, UndoResult& result);
 
     Structure& structure_;
@@ -132,23 +133,24 @@ class History {
     Tree& tree_;
     EditObserver* observer_ = nullptr;
     Lists lists_;
-    std::uint64_t version_ = 0;  // counts changes of the two
+    std::uint64_t version_ = 0;  // counts changes of both lists
     Transaction open_;
     std::size_t open_bytes_ = 0;
-    // Which step of the open edit a cell was written by, since something came or went last.
+    // For each cell, the step of the open edit that wrote it. Cleared when an instance is created
+    // or deleted.
     std::unordered_map<Cell, std::size_t, CellHash> written_;
-    // Whom each cell referred to when the first instance of several was about to be deleted: the
-    // modules of those that are left may forget it.
+    // The target of each reference before the first of several instances was deleted. Modules may
+    // clear references to deleted instances.
     std::unordered_map<Cell, Handle, CellHash> references_;
     bool wants_references_ = false;
     bool has_references_ = false;
-    /// A cell that is to name an instance that is deleted: it gets its state when that instance
-    /// is there again, unless something else has written the cell meanwhile.
+    /// A cell whose saved state refers to a deleted instance. The state is written when that
+    /// instance is back, unless the cell was written otherwise meanwhile.
     struct Unresolved {
         Handle instance;
         Symbol property;
         CellState state;
-        std::optional<CellState> meanwhile{};  // what the cell holds until then
+        std::optional<CellState> meanwhile{};  // state of the cell until then
     };
     std::vector<Unresolved> unresolved_;
     void resolve(UndoResult& result);
@@ -156,10 +158,10 @@ class History {
     CellState capture(Handle instance, Symbol name) const;
     void write_cell(Handle instance, Symbol name, const CellState& state, UndoResult& result);
     int depth_ = 0;
-    std::vector<bool> scripts_;     // of each open edit, whether what scripts write belongs to it
-    std::size_t script_edits_ = 0;  // how many of them that is true of
+    std::vector<bool> scripts_;     // for each open edit: whether writes by scripts belong to it
+    std::size_t script_edits_ = 0;  // number of true values in `scripts_`
     bool applying_ = false;
-    mutable std::optional<std::size_t> bytes_ = 0;  // of the lists, where it is known
+    mutable std::optional<std::size_t> bytes_ = 0;  // bytes of both lists, if known
     std::size_t bytes_ever_ = 0;
     std::size_t limit_ = std::size_t{64} << 20;
 };

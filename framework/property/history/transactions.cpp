@@ -5,16 +5,16 @@
 namespace fettle::property {
 namespace {
 
-// What the system and a shared pointer keep beside each piece of memory.
+// Bytes per allocation that the allocator and a shared pointer add.
 constexpr std::size_t overhead = 32;
 
 std::size_t size_of(const CellState& state) {
     return sizeof state + size_of(state.value) + (state.formula ? bytes_of(*state.formula) : 0);
 }
 
-std::size_t size_of(const Buried& buried) {
-    std::size_t bytes = sizeof buried + overhead;
-    for (const auto& [symbol, state] : buried.cells) bytes += sizeof symbol + size_of(state);
+std::size_t size_of(const DeletedInstance& deleted) {
+    std::size_t bytes = sizeof deleted + overhead;
+    for (const auto& [symbol, state] : deleted.cells) bytes += sizeof symbol + size_of(state);
     return bytes;
 }
 
@@ -25,7 +25,7 @@ std::size_t bytes_of(const EditStep& step) {
     if (const auto* edit = std::get_if<CellEdit>(&step))
         bytes += size_of(edit->before) + size_of(edit->after);
     if (const auto* existence = std::get_if<ExistenceEdit>(&step))
-        for (const Buried& buried : existence->buried) bytes += size_of(buried);
+        for (const DeletedInstance& deleted : existence->deleted) bytes += size_of(deleted);
     return bytes;
 }
 
@@ -38,7 +38,8 @@ std::size_t Transaction::bytes() const {
 Transactions::Link::Link(Transaction transaction, std::shared_ptr<Link> rest)
     : what(std::move(transaction)), bytes(what.bytes() + sizeof(Link)), below(std::move(rest)) {}
 
-/// One after the other: a list of a hundred thousand would need more stack than there is.
+/// Destroys the links in a loop. Recursion over a list of a hundred thousand links would overflow
+/// the stack.
 Transactions::Link::~Link() {
     while (below != nullptr && below.use_count() == 1) below = std::exchange(below->below, nullptr);
 }

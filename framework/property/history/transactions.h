@@ -1,5 +1,5 @@
 #pragma once
-// What was edited, in steps of undo, and the lists that keep them.
+// Undo steps, and the lists that store them.
 
 #include <cstddef>
 #include <functional>
@@ -23,19 +23,19 @@ struct CellEdit {
     CellState before, after;
 };
 
-/// What a dead instance was: all that is not as in one just made.
-struct Buried {
+/// State of a deleted instance: all cells that differ from those of a new instance.
+struct DeletedInstance {
     Handle handle;
     const Class* of = nullptr;
     Position position;
     std::vector<std::pair<Symbol, CellState>> cells;
 };
 
-/// An instance, and what is below it, came or went.
+/// An instance was created or deleted, with everything below it.
 struct ExistenceEdit {
     Handle top;
-    bool birth = false;  // else a death
-    std::vector<Buried> buried;
+    bool birth = false;  // false: a deletion
+    std::vector<DeletedInstance> deleted;
     std::size_t lost_watchers = 0;
 };
 
@@ -51,17 +51,17 @@ struct Transaction {
     std::string name;
     Cause cause;
     std::vector<EditStep> steps;
-    /// It took more memory than there is for all: what it did is not known any more.
+    /// It took more memory than the limit, so its steps were dropped.
     bool too_large = false;
 
-    /// Memory it takes, about.
+    /// Approximate memory that it takes.
     std::size_t bytes() const;
 };
 
 std::size_t bytes_of(const EditStep& step);
 
-/// Transactions, the latest on top. Copies share what is in them, so that a copy for each step of a
-/// game costs nothing however long the list is; what is in a list never changes.
+/// A stack of transactions. Copies share the transactions, so a copy for each step of a game costs
+/// the same however long the list is. A transaction in a list never changes.
 class Transactions {
   public:
     bool empty() const { return top_ == nullptr; }
@@ -69,12 +69,12 @@ class Transactions {
     std::size_t top_bytes() const { return top_->bytes; }
     void push(Transaction transaction);
     void pop();
-    /// From the top down.
+    /// Visits all transactions from the top down.
     void each(const std::function<void(const Transaction&)>& visit) const;
-    /// Memory all of them take, about.
+    /// Approximate memory of all transactions.
     std::size_t bytes() const;
-    /// Forgets the lowest so that at most `most` bytes are left; copies made before keep them.
-    /// `forgotten` hears of each. Whether there were any.
+    /// Forgets the oldest transactions until at most `most` bytes are left; older copies keep them.
+    /// Calls `forgotten` for each. Returns whether there were any.
     bool trim(std::size_t most, const std::function<void(const Transaction&)>& forgotten);
 
   private:

@@ -1,5 +1,5 @@
-// Undoing what people edited, and doing it again. What cannot be as it was is told in notes, and
-// the rest of the step is undone all the same.
+// Undo and redo. What cannot be restored is reported in notes; the rest of the step is undone all
+// the same.
 
 #include <algorithm>
 #include <unordered_map>
@@ -24,7 +24,7 @@ UndoResult History::redo() {
     return carry_over(lists_.undone, lists_.done, false);
 }
 
-/// Undoes, or does again, the latest of `from`.
+/// Undoes or redoes the latest transaction of `from`.
 UndoResult History::carry_over(Transactions& from, Transactions& to, bool back) {
     if (from.empty()) return {};
     Transaction transaction = take(from);
@@ -56,7 +56,8 @@ UndoResult History::run(Transaction& transaction, bool back) {
         explicit Applying(bool& f) : flag(f) { flag = true; }
         ~Applying() { flag = false; }
     } applying(applying_);
-    // Who dies after one that it refers to has forgotten that by then.
+    // A module may clear a reference when its target is deleted, so all references are collected
+    // before.
     const References references(*this, transaction.steps.size() > 1);
     const auto one = [&](EditStep& step) {
         try {
@@ -75,7 +76,8 @@ UndoResult History::run(Transaction& transaction, bool back) {
     return result;
 }
 
-/// Cells whose references lead somewhere again. The others hold until then what they can.
+/// Writes the references whose targets exist again. The other cells keep the best possible state
+/// until then.
 void History::resolve(UndoResult& result) {
     for (Unresolved& each : std::exchange(unresolved_, {})) {
         if (!may_resolve(each)) continue;
@@ -107,7 +109,7 @@ void History::set_cell(Handle instance, Symbol name, const CellState& state, Und
         return each.instance == instance && each.property == name;
     });
     if (names_deleted(tree_, state.value))
-        unresolved_.push_back({instance, name, state});  // the same step may bring that back
+        unresolved_.push_back({instance, name, state});  // this step may restore it
     else
         write_cell(instance, name, state, result);
 }
@@ -125,7 +127,7 @@ void History::write_cell(Handle instance, Symbol name, const CellState& state, U
             property = tree_.find(instance, name);
         }
         if (property == nullptr) return;
-        // A formula that is in error leaves the default where it was, and is to go all the same.
+        // A formula that fails does not override the default, but it has to be removed as well.
         const bool stands =
             tree_.overridden(instance, *property) || tree_.formula(instance, *property) != nullptr;
         if (!state.overridden && stands)
@@ -164,94 +166,95 @@ void History::apply(MoveEdit& move, bool back, UndoResult& result) {
 
 void History::apply(ExistenceEdit& existence, bool back, UndoResult& result) {
     if (existence.birth == back)
-        bury(existence, result);
+        delete_again(existence, result);
     else
         revive(existence, result);
 }
 
-void History::bury(ExistenceEdit& existence, UndoResult& result) {
+void History::delete_again(ExistenceEdit& existence, UndoResult& result) {
     if (!tree_.alive(existence.top)) {
-        result.notes.emplace_back("an instance to be deleted is gone already");
+        result.notes.emplace_back("an instance to be deleted does not exist any more");
         return;
     }
     if (observer_ != nullptr) observer_->dying(existence.top);
     note_references();
-    existence.buried = buried_below(existence.top);
+    existence.deleted = deleted_below(existence.top);
     existence.lost_watchers = 0;
-    for (const Buried& buried : existence.buried)
-        if (nodes_[buried.handle.index].watched) ++existence.lost_watchers;
+    for (const DeletedInstance& deleted : existence.deleted)
+        if (nodes_[deleted.handle.index].watched) ++existence.lost_watchers;
     instances_.keep_slots = true;
     tree_.destroy(existence.top);
     instances_.keep_slots = false;
 }
 
-bool History::hangs_too_deep(const ExistenceEdit& existence) const {
+bool History::would_be_too_deep(const ExistenceEdit& existence) const {
     const Nodes& nodes = nodes_;
     std::unordered_map<std::uint32_t, std::size_t> depths;  // parents come before their children
-    for (const Buried& buried : existence.buried) {
-        const std::uint32_t parent = buried.position.parent.index;
+    for (const DeletedInstance& deleted : existence.deleted) {
+        const std::uint32_t parent = deleted.position.parent.index;
         const auto above = depths.find(parent);
         const std::size_t depth = above != depths.end() ? above->second : nodes.depth(parent);
         if (depth + 1 > Nodes::deepest) return true;
-        depths[buried.handle.index] = depth + 1;
+        depths[deleted.handle.index] = depth + 1;
     }
     return false;
 }
 
 void History::revive(ExistenceEdit& existence, UndoResult& result) {
-    if (existence.buried.empty() || tree_.alive(existence.top)) {
+    if (existence.deleted.empty() || tree_.alive(existence.top)) {
         result.notes.emplace_back("an instance cannot be brought back: nothing is known of it");
         return;
     }
-    if (!std::all_of(existence.buried.begin(), existence.buried.end(),
-                     [this](const Buried& buried) { return nodes_.keeps(buried.handle); })) {
+    if (!std::all_of(
+            existence.deleted.begin(), existence.deleted.end(),
+            [this](const DeletedInstance& deleted) { return nodes_.keeps(deleted.handle); })) {
         result.notes.emplace_back("an instance cannot be brought back: its place was given away");
         return;
     }
-    if (const Handle parent = existence.buried.front().position.parent;
+    if (const Handle parent = existence.deleted.front().position.parent;
         parent && !tree_.alive(parent)) {
-        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+        result.notes.push_back("\"" + existence.deleted.front().position.name.text() +
                                "\" cannot be brought back: what it hung under is gone");
         return;
     }
-    if (hangs_too_deep(existence)) {
-        result.notes.push_back("\"" + existence.buried.front().position.name.text() +
+    if (would_be_too_deep(existence)) {
+        result.notes.push_back("\"" + existence.deleted.front().position.name.text() +
                                "\" cannot be brought back: what it hung under hangs deeper now");
         return;
     }
-    for (const Buried& buried : existence.buried) {
-        NodeName name = buried.position.name;
-        const std::uint32_t parent = buried.position.parent.index;
+    for (const DeletedInstance& deleted : existence.deleted) {
+        NodeName name = deleted.position.name;
+        const std::uint32_t parent = deleted.position.parent.index;
         if (const std::uint32_t there = parent == 0 ? 0 : nodes_.child(parent, name); there != 0) {
-            // Below, it can only be what the parent made for itself just now; at the top, the
-            // game's own.
-            if (&buried != &existence.buried.front()) tree_.destroy(nodes_.handle(there));
+            // Below the top, a child of this name was just made by its new parent. At the top, it
+            // belongs to the game and stays.
+            if (&deleted != &existence.deleted.front()) tree_.destroy(nodes_.handle(there));
         }
         if (parent != 0 && instances_.is_taken(parent, name))
             name = structure_.free_name(parent, name.base.text());
         try {
             instances_.keep_slots = true;
-            structure_.make(*buried.of, parent, name, buried.position.named, buried.handle);
+            structure_.make(*deleted.of, parent, name, deleted.position.named, deleted.handle);
             instances_.keep_slots = false;
-        } catch (...) {  // its module has no room: all of them stay dead
-            const std::string& top = existence.buried.front().position.name.text();
+        } catch (...) {  // the module refuses it, so all of them stay deleted
+            const std::string& top = existence.deleted.front().position.name.text();
             result.notes.push_back(
                 "\"" + top + "\" cannot be brought back: " +
-                (&buried == &existence.buried.front() ? "" : name.text() + ": ") +
+                (&deleted == &existence.deleted.front() ? "" : name.text() + ": ") +
                 exception_text());
             if (tree_.alive(existence.top)) tree_.destroy(existence.top);
             instances_.keep_slots = false;
             return;
         }
     }
-    // Values when all are there, so that references find whom they mean.
-    for (const Buried& buried : existence.buried)
-        for (const auto& [symbol, state] : buried.cells)
-            set_cell(buried.handle, symbol, state, result);
-    place(existence.top, existence.buried.front().position, result);
+    // Values are set after all instances exist, so that references find their targets.
+    for (const DeletedInstance& deleted : existence.deleted)
+        for (const auto& [symbol, state] : deleted.cells)
+            set_cell(deleted.handle, symbol, state, result);
+    place(existence.top, existence.deleted.front().position, result);
     if (observer_ != nullptr) observer_->born(existence.top);
-    // Whoever buries them next knows better what they are, and the slots to give back.
-    existence.buried.clear();
+    // The next deletion stores the current state and decides which slots to free.
+    existence.deleted.clear();
     if (existence.lost_watchers > 0)
         result.notes.push_back("watchers of " + tree_.path(existence.top) +
                                " ended when it was deleted; they are not brought back");
@@ -259,7 +262,8 @@ void History::revive(ExistenceEdit& existence, UndoResult& result) {
 
 void History::place(Handle instance, const Position& at, UndoResult& result) {
     if (at.parent && !tree_.alive(at.parent)) {
-        result.notes.push_back(tree_.path(instance) + " stays: where it was is gone");
+        result.notes.push_back(tree_.path(instance) +
+                               " stays: its former parent does not exist any more");
         return;
     }
     try {

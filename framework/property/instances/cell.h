@@ -7,7 +7,8 @@
 
 namespace fettle::property {
 
-/// A cell: one property of one instance, by name, so that a class may redeclare the property.
+/// A cell: one property of one instance. It is identified by name, so a class may redeclare the
+/// property.
 struct Cell {
     std::uint32_t index = 0;
     Symbol property;

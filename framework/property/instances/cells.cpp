@@ -1,4 +1,4 @@
-// The memory of values: read and written through the bindings of their properties.
+// Access to the memory of values through the bindings of their properties.
 
 #include <cstring>
 #include <stdexcept>
@@ -119,8 +119,8 @@ void Instances::write(std::uint32_t index, const Node& node, const Property& pro
     const Binding& binding = property.binding;
     switch (binding.kind) {
         case BindingKind::column:
-            // A setter of its own goes before the plain store: it can refuse, and it does the store
-            // itself.
+            // A setter takes precedence over a plain store: it may refuse the value, and it stores
+            // the value itself.
             if (binding.set != nullptr)
                 binding.set(binding.context, node.row, value);
             else

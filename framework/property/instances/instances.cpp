@@ -9,10 +9,10 @@ void Reads::add(Cell cell, Handle instance, const Property* property) const {
 }
 
 void Instances::throw_deleted(Handle handle) const {
-    // Undo may bring it back: a formula that looks for it is asked again then.
+    // A formula that looks for a deleted instance runs again when undo may have brought it back.
     reads.note_structure();
     if (!handle) throw Error(ErrorKind::deleted, "no instance: the reference is empty");
-    if (const Tombstone* t = graves.find(handle))
+    if (const Tombstone* t = tombstones.find(handle))
         throw Error(ErrorKind::deleted,
                     t->path + " was deleted at step " + std::to_string(t->cause.step) + " by " +
                         (t->cause.where.empty() ? std::string(writer_name(t->cause.writer))
@@ -22,7 +22,7 @@ void Instances::throw_deleted(Handle handle) const {
 
 void Instances::visit_below(std::uint32_t top,
                             const std::function<void(std::uint32_t)>& visit) const {
-    // Without recursion: a chain of a million parents is no reason to run out of stack.
+    // A loop without recursion, so that a long chain of parents cannot overflow the stack.
     std::uint32_t index = top;
     while (index != 0) {
         const std::uint32_t here = index;

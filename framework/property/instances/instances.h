@@ -1,6 +1,6 @@
 #pragma once
-// The instances of a tree: their classes, where they hang, and the values of their properties,
-// wherever these are.
+// The instances of a tree: their classes, their places in the tree, and access to the values of
+// their properties.
 
 #include <cstdint>
 #include <functional>
@@ -14,26 +14,26 @@
 #include <classes/class_registry.h>
 
 #include "ad_hoc.h"
-#include "graves.h"
 #include "nodes.h"
 #include "reads.h"
 #include "stored_columns.h"
+#include "tombstones.h"
 
 namespace fettle::property {
 
 struct Instances {
     explicit Instances(Tree& owner) : tree(owner) {}
 
-    Tree& tree;  // for what modules are called with
+    Tree& tree;  // passed to the functions of modules
     ClassRegistry classes;
     Nodes nodes;
     std::vector<std::unique_ptr<StoredColumns>>
-        stored;  // by class id; null where a class stores nothing
+        stored;  // by class id; null if the class stores no values in the tree
     AdHoc ad_hoc;
-    Graves graves;
+    Tombstones tombstones;
     Reads reads;
     Handle root;
-    bool keep_slots = false;  // of what is deleted now, so that undo can bring it back
+    bool keep_slots = false;  // deleted instances keep their slots for undo
 
     const Class& class_of(const Node& node) const { return classes[node.class_id]; }
     /// Throws Error(deleted).
@@ -47,7 +47,7 @@ struct Instances {
     }
     void visit_below(std::uint32_t top, const std::function<void(std::uint32_t)>& visit) const;
 
-    // membership.cpp: what is handed in belongs to this tree, and to that instance. Throw Error.
+    // membership.cpp: checks that arguments belong to this tree and this instance. Throw Error.
     bool has(const Node& node, const Property& property) const {
         return property.owner == &class_of(node) || has_otherwise(node, property);
     }
@@ -59,32 +59,33 @@ struct Instances {
     }
     void require_own(const Class& of) const;
     void require_event(const Class& of, const Event& event) const;
-    /// Of an instance of this tree.
+    /// Throws unless the instance, which must be of this tree, has the event.
     void require_event(Handle instance, const Event& event) const;
     void require_values(Handle instance, const Event& event,
                         const std::vector<Value>& values) const;
     void require_method(Handle handle, const Method& method) const;
-    /// Throws where the instance has the place that it was made for.
+    /// Throws if the instance must stay in the place where it was made.
     void require_movable(Handle instance) const;
-    /// What is to hang below has `levels` levels.
+    /// `levels`: the height of the subtree that is going to be below `parent`.
     void require_room_below(Handle parent, std::size_t levels) const;
 
-    // cells.cpp: the memory of values, without checks
+    // cells.cpp: the memory of values, without checks.
     Value read(std::uint32_t index, const Node& node, const Property& property) const;
     void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
-    /// What the value becomes as one of that property. Throws as `Tree::set`.
+    /// Converts the value to the type of that property. Throws as `Tree::set` does.
     Value coerce(Handle instance, const Property& property, const Value& value) const;
-    /// The setter threw: the write did not happen. Called while the exception is caught.
+    /// Reports that a setter threw, so the write did not happen. Must be called in the `catch`
+    /// block.
     [[noreturn]] void refused(Handle instance, const Property& property) const;
 
     // names.cpp
     void check_child_name(Handle parent, std::string_view name) const;
-    /// Throws Error(bad_name). A name of an instance, or of a property that is added to one, is
-    /// read by a person.
+    /// Throws Error(bad_name) for a name that is too long. For names of instances and ad-hoc
+    /// properties.
     static void check_length(std::string_view name);
-    /// Whether something of that name is below `parent`: a child, a property or a method.
+    /// Whether `parent` has a child, a property or a method of that name.
     bool is_taken(std::uint32_t parent, const NodeName& name) const;
-    /// `stem`, `stem_2` ...: the first that is free.
+    /// The first free name of `stem`, `stem_2` ...
     NodeName plain_name(std::uint32_t parent, std::string_view stem) const;
 
   private:

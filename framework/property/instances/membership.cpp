@@ -1,5 +1,5 @@
-// Callers in C++ give classes, properties, events and methods by reference. A property of another
-// class, or of another tree, would be read from memory that does not belong to it.
+// Checks of arguments from C++. Callers pass classes, properties, events and methods by reference.
+// A property of another class or tree would access memory that does not belong to it.
 
 #include <fettle/property/error.h>
 
@@ -75,8 +75,8 @@ void Instances::require_method(Handle handle, const Method& method) const {
                         ", and the instance a " + of.name());
 }
 
-/// What only a module or the framework can make has the place that it was made for: a file could
-/// not put it anywhere else.
+/// Instances that only a module or the framework can make stay where they were made: a scene file
+/// could not put them anywhere else.
 void Instances::require_movable(Handle instance) const {
     const Class& of = classes[require(instance).class_id];
     if (!of.creatable())
@@ -84,7 +84,7 @@ void Instances::require_movable(Handle instance) const {
                     tree.path(instance) + ": the " + of.name() + " cannot be moved or renamed");
 }
 
-/// What is to hang below has `levels` levels.
+/// `levels`: the height of the subtree that is going to be below `parent`.
 void Instances::require_room_below(Handle parent, std::size_t levels) const {
     if (nodes.depth(parent.index) + levels <= Nodes::deepest) return;
     std::string path = tree.path(parent);

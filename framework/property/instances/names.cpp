@@ -1,4 +1,4 @@
-// Names that instances can have.
+// Valid names of instances.
 
 #include <fettle/property/error.h>
 
@@ -46,7 +46,7 @@ void Instances::check_child_name(Handle parent, std::string_view name) const {
 bool Instances::is_taken(std::uint32_t parent, const NodeName& name) const {
     if (nodes.child(parent, name) != 0) return true;
     const Symbol symbol = Symbol::find(name.text());
-    if (!symbol) return false;  // no property and no method is called so
+    if (!symbol) return false;  // a name without a symbol belongs to no property and no method
     return tree.find(nodes.handle(parent), symbol) != nullptr ||
            classes[nodes[parent].class_id].method(symbol) != nullptr;
 }

@@ -9,7 +9,7 @@
 namespace fettle::property {
 namespace {
 
-// The number behind the last underscore, if writing it again gives the same text.
+// The number behind the last underscore, if the same text results when the number is written again.
 std::uint32_t trailing_number(std::string_view text, std::string_view& base) {
     base = text;
     const std::size_t underscore = text.rfind('_');
@@ -53,7 +53,8 @@ std::uint32_t Nodes::allocate() {
     std::uint32_t index;
     if (free_.empty()) {
         index = end();
-        // Grown by an eighth: twice the room would be the greater part of what an instance costs.
+        // The table grows by an eighth. Doubling would cost more memory than the instances
+        // themselves.
         if (nodes_.size() == nodes_.capacity()) nodes_.reserve(index + index / 8 + 64);
         nodes_.emplace_back();
         ++count_;
@@ -88,10 +89,11 @@ void Nodes::release(std::uint32_t index, bool keep) {
     node.dead = 1;
     node.dying = 0;
     node.kept = keep;
-    // Of a slot that is kept the generation still tells whose it was.
+    // The generation of a reserved slot still identifies its former instance.
     node.generation = keep ? node.generation + 1 : next_generation(index, node.generation);
     --alive_;
-    // A slot whose generations are used up rests for ever: no handle may ever mean two instances.
+    // A slot whose generations are used up is never used again, because no handle may ever mean two
+    // instances.
     if (node.generation != 0 && !keep) free_.push_back(index);
 }
 
@@ -104,10 +106,11 @@ void Nodes::revive(Handle handle) {
     if (node.alive())
         throw Error(ErrorKind::bad_structure, "an instance cannot be made where another one is");
     if (!node.kept) {
-        // Nearly always the last: what is done again takes the slots it took.
+        // The search begins at the end: when edits are redone, the slot is nearly always the last
+        // one.
         const auto found = std::find(free_.rbegin(), free_.rend(), handle.index);
         if (found != free_.rend()) free_.erase(std::next(found).base());
-        // What was given in this slot since stays given.
+        // Generations that were given to this slot meanwhile must not be given again.
         if (const std::uint32_t last = node.generation - 1; last > handle.generation)
             issued_[handle.index] = std::max(issued_[handle.index], last);
     }
@@ -144,20 +147,21 @@ void Nodes::reorder(std::uint32_t index, std::uint32_t before) {
     node.next = behind;
     if (before == 0) above.first_child = index;
     if (before != 0) nodes_[before].next = index;
-    // `previous` of the first child is the last one.
+    // `previous` of the first child is the last child.
     node.previous = before != 0 ? before : last == 0 ? index : last;
     if (behind != 0) nodes_[behind].previous = index;
     if (behind == 0) nodes_[above.first_child].previous = index;
 }
 
-/// What is remembered of the children of a parent, when one of them leaves its place.
+/// Updates the caches about the children of a parent when a child leaves its place.
 void Nodes::child_leaves(std::uint32_t index) {
     const Node& node = nodes_[index];
     if (!child_counts_.empty())
         if (const auto counted = child_counts_.find(node.parent); counted != child_counts_.end())
             --counted->second;
     if (numbered_.parent != node.parent) return;
-    // The next one comes to have its number. Whether another stood in front of it, nobody knows.
+    // The next sibling now has the number of this child. Otherwise, it is unknown whether the child
+    // stood before the cached one, so the cache is cleared.
     if (numbered_.child == index && node.next != 0)
         numbered_.child = node.next;
     else
@@ -296,7 +300,7 @@ void Nodes::index_erase(std::uint32_t index) {
     }
 }
 
-/// The last number given; the first one at least, if there was none.
+/// The last number that was given; creates the entry if there is none.
 std::uint32_t& Nodes::counter(std::uint32_t parent, Symbol stem) {
     nodes_[parent].counts_children = true;
     return counters_.try_emplace(counter_key(parent, stem), 1).first->second;

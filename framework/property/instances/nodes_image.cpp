@@ -1,5 +1,5 @@
-// Nodes in snapshots: the table as it is, so that whoever is made later gets the slot it would have
-// got; names are looked up again where the process is another one.
+// Nodes in snapshots. The table is stored as it is, so that new instances get the same slots as
+// without the restore. Names are interned again if the process is another one.
 
 #include <algorithm>
 #include <bit>
@@ -10,10 +10,11 @@
 namespace fettle::property {
 namespace {
 
-/// Names have no more than nine digits; those before the last are given by counting.
+/// Names have at most nine digits. This is the largest last number that a snapshot may contain.
 constexpr std::uint32_t most_number = 900'000'000;
 
-/// Symbols are numbers of this process: the texts of those that are used go along.
+/// The symbols that the nodes use. Symbols are numbers of one process, so their texts are stored
+/// too.
 class Names {
   public:
     void use(Symbol name) {
@@ -36,7 +37,7 @@ class Names {
     std::vector<Symbol> order_;
 };
 
-/// What the numbers mean here.
+/// Maps the symbols of a snapshot to those of this process.
 class NameMap {
   public:
     explicit NameMap(ByteReader& from) {
@@ -120,7 +121,7 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
     return read;
 }
 
-/// Every child is in the list of its parent, once, and everybody hangs somewhere or nowhere.
+/// Whether every child is in the list of its parent exactly once and every parent exists.
 bool Nodes::links_hold() const {
     const auto inside = [this](std::uint32_t index) {
         return index < end() && nodes_[index].alive();
@@ -142,7 +143,8 @@ bool Nodes::links_hold() const {
         if (before != 0 && nodes_[above.first_child].previous != before) return false;
     }
     if (listed != hanging) return false;
-    // No circle: everybody is reached from those who hang nowhere. And nobody hangs too deep.
+    // Every instance must be reachable from an instance without a parent, so there is no cycle. No
+    // instance may be too deep.
     struct Reached {
         std::uint32_t index;
         std::size_t depth;
@@ -162,7 +164,7 @@ bool Nodes::links_hold() const {
     return reached == alive_;
 }
 
-/// False where two have one name.
+/// Fills the table of names. False if two siblings have the same name.
 bool Nodes::index_names() {
     std::size_t size = 64;
     while (size * 2 < alive_ * 3 + 3) size *= 2;
@@ -182,7 +184,7 @@ void Nodes::replace(Nodes&& other) {
     const auto present = std::move(nodes_);
     auto issued = std::move(issued_);
     for (std::uint32_t i = 1; i < room; ++i) {
-        // The last generation that was given in this slot, here or in a future left before.
+        // The last generation given to this slot, now or after a snapshot that was restored later.
         std::uint32_t last = 0;
         if (i < count)
             last = present[i].alive() ? present[i].generation : present[i].generation - 1;
@@ -196,7 +198,7 @@ void Nodes::replace(Nodes&& other) {
             node.generation = std::max(node.generation, last + 1);
         }
     }
-    // Slots that neither table has any more may have been given in a future left earlier.
+    // Slots beyond both tables may have been used after a snapshot that was restored earlier.
     for (const auto& [i, last] : issued)
         if (i >= room) other.issued_[i] = last;
     *this = std::move(other);

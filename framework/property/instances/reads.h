@@ -1,5 +1,5 @@
 #pragma once
-// What is read while a formula runs. The formula depends on all of it.
+// Reads during the run of a formula. The formula depends on all of them.
 
 #include <utility>
 #include <vector>
@@ -10,29 +10,30 @@
 
 namespace fettle::property {
 
-/// A value, a name, or `Reads::structure`.
+/// A read of a value, of a name, or of `Reads::structure`.
 struct Read {
     Cell cell;
     Handle instance{};
-    const Property* property = nullptr;  // of a value
+    const Property* property = nullptr;  // null for a name
 };
 
 class Reads {
   public:
-    /// Stands for all instances together: it changes when one comes, goes or moves.
+    /// Stands for the structure of the tree: it changes when an instance is created, deleted or
+    /// moved.
     static const Cell structure;
 
-    /// Whether a formula runs.
+    /// Whether a formula runs, so that reads are noted.
     bool noted() const { return list_ != nullptr; }
-    /// From now on reads are appended to `list`; nullptr: they are not noted. Returns the list
-    /// before.
+    /// From now on reads are appended to `list`; nullptr: they are not noted. Returns the previous
+    /// list.
     std::vector<Read>* note_in(std::vector<Read>* list) { return std::exchange(list_, list); }
 
     void note_value(Handle instance, const Property& property) const {
         if (noted()) [[unlikely]]
             add({instance.index, property.symbol}, instance, &property);
     }
-    /// What a name stands for, also "nothing".
+    /// Notes a look-up of a name, also one that finds nothing.
     void note_name(Handle instance, Symbol name) const {
         if (noted()) [[unlikely]]
             add({instance.index, name}, instance);
@@ -43,7 +44,7 @@ class Reads {
     }
 
   private:
-    // A call, so that reads outside of formulas stay short.
+    // Not inline, so that reads outside of formulas stay short.
     void add(Cell cell, Handle instance = {}, const Property* property = nullptr) const;
 
     std::vector<Read>* list_ = nullptr;

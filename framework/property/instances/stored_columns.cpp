@@ -36,7 +36,7 @@ void write(std::vector<Value>& column, std::uint32_t row, const Value& v) {
     column[row] = v;
 }
 
-/// What a column of any kind holds. Flags are checked, bytes of other types are what they are.
+/// The values of a column. Booleans are checked; any bytes are valid for the other types.
 template <class T>
 std::vector<Value> plain_values(ByteReader& from, std::uint32_t rows) {
     const std::vector<T> saved = from.list<T>();
@@ -77,12 +77,12 @@ bool is_of_its_type(const Property& property, const Value& value) {
            (property.nullable && value.is(Type::nil));
 }
 
-/// The value as one of the type of the property, if it is worth one.
+/// The value converted to the type of the property, if that is possible without loss.
 std::optional<Value> converted(const Property& property, const Value& saved) {
     Value value = saved;
     if (property.type == Type::number && saved.is(Type::integer))
         value = Value(static_cast<double>(saved.integer()));
-    // Below 2^63 every whole number is an integer; that bound itself is none.
+    // Every whole number below 2^63 is an integer; 2^63 itself is not.
     constexpr double bound = 9223372036854775808.0;
     if (property.type == Type::integer && saved.is(Type::number) &&
         saved.number() == std::floor(saved.number()) && std::abs(saved.number()) < bound)
@@ -142,7 +142,7 @@ std::uint32_t StoredColumns::add() {
 }
 
 void StoredColumns::remove(std::uint32_t row) {
-    // Texts and lists are let go of at once.
+    // The memory of texts and lists is freed at once.
     for (Column& column : columns_)
         if (auto* values = std::get_if<std::vector<Value>>(&column)) (*values)[row] = Value();
     free_.push_back(row);
@@ -220,7 +220,7 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
                         return;
                     }
                 }
-                // It may have another type by now.
+                // The property may have another type now.
                 std::vector<Value> saved = any_values(block, kind, read.rows_);
                 values.resize(read.rows_);
                 for (std::uint32_t row = 0; row < read.rows_; ++row)

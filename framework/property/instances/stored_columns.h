@@ -1,5 +1,6 @@
 #pragma once
-// Stored properties: values the tree keeps for instances of a class, one typed column a property.
+// Stored properties: values that the tree keeps for the instances of a class, one typed column per
+// property.
 
 #include <cstdint>
 #include <variant>
@@ -12,39 +13,39 @@
 
 namespace fettle::property {
 
-/// The columns of one class, a row an instance.
+/// The columns of one class, one row per instance.
 class StoredColumns {
   public:
     explicit StoredColumns(const Class& of);
 
-    /// A row with every default.
+    /// Adds a row of default values and returns its index.
     std::uint32_t add();
     void remove(std::uint32_t row);
     Value get(const Property& property, std::uint32_t row) const;
     void set(const Property& property, std::uint32_t row, const Value& value);
-    /// The cell of a property that is kept as a `T` (double, Vec2).
+    /// The cell of a property that is stored as a `T` (double, Vec2).
     template <class T>
     T& cell(const Property& property, std::uint32_t row) {
         return (*std::get_if<std::vector<T>>(&columns_[property.stored_index]))[row];
     }
 
-    /// As many rows as that are in use or free.
+    /// Number of rows, free ones included.
     std::uint32_t rows() const { return rows_; }
-    /// By row.
+    /// One flag per row.
     std::vector<bool> free_rows() const;
 
-    // Snapshots: columns by the names of their properties, so that a class may have changed since.
-    // What it did not have then starts with its default; a value of another type becomes one of the
-    // type by now, or that default.
+    // Snapshots store columns by property name, so that the class may have changed since. A
+    // property that is new gets its default. A value of another type is converted; if that is
+    // impossible, it becomes the default.
     void save(ByteWriter& to) const;
     static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows,
                               Misfits& misfits);
-    /// A saved value as a property that may have another type by now would hold it; its default
-    /// where that cannot be, and then it is one of the misfits.
+    /// Converts a saved value to the current type of the property. If that is impossible, returns
+    /// the default and adds the value to the misfits.
     static Value fitted(const Property& property, Value saved, Misfits& misfits);
 
   private:
-    // A nullable or untyped property needs room for nil: it lives in a column of values.
+    // A nullable or untyped property needs a representation of nil, so it has a column of Values.
     using Column =
         std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>,
                      std::vector<Vec2>, std::vector<Color>, std::vector<Value>>;

@@ -1,3 +1,5 @@
+// Calls of the functions that accept or reject instances in a search.
+
 #include <fettle/property/acceptance.h>
 
 #include <utility>
@@ -26,7 +28,7 @@ Acceptance::Acceptance(Tree& tree, std::string method, std::function<bool(Handle
       method_(std::move(method)),
       accepts_(required(std::move(accepts))),
       outer_(std::exchange(in_force, this)) {
-    // In the search formulas keep the values they have now.
+    // During the search, formulas keep the values that they have now.
     Tree::State& s = tree.state();
     if (s.underway.inquiry == nullptr && !s.instances.reads.noted() && !s.changes.replaying)
         s.formulas.settle_all(false);

@@ -1,3 +1,5 @@
+// Calls of the handlers of questions.
+
 #include <fettle/property/question.h>
 
 #include <exception>
@@ -14,7 +16,7 @@ thread_local Question* asked = nullptr;
 constexpr std::string_view question_rule =
     "is asked inside a step: a handler changes what it is told, it cannot";
 
-/// While it lives, a question is asked on this thread.
+/// While it lives, a question is being asked on this thread.
 class Asking {
   public:
     explicit Asking(Question& question) : before_(std::exchange(asked, &question)) {}
@@ -57,7 +59,8 @@ void Question::answer(std::size_t field, const Value& value) {
     const Field& of = event_.fields[field];
     const Value& now = values_[field];
     const bool nobody = now.is(Type::reference) && !now.reference();
-    if (value == now || (value.is_nil() && nobody)) return;  // nobody is nil to scripts
+    // Scripts see an empty reference as nil.
+    if (value == now || (value.is_nil() && nobody)) return;
     struct Where {
         std::string event, field;
     } place{tree_.path(instance_) + " " + event_.name, of.name};
@@ -85,7 +88,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     Question question(tree, instance, event, values, changeable);
     const Inquiry inquiry(tree, event.name, question_rule);
     const Asking asking(question);
-    // A handler may stop watchers, itself included.
+    // A handler may stop watchers, also its own.
     const Watchers::HandlersRun running(s.changes.watchers);
     std::exception_ptr first_error;
     const HandlerErrors::Collect collect(s.changes.errors, first_error);

@@ -9,7 +9,8 @@ namespace fettle::property {
 
 std::optional<Value> RestoredValues::coerced(const Property& property, const Value& value) const {
     try {
-        // Without a tree: who is there now says nothing of who is about to be.
+        // No tree is given, because references are checked against the nodes of the snapshot
+        // instead.
         return coerce_value(
             property, value,
             {.tree = nullptr, .path = [](const void*) { return std::string(); }, .what = nullptr});
@@ -32,10 +33,11 @@ void RestoredValues::check_ad_hoc(const Value& value) const {
         return property;
     }();
     const std::optional<Value> taken = fitted(any, value);
-    if (!taken || !(*taken == value)) from_.fail(any.name + ": a value that nobody could write");
+    if (!taken || !(*taken == value)) from_.fail(any.name + ": a value that no write can give");
 }
 
-/// Whether all that the value refers to is, or was, and is of the class that the property wants.
+/// Whether all references in the value lead to instances that exist or existed, and have the class
+/// that the property wants.
 bool RestoredValues::of_its_class(const Property& property, const Value& value) const {
     if (value.is(Type::list)) {
         bool all = true;
@@ -44,19 +46,19 @@ bool RestoredValues::of_its_class(const Property& property, const Value& value) 
     }
     if (!value.is(Type::reference) || value.reference() == Handle{}) return true;
     const Handle handle = value.reference();
-    if (handle.index == 0 || handle.index >= nodes_.end() || !handle) nobody(property);
+    if (handle.index == 0 || handle.index >= nodes_.end() || !handle) refuse_reference(property);
     const Node& node = nodes_[handle.index];
-    // Of a slot whose generations are used up all have been.
+    // A slot whose generations are used up had every generation.
     if (handle.generation < node.generation || (!node.alive() && node.generation == 0)) return true;
-    if (!node.alive() || handle.generation != node.generation) nobody(property);
+    if (!node.alive() || handle.generation != node.generation) refuse_reference(property);
     const Class* wanted =
         property.reference_class.empty() ? nullptr : tree_.find_class(property.reference_class);
     return wanted == nullptr || tree_.state().instances.classes[node.class_id].is_a(*wanted);
 }
 
-void RestoredValues::nobody(const Property& property) const {
+void RestoredValues::refuse_reference(const Property& property) const {
     from_.fail((property.owner == nullptr ? std::string() : property.owner->name() + ".") +
-               property.name + ": a reference to nobody who ever was");
+               property.name + ": a reference to an instance that never existed");
 }
 
 }  // namespace fettle::property

@@ -1,6 +1,6 @@
 #pragma once
-// What bytes say of a tree, as values that could have been written to it: bytes may come from a
-// stranger who knows how a checksum is made, or from a game whose classes were others.
+// Validation of values from bytes. The bytes may be forged with a correct checksum, or come from a
+// game whose classes were different.
 
 #include <optional>
 
@@ -13,20 +13,21 @@ namespace fettle::property {
 
 class RestoredValues {
   public:
-    /// `nodes`: who is about to be there. All of them must outlive it.
+    /// `nodes`: the nodes of the snapshot. All arguments must outlive this object.
     RestoredValues(const Tree& tree, const Nodes& nodes, const ByteReader& from)
         : tree_(tree), nodes_(nodes), from_(from) {}
 
-    /// The value as the property would have it after a write; nothing: it cannot be written.
-    /// References may lead to who is gone; Error(damaged) when they lead to who was not yet there.
+    /// The value that a write to the property would store; nullopt if the property refuses it.
+    /// References may lead to deleted instances; Error(damaged) if they lead to instances that
+    /// never existed.
     std::optional<Value> fitted(const Property& property, const Value& value) const;
-    /// Throws Error(damaged) unless it could be the value of a property that somebody added.
+    /// Throws Error(damaged) unless an ad-hoc property can have the value.
     void check_ad_hoc(const Value& value) const;
 
   private:
     std::optional<Value> coerced(const Property& property, const Value& value) const;
     bool of_its_class(const Property& property, const Value& value) const;
-    [[noreturn]] void nobody(const Property& property) const;
+    [[noreturn]] void refuse_reference(const Property& property) const;
 
     const Tree& tree_;
     const Nodes& nodes_;

@@ -1,4 +1,4 @@
-// Snapshots of a tree: its own image and its parts', one block each.
+// Snapshots of a tree: one block for the tree and one for each of its parts.
 
 #include <fettle/property/snapshot.h>
 
@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 's', '1'};
 constexpr std::uint64_t version = 4;
-constexpr std::uint64_t oldest_version = 3;  // without the makers of the rows (TreeImage)
+constexpr std::uint64_t oldest_version = 3;  // the version without makers of rows (see TreeImage)
 
-/// What a file begins with. Behind it comes the state, and then the checksum of all before it:
-/// no byte of the file is outside of it (docs/design/time.md).
+/// Header of a file. The state follows, and then a checksum of all bytes before it
+/// (docs/design/time.md).
 struct FileHeader {
     std::array<char, 8> magic = property::magic;
     std::uint64_t version = property::version;
-    std::uint64_t size = 0;  // of the state, bytes
+    std::uint64_t size = 0;  // size of the state in bytes
 };
 using FileChecksum = std::uint64_t;
 
@@ -161,13 +161,13 @@ void Tree::restore(const Snapshot& snapshot) {
 
 namespace {
 
-/// Everything of a snapshot, read and checked.
+/// A complete snapshot after reading and checking.
 struct Prepared {
     std::unique_ptr<TreeImage> image;
     std::vector<std::function<void()>> parts;
 };
 
-/// While parts read theirs: the tree's part of the same snapshot.
+/// The tree block of the snapshot, while the blocks of the parts are read.
 struct Reading {
     const Tree* tree = nullptr;
     const TreeImage* image = nullptr;
@@ -252,7 +252,7 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         ~Restoring() { flag = false; }
     } restoring(s.underway.restoring);
     const Pin pin(s.lifetime, "what restores a snapshot");
-    s.changes.tell_plain_writes();  // what was done before it was done in the time that is left
+    s.changes.report_plain_writes();  // report earlier writes before the state changes
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
     Prepared prepared = prepare(s, snapshot);
     Transition transition(s);
@@ -262,7 +262,7 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
             Tree::State& state;
             explicit Silence(Tree::State& s) : state(s) { state.changes.replaying = true; }
             ~Silence() {
-                state.changes.tell_plain_writes();  // to nobody
+                state.changes.report_plain_writes();  // clears the list; observers are off
                 state.changes.replaying = false;
             }
         } silence(s);
@@ -274,7 +274,7 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         if (go_on) try {
                 go_on();
             } catch (...) {
-                problem = std::current_exception();  // the tree is whole, however far it has come
+                problem = std::current_exception();  // the tree is valid wherever `go_on` stopped
             }
         s.history.free_unclaimed();
     }

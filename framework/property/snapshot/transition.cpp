@@ -13,7 +13,6 @@ Transition::Transition(Tree::State& state)
       changes_(state.changes),
       restored_(*state.restored_event),
       left_(state.changes.author.step) {
-    // A formula that was to settle tells its value as it would have.
     lived_.reserve(nodes_.alive());
     for (std::uint32_t i = 1; i < nodes_.end(); ++i)
         if (nodes_[i].alive()) note(i);
@@ -30,11 +29,11 @@ void Transition::note(std::uint32_t index) {
         if (watched(self, node, *property))
             known_.push_back({self, property, instances_.read(index, node, *property)});
     const bool told =
-        changes_.wants_farewell(self, of, node.fresh) ||
+        changes_.wants_deletion_notice(self, of, node.fresh) ||
         !changes_.watchers.of_event(self, *changes_.deleted_event, changes_.watchers.last_id())
              .empty();
     if (!told && !node.watched) return;
-    farewells_.push_back(changes_.farewell_of(self, of, told));
+    deletion_notices_.push_back(changes_.deletion_notice_of(self, of, told));
 }
 
 bool Transition::watched(Handle self, const Node& node, const Property& property) const {
@@ -58,36 +57,36 @@ void Transition::finish() {
     changes_.tell([](Observer& o) { o.restored(); });
 }
 
-// What was to be told of a time that is left is no longer true; an end that somebody waits for is.
+// Reports about the abandoned state are dropped, except reports of deletions and initial values.
 void Transition::drop_queued() {
     std::erase_if(changes_.queue.items, [](const QueueItem& item) {
         return !item.retire && item.kind != QueueItem::Kind::initial;
     });
     for (QueueItem& item : changes_.queue.items) item.trigger = -1;
     changes_.queue.changes.clear();
-    changes_.queue.untold.clear();
+    changes_.queue.undelivered.clear();
 }
 
 void Transition::end_instances() {
     const Cause cause = tree_.cause();
-    for (Existence& gone : farewells_) {
+    for (Existence& gone : deletion_notices_) {
         if (nodes_.find(gone.instance) != nullptr) continue;
         const auto lived = std::lower_bound(
             lived_.begin(), lived_.end(), gone.instance.index,
             [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
-        instances_.graves.add({gone.instance, lived->of, lived->name.text(), gone.path, cause});
+        instances_.tombstones.add({gone.instance, lived->of, lived->name.text(), gone.path, cause});
         gone.cause = cause;
-        changes_.queue_farewell(std::move(gone), lived->fresh);
+        changes_.queue_deletion_notice(std::move(gone), lived->fresh);
     }
-    // Whoever has no farewell is remembered without a path.
+    // An instance without a deletion report gets a tombstone without a path.
     std::size_t latest = 0;
     for (const Lived& lived : lived_) {
         if (nodes_.find(lived.instance) != nullptr || ++latest > 1024) continue;
         const auto told =
-            std::any_of(farewells_.begin(), farewells_.end(),
+            std::any_of(deletion_notices_.begin(), deletion_notices_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
         if (!told)
-            instances_.graves.add(
+            instances_.tombstones.add(
                 {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
     }
 }
@@ -120,7 +119,7 @@ void Transition::tell_created() {
     }
 }
 
-/// Noted in the order of the slots.
+/// `known_` is sorted by slot.
 std::span<const Transition::Known> Transition::known_of(Handle instance) const {
     const auto first = std::partition_point(known_.begin(), known_.end(), [&](const Known& known) {
         return known.instance.index < instance.index;
@@ -142,7 +141,7 @@ void Transition::tell_changed() {
         if (!(now == known.value))
             changes_.queue_change(known.instance, *known.property, known.value, now, cause);
     }
-    // Properties that somebody had removed since: nothing of them was known.
+    // Ad-hoc properties that had been removed exist again; their old values are unknown.
     for (const Lived& lived : lived_) {
         const Node* node = nodes_.find(lived.instance);
         if (node == nullptr || !node->has_ad_hoc) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// From one state of a tree to another without a way between them: a restore. What watchers know
-// is noted before it, so that afterwards they can be told what is different.
+// The change from one state of a tree to another by a restore. The values that watchers know are
+// stored before it, so that the differences can be reported afterwards.
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@ namespace fettle::property {
 class Transition {
   public:
     explicit Transition(Tree::State& state);
-    /// The tree is what it is going to be: queues what its watchers are to hear.
+    /// Called when the tree has its new state: queues the reports for watchers.
     void finish();
 
   private:
@@ -43,9 +43,9 @@ class Transition {
     Changes& changes_;
     const Event& restored_;
     std::vector<Known> known_;
-    std::vector<Lived> lived_;          // everybody
-    std::vector<Existence> farewells_;  // of those whose end somebody wants to hear of
-    std::uint64_t left_ = 0;            // the step
+    std::vector<Lived> lived_;                 // all instances before the restore
+    std::vector<Existence> deletion_notices_;  // of instances whose deletion somebody watches
+    std::uint64_t left_ = 0;                   // step before the restore
 };
 
 }  // namespace fettle::property

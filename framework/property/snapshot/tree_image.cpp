@@ -1,3 +1,5 @@
+// Saving a tree as bytes, and reading and checking these bytes.
+
 #include "tree_image.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ std::vector<const Property*> saved_by_value(const Class& of) {
     return all;
 }
 
-/// What a game that has changed its classes is told of a save that is whole.
+/// Throws the error for an undamaged save that does not fit the changed classes of a game.
 [[noreturn]] void refuse_changed(const std::string& what) {
     throw Error(ErrorKind::rejected,
                 "the classes of the game have changed since the snapshot was taken: " + what);
@@ -47,7 +49,8 @@ bool belongs_to_the_present(const Class& of, const Property& property) {
 std::size_t TreeMemory::bytes() const {
     std::size_t sum = sizeof *this;
     for (const Formulas::Image& image : formulas)
-        sum += sizeof image + bytes_of(image.formula) - image.formula.holds;  // which is the game's
+        // The text belongs to the game.
+        sum += sizeof image + bytes_of(image.formula) - image.formula.holds;
     return sum;
 }
 
@@ -112,7 +115,7 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
     return memory;
 }
 
-/// Of a class, the nearest up the chain whose module makes the rows.
+/// The nearest class, itself or a base, whose module makes the rows of this class.
 const Class& TreeImage::maker_of(const Class& of) {
     const Class* maker = &of;
     while (maker->base_ != nullptr && maker->lifecycle_ == maker->base_->lifecycle_)
@@ -154,7 +157,7 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     check_instances(from);
     read_values(from);
     read_formulas(from, memory);
-    if (!from.at_end()) read_makers(from);  // one of format 3 does not tell them
+    if (!from.at_end()) read_makers(from);  // format 3 does not contain them
     check_rows(from);
     fit_values(from);
 }
@@ -172,8 +175,7 @@ void TreeImage::read_classes(ByteReader& from) {
     }
 }
 
-/// That the rows are of the kind that this game would make: a class may derive from another one by
-/// now.
+/// Checks that this game makes the rows by the same classes: a class may have another base now.
 void TreeImage::read_makers(ByteReader& from) const {
     for (const std::uint16_t id : classes_) {
         const std::string then(from.text());
@@ -187,9 +189,9 @@ void TreeImage::read_makers(ByteReader& from) const {
     }
 }
 
-/// That everybody could have been made and be called so.
+/// Checks that every instance could have been made and could have its name.
 void TreeImage::check_instances(const ByteReader& from) const {
-    // Services are the framework's own: its parts hold their handles.
+    // Services belong to the framework, whose parts hold their handles. So they must be the same.
     for (std::uint32_t i = 1; i < now_.nodes.end(); ++i) {
         const Node& here = now_.nodes[i];
         if (!here.alive() || here.parent != now_.root.index ||
@@ -204,7 +206,7 @@ void TreeImage::check_instances(const ByteReader& from) const {
         const Node& node = nodes_[i];
         if (!node.alive()) continue;
         const Class& of = now_.classes[node.class_id];
-        // Modules that save their rows themselves know which of them are theirs.
+        // Modules that save their rows themselves check which instances are theirs.
         from.require(
             of.creatable() || of.snapshots() == Snapshots::natively ||
                 (lived_before({i, node.generation}) && now_.nodes[i].class_id == node.class_id),
@@ -220,7 +222,7 @@ void TreeImage::check_instances(const ByteReader& from) const {
     }
 }
 
-/// That every instance has a row of its own among the values that the tree keeps.
+/// Checks that every instance has a row of its own in the columns of its class.
 void TreeImage::check_rows(const ByteReader& from) const {
     struct Rows {
         const StoredColumns* columns = nullptr;
@@ -241,7 +243,7 @@ void TreeImage::check_rows(const ByteReader& from) const {
     }
 }
 
-/// What the properties of today cannot be is left at their defaults.
+/// Converts the values to the current properties. Values that do not fit become defaults.
 void TreeImage::fit_values(const ByteReader& from) {
     const RestoredValues values(now_.tree, nodes_, from);
     std::vector<StoredColumns*> of_class(now_.classes.size());
@@ -277,7 +279,8 @@ void TreeImage::read_columns(ByteReader& from) {
     }
 }
 
-/// Of classes whose instances had no values that the tree keeps, and have some by now.
+/// Adds columns for classes that had no stored values at the time of the snapshot but have some
+/// now.
 void TreeImage::add_columns() {
     for (const std::uint16_t here : classes_) {
         if (now_.stored[here] == nullptr || now_.classes[here].snapshots() == Snapshots::never)
@@ -301,7 +304,7 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
         own.name = from.text();
         own.value = from.value();
         from.require(own.index < nodes_.end() && nodes_[own.index].alive() && !own.name.empty(),
-                     "a property of nobody");
+                     "a property of no instance");
         from.require(seen.emplace(own.index, own.name).second, "one property twice");
         const Class& of = now_.classes[nodes_[own.index].class_id];
         from.require(nodes_.child(own.index, NodeName::look_up(own.name)) == 0,
@@ -318,15 +321,14 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
     for (const AdHoc& own : ad_hoc_) nodes_[own.index].has_ad_hoc = true;
 }
 
-/// An instance had a property of its own that its class has declared since: what it held is the
-/// value of that one.
+/// The class has declared a property that was ad-hoc at the time of the snapshot. The property of
+/// the class gets the value.
 void TreeImage::take_over(const Property& property, AdHoc own) {
     const Node& node = nodes_[own.index];
     if (property.binding.kind != BindingKind::stored) {
         remarks_.push_back(property.owner->name() + "." + property.name + ": the saved value " +
                            value_text(own.value) +
-                           " was that of a property that somebody added; it is what the class "
-                           "says by now");
+                           " belonged to an ad-hoc property; the class now gives the value");
         return;
     }
     for (const auto& [id, columns] : columns_)
@@ -341,7 +343,7 @@ void TreeImage::read_values(ByteReader& from) {
         ByValue each;
         each.instance = block.get<Handle>();
         const Node* node = nodes_.find(each.instance);
-        block.require(node != nullptr, "values of nobody");
+        block.require(node != nullptr, "values of no instance");
         const Class& of = now_.classes[node->class_id];
         for (std::size_t n = block.count(9); n > 0; --n) {
             const Property* property = of.property(block.text());
@@ -359,7 +361,7 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
         image.property = Symbol(from.text());
         image.formula.source = from.text();
         const Node* const node = nodes_.find(image.instance);
-        from.require(node != nullptr, "a formula of nobody");
+        from.require(node != nullptr, "a formula of no instance");
         const Property* const property = now_.classes[node->class_id].property(image.property);
         from.require(property == nullptr || takes_formula(*property),
                      "a formula of what can have none");
@@ -375,8 +377,8 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
     formulas_ = held.formulas;
 }
 
-/// A formula whose text no file can hold: the one that the running game has at the same path stands
-/// for it. nullptr: the game has none there, or the text is there.
+/// A formula that has no text in the file: returns the formula that the running game has at the
+/// same path. nullptr: the game has none there, or the formula has a text.
 const Formula* TreeImage::formula_of_game(const Formulas::Image& image) const {
     if (!image.formula.source.empty()) return nullptr;
     std::vector<NodeName> way;

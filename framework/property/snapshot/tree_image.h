@@ -1,6 +1,6 @@
 #pragma once
-// A tree as bytes: instances, the values the tree keeps, formulas. Read as a whole and checked
-// before anything changes; then put into place.
+// A tree as bytes: instances, values that the tree keeps, formulas. The bytes are read and checked
+// completely before anything changes; then the result replaces the tree.
 
 #include <memory>
 #include <string>
@@ -14,15 +14,15 @@
 
 namespace fettle::property {
 
-/// What of a tree's snapshot no bytes can hold.
+/// Parts of a snapshot that bytes cannot represent.
 struct TreeMemory {
     Memory history;
     std::vector<Formulas::Image> formulas;
-    /// Bytes it takes, about. The history has a limit of its own.
+    /// Approximate memory in bytes. The history has a limit of its own.
     std::size_t bytes() const;
 };
 
-/// No snapshot holds it: whatever moment a game goes to, it stays as it is.
+/// Whether the property is in no snapshot, so that a restore does not change it.
 bool belongs_to_the_present(const Class& of, const Property& property);
 
 class TreeImage {
@@ -31,13 +31,14 @@ class TreeImage {
 
     /// Throws Error(damaged, unknown_name); changes nothing.
     TreeImage(Tree::State& state, ByteReader& from, const Memory& memory);
-    /// Who is in it.
+    /// Visits all instances of the image.
     void each(const std::function<void(Handle, const Class&, Row)>& visit) const;
-    /// Instances whose module makes their rows anew tell it of those that end. Before `nodes`.
+    /// Ends the rows of instances that the restore deletes, where modules make rows by value.
+    /// Called before `put_nodes`.
     void end_rows();
-    /// The tree has its instances, values and formulas again.
+    /// Replaces the nodes, the stored columns, and the history.
     void put_nodes();
-    /// What modules hold by value, when the parts are in place.
+    /// Makes rows and sets the values that modules hold. Called after the parts are restored.
     void put_values();
 
   private:
@@ -78,17 +79,17 @@ class TreeImage {
 
     Tree::State& state_;
     Instances& now_;
-    std::vector<std::uint16_t> classes_;  // by number in the bytes
+    std::vector<std::uint16_t> classes_;  // by their number in the bytes
     Nodes nodes_;
-    std::vector<std::pair<std::uint32_t, std::unique_ptr<StoredColumns>>> columns_;  // by class
+    std::vector<std::pair<std::uint32_t, std::unique_ptr<StoredColumns>>> columns_;  // by class id
     std::vector<AdHoc> ad_hoc_;
     std::vector<ByValue> values_;
     std::vector<Formulas::Image> formulas_;
-    std::vector<std::string> remarks_;  // what cannot be as it was, a line each
+    std::vector<std::string> remarks_;  // one line for each loss
     Misfits misfits_;
     std::uint64_t step_ = 0;
     Memory history_;
-    std::vector<std::uint32_t> before_;  // generation of who lived in each slot, 0: nobody
+    std::vector<std::uint32_t> before_;  // by slot: generation before the restore, 0: free
 };
 
 }  // namespace fettle::property

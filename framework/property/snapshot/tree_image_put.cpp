@@ -1,4 +1,4 @@
-// Puts an image of a tree that was read and checked into the place of what the tree is.
+// Replaces the state of a tree by an image that was read and checked.
 
 #include <algorithm>
 #include <set>
@@ -49,7 +49,7 @@ void TreeImage::put_nodes() {
         if (!node.alive()) continue;
         const Class& of = now_.classes[node.class_id];
         const bool lived = lived_before({i, node.generation});
-        // Rows that are made anew, or that the present knows.
+        // These rows are made again, or are those of the running game.
         if (of.snapshots() != Snapshots::natively) node.row = lived ? now_.nodes[i].row : 0;
         if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             node.stored_row = lived ? now_.nodes[i].stored_row : now_.stored[of.id()]->add();
@@ -57,7 +57,7 @@ void TreeImage::put_nodes() {
     now_.nodes.replace(std::move(nodes_));
     s.changes.queue.fresh.clear();
     put_columns();
-    s.changes.tell_plain_writes();
+    s.changes.report_plain_writes();
     s.changes.author.step = step_;
     s.changes.stepped = s.changes.edited = true;
     ++s.changes.invalidations;
@@ -67,7 +67,7 @@ void TreeImage::put_nodes() {
 void TreeImage::put_columns() {
     Tree::State& s = state_;
     for (auto& [id, columns] : columns_) now_.stored[id] = std::move(columns);
-    // A class that the snapshot does not know has nobody in it.
+    // A class that the snapshot does not contain has no instances.
     for (std::uint32_t id = 0; id < now_.classes.size(); ++id) {
         const bool told = std::find(classes_.begin(), classes_.end(), id) != classes_.end();
         if (!told && now_.stored[id] != nullptr && now_.classes[id].snapshots() != Snapshots::never)
@@ -102,7 +102,7 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
         if (image.formula.source.empty()) return lost("was not saved");
         if (!s.formulas.compiler) return lost("cannot be compiled here");
         try {
-            const FormulaCompiler compile = s.formulas.compiler;  // it may put another in its place
+            const FormulaCompiler compile = s.formulas.compiler;  // the compiler may replace itself
             image.formula = compile(image.formula.source);
         } catch (...) {
             return lost("does not compile any more: " + exception_text());
@@ -111,7 +111,7 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
     s.formulas.set(image.instance, property, image.formula);
 }
 
-/// Rows of those whose module makes them anew; parents before children.
+/// Makes the rows of classes that are saved by value; parents before children.
 void TreeImage::make_rows() {
     Tree::State& s = state_;
     std::vector<Handle> refused;  // parents before children
@@ -120,7 +120,7 @@ void TreeImage::make_rows() {
         const Class& of = now_.classes[now_.nodes[i].class_id];
         const Lifecycle& lifecycle = of.lifecycle();
         const Handle self = now_.nodes.handle(i);
-        const bool below = without.contains(now_.nodes[i].parent);  // goes with that
+        const bool below = without.contains(now_.nodes[i].parent);  // deleted with its parent
         if (below) without.insert(i);
         if (!by_value(of) || !lifecycle.create || lived_before(self)) return;
         bool has_row = false;
@@ -134,7 +134,7 @@ void TreeImage::make_rows() {
                 now_.nodes[i].row = lifecycle.place(lifecycle.context, now_.tree, self, row);
                 return;
             }
-        } catch (...) {  // its module has no room for it any more
+        } catch (...) {  // the module refuses it, for lack of room perhaps
             remarks_.push_back(now_.tree.path(self) +
                                ": it cannot be made, and is missing with all " +
                                "that was below it: " + exception_text());
@@ -156,11 +156,11 @@ void TreeImage::end_row(Handle self) {
     try {
         lifecycle.destroy(lifecycle.context, now_.tree, self, node.row);
     } catch (...) {
-        // Its module knows nothing of it; nothing is left to end.
+        // The module does not know the instance, so there is nothing to end.
     }
 }
 
-/// An instance without a row cannot be; what is below it goes with it.
+/// Deletes an instance whose row could not be made, with everything below it.
 void TreeImage::drop(std::uint32_t index) {
     Tree::State& s = state_;
     while (now_.nodes[index].first_child != 0)
@@ -177,14 +177,14 @@ void TreeImage::put_values() {
     Tree::State& s = state_;
     for (const ByValue& each : values_)
         for (const auto& [property, value] : each.values) {
-            if (now_.nodes.find(each.instance) == nullptr) break;  // dropped
+            if (now_.nodes.find(each.instance) == nullptr) break;  // deleted by `drop`
             const Node& node = now_.nodes[each.instance.index];
             try {
                 if (!(now_.read(each.instance.index, node, *property) == value))
                     now_.write(each.instance.index, node, *property,
                                now_.tree.coerce(each.instance, *property, value));
             } catch (...) {
-                // Its module refuses what it once held; what it holds now stays.
+                // The module refuses its former value and keeps the current one.
                 remarks_.push_back(now_.tree.path(each.instance, *property) + ": the saved value " +
                                    now_.tree.text(value) + " is refused: " + exception_text());
             }

@@ -1,3 +1,5 @@
+// Logging of changes of a tree, and repeating them.
+
 #include <fettle/property/write_log.h>
 
 #include <algorithm>
@@ -14,19 +16,19 @@
 namespace fettle::property {
 
 enum class WriteLog::Did : std::uint8_t {
-    plain,     // how many, and that many PlainWrites
+    plain,     // count, then that many PlainWrites
     value,     // handle, property, value
-    computed,  // the same, by the formula of the property
+    computed,  // the same, written by the formula of the property
     reset,     // handle, property
     removed,
-    formula,        // handle, property, which of the formulas
+    formula,        // handle, property, index of the formula
     formula_ended,  // handle, property
     created,        // handle, class, parent, name, named
-    destroyed,      // handle, whether its slot was kept for it
+    destroyed,      // handle, whether the slot was reserved for undo
     moved,          // handle, parent, sibling in front, name, named
     numbered,       // parent, stem, number
-    called,         // handle, method, arguments, handles made meanwhile, answers of `accept`
-    refreshed       // number of the part, what: because it was read
+    called,         // handle, method, arguments, handles of made instances, answers of `accept`
+    refreshed       // index of the part, argument: a part was brought up to date for a read
 };
 
 std::size_t LoggedWrites::memory() const {
@@ -35,7 +37,7 @@ std::size_t LoggedWrites::memory() const {
     return sum;
 }
 
-// --- Noting
+// --- Recording
 
 WriteLog::WriteLog(Tree& tree) : tree_(tree), life_(tree.lifetime()) {
     tree_.observe(*this);
@@ -50,8 +52,8 @@ WriteLog::~WriteLog() {
 }
 
 LoggedWrites WriteLog::take() {
-    tree_.state().changes.tell_plain_writes();
-    (void)notes();  // the last of it may have been too much
+    tree_.state().changes.report_plain_writes();
+    (void)notes();  // checks the size limit a last time
     LoggedWrites piece;
     piece.bytes = joined();
     piece.formulas = std::move(formulas_);
@@ -79,8 +81,8 @@ void WriteLog::put_plain(std::vector<std::byte>& bytes, std::span<const PlainWri
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-// The buffer stays, so that a step's worth of writes is one allocation of the right size. What is
-// noted speaks of the tree's own symbols, classes and properties: its number comes first.
+// The result is a copy, so the buffer is reused and the copy has the right size. The bytes contain
+// symbols, classes and properties of this tree, so they begin with the number of the tree.
 std::vector<std::byte> WriteLog::joined() const {
     std::vector<std::byte> all;
     if (!any()) return all;
@@ -140,7 +142,7 @@ void WriteLog::wrote_plain(const PlainWrites& writes) {
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
-    // A name or a parent that is written is told as a move.
+    // A write to the name or the parent is recorded as a move.
     if (property.binding.kind == BindingKind::node || !notes()) return;
     const bool computed = tree_.state().changes.author.writer == Writer::formula;
     note(computed ? Did::computed : Did::value, instance, property);
@@ -233,7 +235,7 @@ void WriteLog::call_ends(Handle, const Method&) {
     to.put(Acceptance::answers());
 }
 
-// Within a call the module is made to read again by the call itself.
+// Inside a recorded call, repeating the call refreshes the part.
 void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     if (!notes()) return;
     const auto& parts = tree_.parts();
@@ -244,13 +246,13 @@ void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     to.put(what);
 }
 
-// What was not taken belongs to a time that is left.
+// Writes that were not taken belong to the abandoned state.
 void WriteLog::restored() {
     forget();
     note_history();
 }
 
-// --- Doing it again
+// --- Playing
 
 class WriteLog::Player {
   public:
@@ -267,7 +269,7 @@ class WriteLog::Player {
             for (; times > 0; --times) try {
                     again(did);
                 } catch (const Error& error) {
-                    // Whatever is refused now has changed nothing then; the log itself is sound.
+                    // A write that is refused now was refused then too; the log itself is valid.
                     if (error.kind() == ErrorKind::damaged) throw;
                 }
         }
@@ -289,7 +291,7 @@ class WriteLog::Player {
             s_.put_ad_hoc(instance, s_.ad_hoc_property(name), now);
         }
     }
-    /// To write it again would press a key, or set what the player has set otherwise since.
+    /// Writing it again would press a key, or change a setting that the player has changed since.
     bool is_of_the_present(Handle instance, const Property& property) const {
         return belongs_to_the_present(tree_.class_of(instance), property);
     }
@@ -318,7 +320,7 @@ void WriteLog::Player::again(Did did) {
     value(did, instance, std::bit_cast<Symbol>(from_.get<std::uint32_t>()));
 }
 
-/// All that is noted is read first: whatever cannot be done leaves the reader at what comes next.
+/// Reads all operands first, so that the reader is at the next entry if the write fails.
 void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
     const bool has_value = did == Did::value || did == Did::computed;
     const Value now = has_value ? from_.value() : Value();
@@ -343,7 +345,7 @@ void WriteLog::Player::value(Did did, Handle instance, Symbol name) {
         case Did::formula_ended:
             return property != nullptr ? tree_.remove_formula(instance, *property) : void();
         default:
-            from_.fail("nobody does that");
+            from_.fail("an unknown kind of write");
     }
 }
 
@@ -369,7 +371,8 @@ void WriteLog::Player::create(Handle instance) {
     const auto parent = from_.get<Handle>();
     const auto name = from_.get<NodeName>();
     const bool named = from_.boolean();
-    // What a class makes below an instance is told before the instance: it is made with it.
+    // A child that its parent makes is recorded before the parent. It is made together with the
+    // parent.
     if (parent && !tree_.alive(parent)) {
         s_.structure.next_handles.push_back(instance);
         return;
@@ -388,7 +391,7 @@ void WriteLog::Player::move(Handle instance) {
     if (parent && (parent == instance || tree_.is_below(parent, instance) ||
                    (there != 0 && there != instance.index)))
         throw Error(ErrorKind::bad_structure, "it cannot be moved there any more");
-    // Of who stays where it is, only the place among its siblings may be another.
+    // An instance with the same parent and name changes only its place among its siblings.
     if (left != parent.index || s_.instances.nodes[instance.index].name != name) {
         s_.instances.nodes.unlink(instance.index);
         s_.instances.nodes.link(instance.index, parent.index, name);
@@ -398,7 +401,7 @@ void WriteLog::Player::move(Handle instance) {
     if (left != parent.index) s_.structure.place_subtree(instance);
 }
 
-/// Of a parent that is not there yet, the instances below it are made, and counted, with it.
+/// If the parent does not exist yet, its children are made and counted together with it.
 void WriteLog::Player::number(Handle parent) {
     const auto stem = std::bit_cast<Symbol>(from_.get<std::uint32_t>());
     const auto last = from_.get<std::uint32_t>();
@@ -420,7 +423,7 @@ void WriteLog::Player::call(Handle instance) {
         if (const Method* method = tree_.class_of(instance).method(name))
             tree_.call(instance, *method, arguments);
     } catch (...) {
-        // It failed then as it does now.
+        // The call failed in the recording too.
     }
     s_.structure.next_handles.clear();
 }

@@ -1,4 +1,4 @@
-// How instances go, with all that is below them.
+// Deletion of instances with everything below them.
 
 #include <fettle/property/exception_text.h>
 
@@ -23,7 +23,7 @@ std::string Structure::destroy_below(std::uint32_t top) {
     const Cause by = changes.author.cause();
     std::string problem;
     for (std::size_t left = order.size(); left > 0; --left)
-        destroy_one(order[left - 1], by, left <= Graves::most, problem);
+        destroy_one(order[left - 1], by, left <= Tombstones::most, problem);
     return problem;
 }
 
@@ -40,7 +40,7 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
     };
     of_module([&] { changes.queue_deletion(self, of, cause); });
     if (remember)
-        instances.graves.add({self, &of, nodes[index].name.text(), tree.path(self), cause});
+        instances.tombstones.add({self, &of, nodes[index].name.text(), tree.path(self), cause});
     changes.shadows.forget(tree, self);
     if (nodes[index].has_formula)
         for (const Property* property : tree.properties(self))

@@ -1,4 +1,4 @@
-// How instances come.
+// Creation of instances.
 
 #include <optional>
 #include <stdexcept>
@@ -12,7 +12,7 @@
 namespace fettle::property {
 namespace {
 
-/// Looked at once, when the class has its first row: reading asks no column whether it is there.
+/// Checks the columns when the class gets its first row, so that reads need no check.
 void require_columns(const Class& of) {
     for (const Property* property : of.properties()) {
         const Binding& binding = property->binding;
@@ -40,10 +40,10 @@ void Structure::note_number(std::uint32_t parent, Symbol stem) {
     for (WriteLog* log : changes.observers.logs) log->numbered(nodes.handle(parent), stem, last);
 }
 
-/// Ends what a module has made of an instance that it refuses.
+/// Undoes the work of a module that refuses an instance.
 void Structure::take_back(Handle self, const Class& of, bool has_row) {
     const Lifecycle& lifecycle = of.lifecycle();
-    while (nodes[self.index].first_child != 0) {  // what it made below it before
+    while (nodes[self.index].first_child != 0) {  // children that it has made
         const Handle child = nodes.handle(nodes[self.index].first_child);
         changes.tell([&](Observer& o) { o.destroying(child); });
         destroy_below(child.index);
@@ -51,7 +51,7 @@ void Structure::take_back(Handle self, const Class& of, bool has_row) {
     if (has_row && lifecycle.destroy) try {
             lifecycle.destroy(lifecycle.context, tree, self, nodes[self.index].row);
         } catch (...) {
-            // Why there was no room is told.
+            // The caller reports the first exception.
         }
 }
 
@@ -87,7 +87,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
             has_row = true;
         }
         if (!ClassRegistry::columns_found(of)) require_columns(of);
-    } catch (...) {  // its module has no room for it: it never was
+    } catch (...) {  // the module refuses it: the instance never existed
         take_back(self, of, has_row);
         if (instances.stored[of.id()]) instances.stored[of.id()]->remove(nodes[index].stored_row);
         nodes.unlink(index);
@@ -105,8 +105,8 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
     return index;
 }
 
-/// What its module may refuse after its row is made. Then the instance came and went, and is told
-/// of as such: a log of that does the same again.
+/// Steps that the module may refuse after the row was made. Then the instance is reported as
+/// created and deleted, so that logs repeat the same.
 void Structure::finish_making(Handle self, const Class& of) {
     const Lifecycle& lifecycle = of.lifecycle();
     const Property* at = nullptr;

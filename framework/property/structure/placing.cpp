@@ -1,4 +1,4 @@
-// How instances get other places, with all that is below them.
+// Moves of instances with everything below them.
 
 #include <stdexcept>
 
@@ -23,7 +23,7 @@ void Structure::place_subtree(Handle top) {
     });
 }
 
-void Structure::hang(Handle instance, const Position& at) {
+void Structure::relink(Handle instance, const Position& at) {
     Node& node = nodes[instance.index];
     const std::uint32_t left = node.parent;
     const NodeName was = node.name;
@@ -35,29 +35,30 @@ void Structure::hang(Handle instance, const Position& at) {
     changed(at.parent.index, at.name);
 }
 
-void Structure::hang_back(Handle instance, const Position& was) {
+void Structure::move_back(Handle instance, const Position& was) {
     const Position left = nodes.position(instance.index);
-    hang(instance, was);
+    relink(instance, was);
     note_number(left.parent.index, left.name.base);
     note_number(was.parent.index, was.name.base);
     if (was.parent) nodes.reorder(instance.index, was.before.index);
     try {
         place_subtree(instance);
     } catch (...) {
-        // It has just been there. What cannot go back stays in its module where it was put.
+        // The old place was valid, so this is not expected. The module keeps the instance where it
+        // is.
     }
 }
 
-void Structure::hang_or_leave(Handle instance, const Position& at) {
+void Structure::move_or_stay(Handle instance, const Position& at) {
     const Position was = nodes.position(instance.index);
-    hang(instance, at);
+    relink(instance, at);
     try {
         place_subtree(instance);
     } catch (const std::invalid_argument& refusal) {
-        hang_back(instance, was);
+        move_back(instance, was);
         throw Error(ErrorKind::rejected, tree.path(instance) + ": " + refusal.what());
     } catch (...) {
-        hang_back(instance, was);
+        move_back(instance, was);
         throw;
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
-// How instances come, go, and get another place or name. What may be done is checked elsewhere;
-// here modules, watchers, observers and formulas learn of it.
+// Creation, deletion, moving and renaming of instances. Permissions are checked elsewhere; these
+// functions notify modules, watchers, observers and formulas.
 
 #include <cstdint>
 #include <string>
@@ -26,31 +26,31 @@ struct Structure {
     Tree& tree;
     Formulas& formulas;
     Underway& underway;
-    std::uint64_t version = 0;         // counts comings, goings and moves
-    std::vector<Handle> next_handles;  // of the instances that a repeated call makes again
+    std::uint64_t version = 0;         // counts creations, deletions and moves
+    std::vector<Handle> next_handles;  // handles for the instances of a repeated call
 
-    /// The children of `parent` are others, or one has another name.
+    /// Called when the children of `parent`, or their names, have changed.
     void changed(std::uint32_t parent, const NodeName& name);
 
     // making.cpp
-    /// `again`: the instance comes back with its old identity.
+    /// `again`: the old handle of an instance that comes back.
     std::uint32_t make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                        Handle again = {});
-    /// `stem_1`, `stem_2` ...: never one used before under this parent.
+    /// The next name of `stem_1`, `stem_2` ... that was never used under this parent.
     NodeName free_name(std::uint32_t parent, std::string_view stem);
 
     // deletion.cpp
-    /// Returns what modules have thrown, the first of it; "": nothing.
+    /// Returns the first exception text of a module; "" if there was none.
     std::string destroy_below(std::uint32_t top);
 
     // placing.cpp
-    /// Links alone; modules are to be told.
-    void hang(Handle instance, const Position& at);
-    /// A module refused a place: those that had taken theirs go back, and nothing has happened.
-    void hang_back(Handle instance, const Position& was);
-    /// Hangs it there with all that is below it, or leaves it where it is. Nobody is told.
-    void hang_or_leave(Handle instance, const Position& at);
-    /// Tells the modules of all from there down.
+    /// Changes only the links; the caller notifies modules.
+    void relink(Handle instance, const Position& at);
+    /// A module refused a place: moves the subtree back.
+    void move_back(Handle instance, const Position& was);
+    /// Moves the subtree; after an error it is where it was. Notifies no observers.
+    void move_or_stay(Handle instance, const Position& at);
+    /// Notifies the modules of the subtree.
     void place_subtree(Handle top);
     void tell_of_move(Handle instance);
 
@@ -58,11 +58,11 @@ struct Structure {
     void take_back(Handle self, const Class& of, bool has_row);
     void finish_making(Handle self, const Class& of);
     void unmake(Handle self);
-    /// Logs note the number that was given last, so that a step that is made again gives the same
-    /// ones. To be called where it may have changed and nothing is told that changes it again.
+    /// Logs the last number that was given, so that a repeated step gives the same numbers. Must be
+    /// called where the number may have changed without a logged creation or move.
     void note_number(std::uint32_t parent, Symbol stem);
-    /// What a module throws is kept in `problem`, the first of it, and the deletion goes on.
-    /// `remember`: who asks for it later is told who deleted it.
+    /// Stores the first exception text of a module in `problem` and continues. `remember`: keep a
+    /// tombstone with the cause, for error messages.
     void destroy_one(std::uint32_t index, const Cause& cause, bool remember, std::string& problem);
 };
 

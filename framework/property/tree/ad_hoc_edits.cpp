@@ -1,4 +1,4 @@
-// Properties that users add to single instances, and take away again.
+// Adding ad-hoc properties to single instances, and removing them.
 
 #include <algorithm>
 #include <optional>
@@ -49,7 +49,7 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
     if (near != members.end())
         refuse(ErrorKind::near_miss,
                of.name() + " has no property " + quoted + " (did you mean \"" + *near + "\"?)");
-    // Input and the like are of the present only: nothing that is added there could be restored.
+    // Classes without snapshots (input, for example) could not restore an ad-hoc property.
     if (of.snapshots() == Snapshots::never)
         refuse(ErrorKind::unknown_name, of.name() + " has no property " + quoted +
                                             ", and none can be added to it" +

@@ -1,5 +1,5 @@
-// The barrier: it delivers what is queued, in generations. What handlers write meanwhile is the
-// next generation.
+// The barrier delivers the queue in generations. Writes by handlers are queued for the next
+// generation.
 
 #include <exception>
 #include <utility>
@@ -44,7 +44,7 @@ namespace {
 
 using Generations = std::vector<std::vector<QueueItem>>;
 
-/// Tells which changes have caused the first one that is left.
+/// Throws with the chain of changes that led to the first undelivered one.
 void refuse_overrun(Changes& changes, const Generations& generations) {
     std::string chain;
     const QueueItem* item = &changes.queue.items.front();
@@ -68,7 +68,7 @@ void refuse_overrun(Changes& changes, const Generations& generations) {
                          .exception = std::make_exception_ptr(error)});
 }
 
-/// While it lives, handlers are called.
+/// While it lives, the queue is being delivered.
 class Delivering {
   public:
     explicit Delivering(Changes& changes) : queue_(changes.queue), handlers_(changes.watchers) {
@@ -86,8 +86,7 @@ class Delivering {
     Watchers::HandlersRun handlers_;
 };
 
-/// Queues what formulas and the simulation have changed. False when the tree was destroyed
-/// meanwhile.
+/// Queues the changes by formulas and by the simulation. False if the tree was destroyed meanwhile.
 bool find_changes(Tree::State& s, bool stepped) {
     s.formulas.settle_all(stepped);
     s.formulas.tell_problems();
@@ -98,7 +97,7 @@ bool find_changes(Tree::State& s, bool stepped) {
 
 void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
     Queue& queue = s.changes.queue;
-    s.changes.tell_plain_writes();
+    s.changes.report_plain_writes();
     s.changes.forget_fresh();
     if (!find_changes(s, s.changes.stepped) || queue.items.empty()) return;
 
@@ -118,7 +117,7 @@ void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
 }
 
 void run_actions(Changes& changes, std::exception_ptr& first_error) {
-    // What they post meanwhile waits for the next barrier.
+    // Actions that are posted meanwhile wait for the next barrier.
     const std::vector<std::function<void()>> actions = std::exchange(changes.queue.actions, {});
     for (const auto& action : actions) {
         if (changes.lifetime.ending) return;

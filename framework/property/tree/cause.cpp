@@ -1,4 +1,4 @@
-// The cause of a write: which writer, at which place, in which step.
+// The cause of a write: its writer, place and step.
 
 #include "state.h"
 
@@ -10,9 +10,9 @@ std::uint64_t Tree::step() const {
 
 void Tree::set_step(std::uint64_t step) {
     state_->require_changeable("set the step");
-    state_->changes.tell_plain_writes();
+    state_->changes.report_plain_writes();
     state_->changes.author.step = step;
-    ++state_->changes.invalidations;  // the clock, too, is written without telling
+    ++state_->changes.invalidations;  // the property of the clock changes without a report
 }
 
 void Tree::stepped() {
@@ -23,7 +23,7 @@ void Tree::stepped() {
 namespace {
 
 void set_author(Tree::State& s, Writer writer, std::function<std::string()>* locate) {
-    s.changes.tell_plain_writes();
+    s.changes.report_plain_writes();
     s.changes.author.writer = writer;
     s.changes.author.locate = locate;
     s.history.note_recording();

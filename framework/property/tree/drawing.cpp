@@ -1,3 +1,5 @@
+// Drawing of the instances of a tree.
+
 #include <fettle/property/drawing.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Estimated memory of a tree.
+
 #include <atomic>
 #include <utility>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a tree is made of, and the edits of it that take several of these parts.
+// State of a tree, and edits that involve several of its components.
 
 #include <string>
 #include <string_view>
@@ -9,18 +9,18 @@
 
 namespace fettle::property {
 
-/// What of snapshots outlasts making them.
+/// State of snapshots that is kept between calls.
 struct SnapshotState {
     std::vector<SnapshotPart*> parts;
-    std::size_t size = 0;              // of the last one
-    std::vector<std::string> remarks;  // what could not be as it was, of the last restore
+    std::size_t size = 0;              // of the last snapshot
+    std::vector<std::string> remarks;  // losses of the last restore
 };
 
 struct Tree::State {
     explicit State(Tree& owner) : tree(owner) {}
 
     Tree& tree;
-    const std::uint64_t number = next_number();  // no other tree of the process has it
+    const std::uint64_t number = next_number();  // unique in the process
     Lifetime lifetime{tree};
     Underway underway;
     Instances instances{tree};
@@ -32,8 +32,8 @@ struct Tree::State {
     SnapshotState snapshots;
 
     static std::uint64_t next_number();
-    /// Throws where nothing may be changed: formulas compute and functions that are asked answer.
-    /// `what`: "delete an instance".
+    /// Throws if the tree must not be changed, because a formula or an inquiry runs. `what`:
+    /// "delete an instance".
     void require_changeable(std::string_view what) const;
 
     // ad_hoc_edits.cpp

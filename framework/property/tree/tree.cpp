@@ -1,5 +1,4 @@
-// Classes and instances of a tree: who there is, where they hang, how they come and go. How they
-// get other places is tree_placing.cpp.
+// Classes and instances of a tree: look-up, creation and deletion. Moves are in tree_placing.cpp.
 
 #include <optional>
 #include <utility>
@@ -86,7 +85,7 @@ Tree::Tree() : state_(std::make_unique<State>(*this)) {
 }
 
 Tree::~Tree() {
-    // Modules may still be alive and own rows: they are told, children first.
+    // Modules may still be alive and own rows, so the instances are destroyed, children first.
     State& s = *state_;
     s.lifetime.require_unpinned();
     s.lifetime.mark.reset();
@@ -149,7 +148,7 @@ Handle Tree::root() const {
 }
 
 Handle Tree::create(const Class& instance_class, Handle parent, std::string_view name) {
-    if (!parent) parent = {};  // whatever its index says
+    if (!parent) parent = {};  // a null handle may have an index
     State& s = *state_;
     s.require_changeable("create an instance");
     s.instances.require_own(instance_class);
@@ -177,7 +176,7 @@ void Tree::destroy(Handle instance) {
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     s.underway.require_staying(s.instances, instance, "delete it");
     if (!s.lifetime.ending) s.underway.require_made(s.instances, instance, "delete it");
-    // Nobody will undo the end of the tree, and its modules may be gone already.
+    // The end of the tree cannot be undone, and its modules may be destroyed already.
     if (!s.lifetime.ending && s.changes.recording()) s.history.dying(instance);
     if (!s.lifetime.ending) s.changes.tell([&](Observer& o) { o.destroying(instance); });
     const std::string problem = s.structure.destroy_below(instance.index);
@@ -201,7 +200,7 @@ void Tree::each_below(Handle top, const std::function<void(Handle)>& visit) cons
 
 std::optional<Remains> Tree::remains(Handle instance) const {
     if (alive(instance)) return {};
-    const Tombstone* const found = state_->instances.graves.find(instance);
+    const Tombstone* const found = state_->instances.tombstones.find(instance);
     if (found == nullptr) return {};
     return Remains{*found->of, found->name};
 }
@@ -259,7 +258,7 @@ Handle Tree::nth_child(Handle instance, std::uint64_t n) const {
 }
 
 Handle Tree::child(Handle instance, std::string_view name) const {
-    // Only for a formula a name becomes a symbol.
+    // Only a formula needs a symbol for the name.
     if (in_formula()) state_->instances.reads.note_name(instance, Symbol(name));
     state_->instances.require(instance);
     return state_->instances.nodes.handle(

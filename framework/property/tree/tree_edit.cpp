@@ -1,11 +1,10 @@
-// Properties of a tree: reading, and the edit pipeline.
+// Properties of a tree: reading and writing. A write has these steps:
 //
-//   1 coerce  2 validate  3 equal? stop  4 note for the history  5 the owner's setter  6 its
-//   invalidate hook  7 queue the change
+//   1 coerce  2 validate  3 stop if equal  4 note for the history  5 call the owner's setter
+//   6 call its invalidate hook  7 queue the change
 //
-// Steps 1 and 2 are coerce.cpp. Step 4 is for edits that are recorded, and notes what the cell was;
-// the history is told of the edit at the end, when the cell is what it has become, so that a write
-// that the owner refuses leaves nothing in it.
+// Steps 1 and 2 are in coerce.cpp. Step 4 is only for recorded edits and stores the old state of
+// the cell. The history gets the edit after the last step, so a refused write leaves nothing in it.
 
 #include <optional>
 
@@ -26,7 +25,7 @@ std::string Tree::path(Handle instance, const Property& property) const {
     return path(instance) + suffix;
 }
 
-// --- Finding
+// --- Look-up
 
 const Property* Tree::find(Handle instance, Symbol name) const {
     const State& s = *state_;
@@ -40,7 +39,7 @@ const Property* Tree::find(Handle instance, Symbol name) const {
 }
 
 const Property* Tree::find(Handle instance, std::string_view name) const {
-    // In a formula an absent name is a dependency as well, so it needs a symbol.
+    // In a formula a missing name is a dependency too, so it needs a symbol.
     return find(instance, in_formula() ? Symbol(name) : Symbol::find(name));
 }
 
@@ -74,7 +73,7 @@ Value Tree::get(Handle instance, const Property& property) const {
     s.instances.reads.note_value(instance, property);
     const Node& node = s.instances.require(instance, property);
     if (node.has_formula) s.formulas.settle({instance.index, property.symbol});
-    // The commonest binding, without another call.
+    // The most common binding, without a further call.
     const Binding& binding = property.binding;
     if (binding.kind == BindingKind::accessor) return binding.get(binding.context, node.row);
     return s.instances.read(instance.index, node, property);
@@ -105,7 +104,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         if (value.is(Type::number)) done = write(instance, property, value.number());
         if (value.is(Type::vec2)) done = write(instance, property, value.vec2());
         if (done && !s.changes.observers.all.empty())
-            s.changes.tell_plain_writes();  // at once, unlike `write`
+            s.changes.report_plain_writes();  // at once, unlike `write`
         if (done) return;
     }
     if (property.read_only)
@@ -132,9 +131,10 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         s.instances.refused(instance, property);
     }
     s.changes.growth.add(weight_beside(next) - weight_beside(old));
-    // A value that was taken replaces the formula; one that was refused leaves it.
+    // An accepted value replaces the formula; after a refused one the formula stays.
     if (had_formula) s.formulas.remove({instance.index, property.symbol});
-    // The setter may have moved nodes (a rename, another parent), so the node is looked up again.
+    // The setter may have moved the node table (by a rename or a new parent), so the node is looked
+    // up again.
     if (const Node* after = s.instances.nodes.find(instance)) {
         s.formulas.written(instance, *after, property, old);
         s.changes.tell([&](Observer& o) { o.wrote(instance, property, next); });

@@ -1,4 +1,4 @@
-// Formulas as the tree's users see them; how they settle is formulas.cpp.
+// Public functions for formulas; formulas.cpp settles them.
 
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
@@ -49,7 +49,7 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
 void Tree::set_formula(Handle instance, std::string_view name, Formula formula) {
     if (const Property* found = find(instance, name))
         return set_formula(instance, *found, std::move(formula));
-    // The property and its formula come, and go again by undo, as one.
+    // Adding the property and setting its formula are one step of undo.
     state_->history.begin(path(instance) + path_suffix(name) + ": a formula", false);
     struct End {
         History& history;

@@ -1,4 +1,4 @@
-// The history of edits as the tree's users see it.
+// Public functions of the history.
 
 #include "state.h"
 
@@ -44,7 +44,7 @@ Provenance Tree::who(Handle instance, const Property& property) const {
     state_->instances.require(instance, property);
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
-    state_->changes.tell_plain_writes();
+    state_->changes.report_plain_writes();
     Provenance written = state_->changes.writes.find(instance, property.symbol);
     const bool computed = !property.derives_from.empty();
     if (written.known || !property.simulated || computed) return written;

@@ -1,4 +1,4 @@
-// Methods of a tree's instances: arguments are coerced as values of properties are.
+// Calls of methods. Arguments are coerced in the same way as values of properties.
 
 #include <stdexcept>
 
@@ -13,7 +13,7 @@ namespace fettle::property {
 
 namespace {
 
-/// Tells observers of a call that changes a module's memory, an end by exception included.
+/// Reports a call that changes a module's memory to observers, also if it ends with an exception.
 class CallScope {
   public:
     CallScope(Tree::State& state, Handle self, const Method& method, std::span<const Value> given)

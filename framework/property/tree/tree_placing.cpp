@@ -1,5 +1,4 @@
-// Instances of a tree get other names and other parents, all of what hangs below them or nothing;
-// and how deep a tree may be.
+// Renaming and moving of instances with everything below them, and the depth limit of the tree.
 
 #include <optional>
 
@@ -28,7 +27,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     if (parent == 0) {
         node.name = made;
     } else {
-        // Renaming keeps the place among the siblings.
+        // A rename keeps the place among the siblings.
         const bool first = s.instances.nodes[parent].first_child == instance.index;
         const std::uint32_t in_front = first ? 0 : node.previous;
         s.instances.nodes.unlink(instance.index);
@@ -51,7 +50,7 @@ std::function<void()> Tree::way_back(Handle instance) {
         if (!alive(instance) || (was.parent && !alive(was.parent)) || s.underway.deletions != 0)
             return;
         const Position left = s.instances.nodes.position(instance.index);
-        s.structure.hang_back(instance, was);
+        s.structure.move_back(instance, was);
         if (s.changes.recording()) s.history.moved(instance, left);
         s.structure.tell_of_move(instance);
     };
@@ -70,19 +69,20 @@ void Tree::replace(Handle old, Handle by) {
     s.instances.require_movable(old);
     if (!at.parent || was.parent || by == s.instances.root || old == by || is_below(old, by))
         throw Error(ErrorKind::bad_structure, path(by) + " cannot take the place of " + path(old));
-    // First to a place of its own: modules can refuse it while the other still has its.
+    // The new instance first gets a temporary name, because modules may refuse it while the old one
+    // is still in place.
     static const Symbol beside("\x1b replacing");
-    s.structure.hang_or_leave(
+    s.structure.move_or_stay(
         by, {.parent = at.parent, .before = {}, .name = {beside, 0}, .named = true});
     s.structure.tell_of_move(by);
     destroy(old);
-    s.structure.hang(by, {.parent = at.parent, .before = {}, .name = at.name, .named = true});
+    s.structure.relink(by, {.parent = at.parent, .before = {}, .name = at.name, .named = true});
     if (s.changes.recording()) s.history.moved(by, was);
     s.structure.tell_of_move(by);
 }
 
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
-    if (!new_parent) new_parent = {};  // whatever its index says
+    if (!new_parent) new_parent = {};  // a null handle may have an index
     State& s = *state_;
     const Node& node = s.instances.require(instance);
     s.require_changeable("move an instance");
@@ -120,8 +120,8 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     }
     const bool named = node.named || !name.empty();
     const Position was = s.instances.nodes.position(instance.index);
-    s.structure.hang_or_leave(instance,
-                              {.parent = new_parent, .before = {}, .name = chosen, .named = named});
+    s.structure.move_or_stay(instance,
+                             {.parent = new_parent, .before = {}, .name = chosen, .named = named});
     if (s.changes.recording()) s.history.moved(instance, was);
     s.structure.tell_of_move(instance);
 }

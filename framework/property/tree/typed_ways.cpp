@@ -1,7 +1,6 @@
-// The typed ways: numbers and vec2s read and written without a Value in between, where nobody has
-// to be told and nothing else stands between a cell and who asks for it. This is what scripts do
-// most, so it is kept as short as it can be; whatever is out of the ordinary goes the long way
-// (tree_edit.cpp), which does the same and more.
+// Typed reads and writes: numbers and vec2s are accessed without a Value if nothing else has to
+// happen (no report, no formula). Scripts use these functions most, so they are as short as
+// possible. In all other cases the general functions in tree_edit.cpp are used.
 
 #include <classes/coerce.h>
 
@@ -12,7 +11,7 @@ namespace {
 
 using Way = Property::Shortcut::Way;
 
-/// The two ways of a type: called, and kept by the tree.
+/// The two shortcuts of a type: a call of the binding, and a column of the tree.
 template <class T>
 constexpr Way by_call = std::is_same_v<T, double> ? Way::number : Way::vec2;
 template <class T>
@@ -70,28 +69,28 @@ void fill(PlainWrite& entry, Handle instance, const Property& property, const Ve
     entry.y = v.y();
 }
 
-/// Of properties kept by the tree, of setters that may do anything, and of those that want to hear
-/// of writes. The setter may itself write, read formulas, and move nodes.
+/// For properties stored in the tree, for setters that may do anything, and for bindings with an
+/// invalidate hook. The setter may itself write, read formulas, and move nodes.
 template <class T>
 bool write_by_way(Tree::State& s, Handle instance, const Property& property, T value) {
     Changes& changes = s.changes;
     WritesLog& log = changes.writes;
     const Node* const node = s.instances.nodes.find_if<&Node::writable>(instance);
     if (node == nullptr || !property.shortcut.takes.contains(value)) return false;
-    if (property.interest != 0 || log.only_the_long_way()) return false;
+    if (property.interest != 0 || log.needs_general_write()) return false;
     const bool by_setter = property.shortcut.write == by_call<T>;
     if (!by_setter && property.shortcut.write != in_tree<T>) return false;
     if (property.shortcut.narrow) value = narrowed(value);
     if (!by_setter && !put_stored<T>(s, *node, property, value)) return true;
     if (log.full()) [[unlikely]]
-        changes.tell_untold();
-    // Made first: then next to nothing has to be kept over the call.
+        changes.report_unreported();
+    // The entry is made before the call, so that few values must be kept across it.
     PlainWrite& entry = log.begin();
     fill(entry, instance, property, value);
     const Binding& binding = property.binding;
     if (by_setter) {
-        // The log counts the write already. A formula that the setter reads must not take the epoch
-        // it saw for the one after the write, nor for the one after taking it back.
+        // The log already counts the write. A formula that the setter reads must not store an epoch
+        // that is equal to the one after the write, or to the one after taking it back.
         struct Done {
             std::uint64_t& invalidations;
             ~Done() { invalidations += 2; }
@@ -115,8 +114,8 @@ bool write_by_way(Tree::State& s, Handle instance, const Property& property, T v
     return true;
 }
 
-/// Only where nobody has to be told at once, and no other value stands for the cell's. Ends with
-/// the call of the setter, so that nothing has to be kept over it.
+/// The fastest path: no report and no formula can be involved. The call of the setter is last, so
+/// that no value must be kept across it.
 template <class T>
 [[gnu::always_inline]] inline Put write_at_once(Tree::State& s, Handle instance,
                                                 const Property& property, T value) {

@@ -1,5 +1,4 @@
-// Watching: how watchers are registered, and what has to be kept for them. Delivery is
-// delivery.cpp.
+// Registration of watchers. Delivery is in delivery.cpp.
 
 #include <algorithm>
 
@@ -160,15 +159,15 @@ Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
 }
 
 void Tree::observe(Observer& observer) {
-    state_->changes.tell_plain_writes();
+    state_->changes.report_plain_writes();
     state_->changes.observers.all.push_back(&observer);
 }
 
 void Tree::unobserve(Observer& observer) {
-    state_->changes.tell_plain_writes();
+    state_->changes.report_plain_writes();
     if (state_->changes.observers.telling == 0)
         std::erase(state_->changes.observers.all, &observer);
-    else  // the places of the others stay until all are told
+    else  // positions must not change during a call of the observers
         std::ranges::replace(state_->changes.observers.all, &observer, nullptr);
 }
 

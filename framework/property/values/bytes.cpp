@@ -1,3 +1,5 @@
+// Writing and reading of values as bytes, and a checksum.
+
 #include <fettle/property/bytes.h>
 
 #include <bit>
@@ -6,7 +8,7 @@
 
 namespace fettle::property {
 namespace {
-// Lists inside lists; a text of a few bytes must not make the reader run out of stack.
+// Maximum depth of nested lists; otherwise a few bytes could make the reader overflow the stack.
 constexpr int deepest_value = 64;
 }  // namespace
 
@@ -118,8 +120,8 @@ void ByteReader::ends_too_early() const {
 }
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
-    // Four lanes of multiply and rotate over whole words, then one that mixes them: every bit of
-    // the input reaches every bit of the result.
+    // Four lanes multiply and rotate whole words, then one lane mixes them. Every bit of the input
+    // influences every bit of the result.
     constexpr std::uint64_t prime = 0x9e3779b97f4a7c15u;
     std::uint64_t lanes[4] = {bytes.size() + 1, prime, ~prime, bytes.size() * prime};
     const auto take = [&](std::uint64_t& lane, std::uint64_t word) {

@@ -1,4 +1,4 @@
-// Colors by name and by digits. The names and their values are those of CSS Color Module Level 4,
+// Color names and hexadecimal colors. Names and values are those of CSS Color Module Level 4,
 // section 6.1.
 
 #include <algorithm>

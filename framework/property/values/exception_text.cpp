@@ -1,3 +1,5 @@
+// Readable messages of exceptions.
+
 #include <fettle/property/exception_text.h>
 
 #include <filesystem>

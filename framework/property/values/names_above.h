@@ -1,5 +1,5 @@
 #pragma once
-// Names of the instances that a path goes through.
+// Names of the instances on a path.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace fettle::property {
 
-/// The names of a path, the root's left out; none where an instance is detached.
+/// The names from below the root down to the instance; empty if the instance is detached.
 std::vector<std::string> names_above(const Tree& tree, Handle instance);
 
 }  // namespace fettle::property

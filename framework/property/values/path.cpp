@@ -1,3 +1,5 @@
+// Parsing and resolving of paths.
+
 #include <fettle/property/path.h>
 
 #include <algorithm>
@@ -100,7 +102,7 @@ std::string segment_text(const Segment& segment) {
                               : path_suffix(std::get<std::string>(segment.key));
 }
 
-// Component of a vec2 or a color by name, or -1.
+// Index of a component of a vec2 or a color, or -1.
 int component_index(Type type, const std::string& name) {
     const std::string_view names = type == Type::vec2 ? "xy" : type == Type::color ? "rgba" : "";
     if (name.size() != 1) return -1;
@@ -154,7 +156,7 @@ Place resolve(const Tree& tree, std::string_view path) {
             continue;
         }
         const Property& property = tree.property(place.instance, *name);
-        // A reference is followed when the path goes on behind it.
+        // If the path continues, a reference is followed.
         if (property.type == Type::reference || property.any_type) {
             const Value value = tree.get(place.instance, property);
             if (value.is(Type::reference) && i + 1 < segments.size()) {

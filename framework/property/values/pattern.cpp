@@ -12,8 +12,8 @@
 namespace fettle::property {
 namespace {
 
-// Whether `name` fits `pattern`, in which `*` stands for any letters. Linear: on a mismatch only
-// the last star moves.
+// Whether `name` matches `pattern`, in which `*` stands for any characters. After a mismatch only
+// the last star is extended.
 bool fits(std::string_view pattern, std::string_view name) {
     std::size_t p = 0, n = 0, star = std::string_view::npos, mark = 0;
     while (n < name.size()) {
@@ -75,7 +75,7 @@ std::vector<std::string> names_above(const Tree& tree, Handle instance) {
     std::vector<std::string> names;
     Handle at = instance;
     for (; at && at != tree.root(); at = tree.parent(at)) names.push_back(tree.name(at));
-    if (!at) return {};  // detached: it has no path
+    if (!at) return {};  // a detached instance has no path
     std::reverse(names.begin(), names.end());
     return names;
 }
@@ -83,7 +83,8 @@ std::vector<std::string> names_above(const Tree& tree, Handle instance) {
 Pattern::Pattern(std::string_view text) : text_(text), segments_(split(text)) {}
 
 bool Pattern::matches(const std::vector<std::string>& names) const {
-    // The same walk as `fits`, a level up: on a mismatch only the last `**` takes one more name.
+    // The same algorithm as in `fits`, but for names: after a mismatch only the last `**` is
+    // extended.
     std::size_t p = 0, n = 0, star = std::string::npos, mark = 0;
     while (n < names.size()) {
         if (p < segments_.size() && segments_[p] == "**") {
@@ -106,7 +107,8 @@ bool Pattern::matches(const std::vector<std::string>& names) const {
 bool Pattern::matches(const Tree& tree, Handle instance, const Property& property) const {
     if (!may_match(property.symbol)) return false;
     if (std::find(segments_.begin(), segments_.end(), "**") == segments_.end()) {
-        // A level is a name: most instances are turned away without looking at all of theirs.
+        // Compares the number of levels first, which excludes most instances without reading their
+        // names.
         std::size_t left = segments_.size() - 1;
         Handle at = instance;
         for (; at && at != tree.root(); at = tree.parent(at)) {

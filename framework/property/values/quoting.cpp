@@ -4,8 +4,8 @@ namespace fettle::property {
 
 namespace {
 
-/// How many bytes of `text` at `at` are a control character: of C0, DEL, of C1, or one that turns
-/// the direction of writing. 0: it is none.
+/// Number of bytes of the control character at `at`: C0, DEL, C1, or a character that changes the
+/// direction of text. 0 if there is none.
 std::size_t control_character(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t i) {
         return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
@@ -19,7 +19,8 @@ std::size_t control_character(std::string_view text, std::size_t at) {
     return embeds || isolates ? 3 : 0;
 }
 
-/// One byte as `\ddd`: three digits always, so that a digit that follows is not part of it.
+/// Writes one byte as `\ddd`. There are always three digits, so that a following digit is not read
+/// as part of it.
 void append_digits(std::string& out, char byte) {
     const unsigned value = static_cast<unsigned char>(byte);
     out += '\\';

@@ -1,6 +1,6 @@
 #pragma once
-// Texts in quotes: what a terminal would obey, or a reader would be misled by, stands as decimal
-// digits.
+// Texts in quotes. Characters that control a terminal or could mislead a reader are written as
+// decimal numbers.
 
 #include <cstddef>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace fettle::property {
 
-/// The character of `text` at `at` as it stands in quotes; `at` is then behind it.
+/// Appends the quoted form of the character at `at` and moves `at` behind it.
 void append_escaped(std::string& out, std::string_view text, std::size_t& at);
-/// What `\` at `at` stands for: a byte by its decimal digits, or the next character as it is. `at`
-/// is then at the last character that was read.
+/// The character after `\` at `at`: a byte by its decimal digits, or the next character itself.
+/// Moves `at` to the last character that was read.
 char unescaped(std::string_view text, std::size_t& at);
 
 }  // namespace fettle::property

@@ -1,3 +1,5 @@
+// Search for the nearest spelling of a name.
+
 #include <fettle/property/spelling.h>
 
 #include <algorithm>
@@ -39,8 +41,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 
 namespace {
 
-// Names that differ only in what counts them: wheel1 and wheel2, item_a and item_b, pointA and
-// pointB. Who writes one of them means it.
+// Names that differ only in a number or a letter at the end: wheel1 and wheel2, item_a and item_b,
+// pointA and pointB. They are not typing errors.
 bool of_one_series(std::string_view a, std::string_view b) {
     const std::size_t most = std::min(a.size(), b.size());
     std::size_t front = 0, back = 0;
@@ -68,8 +70,8 @@ bool near_miss(std::string_view name, std::string_view declared) {
 }
 
 std::string nearest(std::string_view name, std::span<const std::string> candidates) {
-    // A third of the letters may be wrong: "frict" finds "friction" as its beginning, "velosity" by
-    // its letters.
+    // A third of the letters may be wrong: "frict" finds "friction" as a prefix, "velosity" by its
+    // distance.
     const std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
     std::size_t best_distance = limit + 1;
     const std::string* best = nullptr;

@@ -1,3 +1,5 @@
+// The table of symbols.
+
 #include <fettle/property/symbol.h>
 
 #include <deque>
@@ -12,7 +14,7 @@ namespace {
 
 struct Table {
     std::shared_mutex mutex;
-    std::deque<std::string> texts{""};  // a deque: addresses of texts stay
+    std::deque<std::string> texts{""};  // a deque keeps the addresses of the texts
     std::unordered_map<std::string_view, std::uint32_t> ids{{"", 0}};
 };
 

@@ -1,3 +1,5 @@
+// Texts and lists of values, and their reference counts.
+
 #include <fettle/property/value.h>
 
 #include <algorithm>
@@ -9,18 +11,18 @@
 
 namespace fettle::property {
 
-// Texts and lists: immutable, counted. The count is atomic because another thread may hold a copy
-// (a journal writer); copies of numbers never touch it.
+// Text or list: immutable, with a reference count. The count is atomic because another thread may
+// hold a copy (a journal writer). Copies of numbers do not touch it.
 struct Value::Shared {
     mutable std::atomic<std::uint32_t> count{1};
     std::string text;
     List list;
-    int depth = 1;  // of lists in lists; this one counts
+    int depth = 1;  // depth of nested lists, this one included
 };
 
 namespace {
 
-// Lists are printed, compared and saved by recursion; snapshots read no deeper.
+// Limit for recursive functions (printing, comparing, saving). Snapshots have the same limit.
 constexpr int deepest_list = 64;
 
 }  // namespace

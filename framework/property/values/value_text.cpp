@@ -1,5 +1,4 @@
-// How values are written down: for the console, for messages, and so that Lua reads the same value
-// back.
+// Text of values: for the console and messages; Lua reads the same value back.
 
 #include <charconv>
 #include <cmath>
@@ -38,10 +37,10 @@ std::string number_text(double number, Precision precision) {
     if (std::isnan(number)) return "nan";
     if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
     const auto narrow = static_cast<float>(number);
-    // A number that is not a float is not shortened to one, whatever its property claims.
+    // A number that is not exactly a float is printed with all digits, whatever the property says.
     const bool as_float =
         precision == Precision::single_precision && static_cast<double>(narrow) == number;
-    // Left alone, the shortest form of a million is 1e+06: nobody types it like that.
+    // The shortest form of a million would be 1e+06, which is unusual for people.
     const double size = std::fabs(number);
     const auto format = size == 0 || (size >= 1e-5 && size < 1e15) ? std::chars_format::fixed
                                                                    : std::chars_format::scientific;

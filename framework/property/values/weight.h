@@ -1,6 +1,6 @@
 #pragma once
-// How much memory things of a tree take, about: estimates that are the same in every run, so that a
-// command that makes too much is stopped at the same place when it is recorded and made again.
+// Estimated memory of parts of a tree. The estimates are the same in every run, so a command that
+// exceeds the limit is stopped at the same place in a replay.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace fettle::property {
 
-// Bytes, measured in a game of bodies: an instance with its place in the tables of names, the row
-// of its module and what the module makes for it in its world.
+// Bytes, measured in a game with bodies: an instance with its entries in the tables of names, the
+// row of its module, and the objects that the module makes for it.
 constexpr std::int64_t weight_of_instance = 400;
-constexpr std::int64_t weight_of_name = 160;          // of its own, and never given back
-constexpr std::int64_t weight_of_own_property = 140;  // ad hoc, beside its value
+constexpr std::int64_t weight_of_name = 160;          // for a name of its own, which is never freed
+constexpr std::int64_t weight_of_own_property = 140;  // ad hoc, without its value
 constexpr std::int64_t weight_of_own_descriptor = 1024;
 constexpr std::int64_t weight_of_class = 8192;
 constexpr std::int64_t weight_of_watcher = 500;
 constexpr std::int64_t weight_of_formula = 700;
-constexpr std::int64_t weight_of_message = 250;  // that waits for the barrier
+constexpr std::int64_t weight_of_message = 250;  // while it waits for the barrier
 
-/// With what it holds.
+/// Includes the content of texts and lists.
 std::size_t size_of(const Value& value);
-/// What it holds beside itself: the letters of a text, the elements of a list.
+/// Only the content: the letters of a text, the elements of a list.
 inline std::int64_t weight_beside(const Value& value) {
     if (!value.is(Type::text) && !value.is(Type::list)) return 0;
     return static_cast<std::int64_t>(size_of(value));

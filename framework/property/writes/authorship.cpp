@@ -37,7 +37,7 @@ std::string Authorship::place() const {
     if (locate == nullptr) return {};
     try {
         return (*locate)();
-    } catch (...) {  // the write itself is good
+    } catch (...) {  // the write itself is valid
         return {};
     }
 }

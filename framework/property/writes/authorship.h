@@ -1,5 +1,5 @@
 #pragma once
-// Who writes now, at which place in a program, in which step.
+// The current writer, its place in a program, and the step.
 
 #include <functional>
 #include <string>
@@ -10,7 +10,7 @@ namespace fettle::property {
 
 struct Authorship {
     Writer writer = Writer::module;
-    std::function<std::string()>* locate = nullptr;  // asked for the place; may be null
+    std::function<std::string()>* locate = nullptr;  // called when the place is needed; may be null
     std::uint64_t step = 0;
 
     std::string place() const;

@@ -32,7 +32,8 @@ PackedWrites::PackedWrites(std::span<const PlainWrite> writes)
     property_.hold(property);
     const std::size_t stride = index_.width + generation_.width + property_.width;
     if (stride == 0) return;
-    // Each number is put down as four bytes, of which the next overwrites what is too many.
+    // Every number is written as four bytes; the next number overwrites the unused ones. The last
+    // one needs the extra room.
     bytes_ = std::make_unique_for_overwrite<std::byte[]>(writes.size() * stride + 4);
     std::byte* to = bytes_.get();
     const auto put = [&to](std::uint32_t difference, const Column& column) {
@@ -47,7 +48,7 @@ PackedWrites::PackedWrites(std::span<const PlainWrite> writes)
 }
 
 PackedWrites::Found PackedWrites::last(std::uint32_t index, Symbol property) const {
-    // Most pieces tell at once that they have nothing of it.
+    // Quick test that excludes most pieces.
     if (((index ^ index_.first) & ~index_.mask) != 0 ||
         ((property.id() ^ property_.first) & ~property_.mask) != 0)
         return {};

@@ -1,7 +1,7 @@
 #pragma once
-// What is kept of writes once they have been told: which cell each of them wrote, in as few bytes
-// as those of one piece differ in. A game writes much the same cells again and again, or those of
-// instances that were made one after the other: four bytes a write instead of 32.
+// Compressed record of reported writes: the written cell of each. Only the differing bytes are
+// stored. A game mostly writes the same cells, or cells of instances that were made in sequence, so
+// a write takes four bytes instead of 32.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,25 +17,25 @@ class PackedWrites {
     explicit PackedWrites(std::span<const PlainWrite> writes);
 
     struct Found {
-        std::size_t number = 0;  // from 1 on; 0: none of that cell
+        std::size_t number = 0;  // from 1; 0: the cell was not written
         std::uint32_t generation = 0;
     };
-    /// The last write to a property of whoever had that slot.
+    /// The last write to that property of an instance in that slot.
     Found last(std::uint32_t index, Symbol property) const;
 
   private:
-    /// One number of each write, as bits in which it differs from that of the first.
+    /// One number of each write, stored as the bits in which it differs from the first write.
     struct Column {
         std::uint32_t first = 0;
         std::uint32_t width = 0;  // in bytes
-        std::uint32_t mask = 0;   // of so many bytes
+        std::uint32_t mask = 0;   // covers `width` bytes
         void hold(std::uint32_t all_differences);
         std::uint32_t value(const std::byte* bytes) const;
     };
 
     std::uint32_t count_;
     Column index_, generation_, property_;
-    std::unique_ptr<std::byte[]> bytes_;  // null where all are of one cell
+    std::unique_ptr<std::byte[]> bytes_;  // null if all writes have the same cell
 };
 
 }  // namespace fettle::property

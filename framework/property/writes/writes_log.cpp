@@ -4,7 +4,8 @@
 
 namespace fettle::property {
 
-// Which cells were written is kept for long, what was written only by who keeps the chunk.
+// The log keeps the written cells for a long time. The old values are kept only as long as a reader
+// holds their chunk.
 void WritesLog::next_chunk() {
     PackedWrites packed(*chunk_);
     const bool one_is_free = !spare_.empty() && spare_.front().use_count() == 1;
@@ -28,17 +29,18 @@ void WritesLog::tell(Writer writer, std::uint64_t step) {
         while (!runs_.empty() && runs_.front().end + most <= told) runs_.pop_front();
         runs_.push_back({.end = told_, .step = step, .writer = writer});
     }
-    // Up to here memory may be refused, and nothing has been told.
+    // Allocations up to here may fail; then nothing has been reported yet.
     if (next_ == end_) next_chunk();
     runs_.back().end = told_ = told;
-    untold_ = next_;
+    unreported_ = next_;
 }
 
 void WritesLog::take_back(PlainWrite& entry) {
-    if (&entry + 1 == next_ && &entry >= untold_)
+    if (&entry + 1 == next_ && &entry >= unreported_)
         --next_;
-    else if (&entry >= untold_ && &entry < next_)
-        entry.instance = {};  // others came after it: nobody's
+    else if (&entry >= unreported_ && &entry < next_)
+        // Later entries exist, so this entry stays and is marked as belonging to no instance.
+        entry.instance = {};
 }
 
 void WritesLog::went_back(std::uint64_t step) {
@@ -49,7 +51,7 @@ void WritesLog::went_back(std::uint64_t step) {
             written.second = {.writer = Writer::restore, .where = {}, .step = step};
 }
 
-/// Of the writes in full chunks, by their numbers since `first_`.
+/// Searches the full chunks. Numbers count from `first_`.
 PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property) const {
     for (std::size_t piece = packed_.size(); piece > 0; --piece) {
         PackedWrites::Found found = packed_[piece - 1].last(index, property);
@@ -63,7 +65,7 @@ PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property)
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
     std::uint64_t number = told_;
-    const PlainWrite* write = untold_;
+    const PlainWrite* write = unreported_;
     const auto is_it = [&](const PlainWrite& w) {
         return w.instance.index == instance.index && w.property->symbol == property;
     };
@@ -76,7 +78,7 @@ Provenance WritesLog::find(Handle instance, Symbol property) const {
         number = found.number == 0 ? 0 : first_ + found.number;
         generation = found.generation;
     }
-    // A slot's next owner has been written by nobody yet.
+    // The write belongs to the instance only if the generation matches.
     if (number != 0 && generation == instance.generation) {
         const auto run = std::lower_bound(runs_.begin(), runs_.end(), number,
                                           [](const Run& r, std::uint64_t n) { return r.end < n; });

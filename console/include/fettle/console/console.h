@@ -1,9 +1,9 @@
 #pragma once
 // The in-game console and inspector: a layer over the running game.
 //
-// The grave key opens and closes it. While it is open the keyboard is its own, and so is the mouse
-// over its windows; a click on a body of the game selects that body. Everything it does is a
-// property of the instance `console`: `console.open = true`, `console.pauses = true`.
+// The grave key opens and closes it. While it is open, it gets all keys, and the mouse over its
+// windows; a click on a body of the game selects that body. Its settings are properties of the
+// instance `console`: `console.open = true`, `console.pauses = true`.
 
 #include <filesystem>
 #include <functional>
@@ -25,25 +25,25 @@ FETTLE_CONSOLE_BEGIN
 namespace fettle::console {
 
 struct Options {
-    app::Clipboard* clipboard = nullptr;  // null: copies stay inside the console
-    /// Where what was typed is kept from run to run; empty: nowhere. A file that cannot be read or
-    /// written is reported in the console once and else ignored.
+    app::Clipboard* clipboard = nullptr;  // null: copied text stays inside the console
+    /// File for the typed commands of all runs; empty: there is none. A file that cannot be read or
+    /// written is reported in the console once and then ignored.
     std::filesystem::path history_file{};
-    /// The game's view: pixels from the top left to world units, and back. Without them bodies
+    /// Converts pixels from the top left to world units, and back. Without these functions, bodies
     /// cannot be clicked.
     std::function<property::Vec2(float x, float y)> to_world{};
     std::function<property::Vec2(property::Vec2 world)> to_pixels{};
-    /// What can be listed, kept and dropped; null: nothing of it is shown.
+    /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
 };
 
-/// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty when neither
-/// variable is set.
+/// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty if neither
+/// XDG_STATE_HOME nor HOME is set.
 std::filesystem::path default_history_file();
 
 class Console : public app::Layer {
   public:
-    /// Registers the class `Console` (once a tree) and creates the instance `game.console`. Tree,
+    /// Registers the class `Console` (once per tree) and creates the instance `game.console`. Tree,
     /// runtime and clipboard must outlive the console.
     Console(property::Tree& tree, script::Runtime& runtime, Options options = {});
     Console(property::Tree& tree, Interpreter interpreter, Options options = {});
@@ -54,12 +54,13 @@ class Console : public app::Layer {
 
     bool is_open() const;
     void open(bool open = true);
-    /// Makes it `it`, shows it in the inspector and outlines it in the game.
+    /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
+    /// game.
     void select(property::Handle instance);
-    /// A null handle when nothing is selected or what was is deleted.
+    /// A null handle if nothing is selected, or the selected instance is deleted.
     property::Handle selected() const;
 
-    /// Text of the game's own `print`; an error of the game.
+    /// `print`: text of the game's own `print`. `report`: an error of the game.
     void print(std::string_view text);
     void report(const script::ScriptError& error);
 

@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_console shows of itself: what its public headers declare between these
-// two marks, and nothing else. Everything is compiled with hidden visibility; a static library
-// needs no marks and has FETTLE_CONSOLE_STATIC defined.
+// Exported symbols of a shared libfettle_console: only declarations between these two marks in its
+// public headers. Everything is compiled with hidden visibility. A static library needs no marks
+// and defines FETTLE_CONSOLE_STATIC.
 
 #ifdef FETTLE_CONSOLE_STATIC
 #define FETTLE_CONSOLE_BEGIN

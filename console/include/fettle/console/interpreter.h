@@ -15,7 +15,7 @@ FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
 
-/// Missing functions do nothing. See script::Runtime for what each must do.
+/// Missing functions do nothing. script::Runtime documents each of them.
 struct Interpreter {
     std::function<script::Evaluation(std::string_view command)> evaluate{};
     std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>

@@ -1,8 +1,8 @@
 #pragma once
-// A function of a script that accepts or rejects instances: an argument of a method whose last
-// parameter is called `accept`, as in world:raycast(a, b, nil, nil, function(shape) return shape ~=
-// mine end). It is called in the middle of a search, so it may read everything and must not change
-// anything (`Inquiry`).
+// A function of a script that accepts or rejects instances. It is an argument of a method whose
+// last parameter is called `accept`, as in world:raycast(a, b, nil, nil, function(shape) return
+// shape ~= mine end). It is called in the middle of a search, so it may read everything and must
+// not change anything (`Inquiry`).
 
 #include <cstdint>
 #include <exception>
@@ -25,20 +25,21 @@ class Acceptance {
     /// Name of the parameter. Its value is true if there is a function.
     static constexpr std::string_view parameter = "accept";
 
-    /// In force on this thread while it lives. `method`: name of the method, for messages.
+    /// It is in use on this thread while the object lives. `method`: name of the method, for
+    /// messages.
     Acceptance(Tree& tree, std::string method, std::function<bool(Handle)> accepts);
     ~Acceptance();
     Acceptance(const Acceptance&) = delete;
     Acceptance& operator=(const Acceptance&) = delete;
 
-    /// The answer of the function in force; true if there is none. Never throws, since a search
-    /// cannot be left in the middle: after an exception, the function is called no more and all
+    /// The answer of the function in use; true if there is none. Never throws, because a search
+    /// cannot be interrupted: after an exception, the function is not called any more and all
     /// answers are false.
     static bool accepts(Handle instance) noexcept;
     /// Call it after the method has returned: throws the exception of the function, if there was
     /// one.
     void finish() const;
-    /// The answers of the function in force so far; empty if there is none. A replay of the call
+    /// The answers of the function in use so far; empty if there is none. A replay of the call
     /// gives the same answers.
     static std::vector<std::uint8_t> answers();
 

@@ -19,9 +19,9 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Types that may be written byte by byte. Not `is_trivially_copyable`, which Eigen's vectors are
-/// not; a type that owns memory has a destructor that is not trivial. They must not contain
-/// references.
+/// Types that may be written byte by byte. The condition is not `is_trivially_copyable`, because
+/// Eigen's vectors are not. A type that owns memory is excluded by its non-trivial destructor. The
+/// types must not contain references.
 template <class T>
 concept Bytewise =
     std::is_trivially_destructible_v<T> && !std::is_pointer_v<T> && !std::is_reference_v<T>;
@@ -46,7 +46,7 @@ class ByteWriter {
     void put(const Value& value);
     void raw(const void* from, std::size_t size) {
         if (size == 0) return;
-        // GCC 12 reports an overrun for an insertion of bytes (its bug 105329).
+        // GCC 12 reports a false overrun for an insertion of bytes (GCC bug 105329).
         const std::size_t at = out_->size();
         out_->resize(at + size);
         std::memcpy(out_->data() + at, from, size);

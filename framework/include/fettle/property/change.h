@@ -1,5 +1,5 @@
 #pragma once
-// Changes: what a watcher gets, and their cause.
+// Changes that watchers receive, and their causes.
 
 #include <cstdint>
 #include <functional>
@@ -33,15 +33,15 @@ std::string_view writer_name(Writer writer);
 
 struct Cause {
     Writer writer = Writer::module;
-    /// The place, when known: "main.lua:30", a module's name; "" otherwise.
+    /// The place if it is known: "main.lua:30", name of a module; otherwise "".
     std::string where{};
     std::uint64_t step = 0;
     /// "console, step 412"; "main.lua:30, step 412".
     std::string text() const;
 };
 
-/// One property of one instance changed since the last barrier: from the first old to the last new
-/// value.
+/// One property of one instance changed since the last barrier. Contains the first old and the last
+/// new value.
 struct Change {
     Handle instance;
     const Property* property = nullptr;
@@ -82,7 +82,7 @@ struct WatchOptions {
 
 class FETTLE_PROPERTY_PRIVATE Watchers;
 
-/// A watcher's registration. Copyable; its destruction does not end the watch, `stop` does.
+/// A watcher's registration. It can be copied. Its destructor does not end the watch; `stop` does.
 class Connection {
   public:
     Connection() = default;

@@ -66,12 +66,13 @@ enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc }
 struct Binding;
 
 /// Result of putting a value into a cell. `same`: the cell has it already. `done`: it is written.
-/// `declined`: only `Binding::set` can refuse it with a reason. `untried`: the shortest way cannot
+/// `declined`: refused; only `Binding::set` can give the reason. `untried`: the fastest path cannot
 /// write it (only `Tree::begin_write` returns this).
 enum class Put : std::uint8_t { same, done, declined, untried };
 
-/// Reads and writes a number or a vector without a Value in between, for what scripts do most. Made
-/// by the makers below; the binding is passed so that a column has its stride.
+/// Reads and writes a number or a vector without a Value, for the most frequent accesses by
+/// scripts. Made by the functions below. The binding is a parameter because a column needs its
+/// stride.
 template <class T>
 struct Typed {
     using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
@@ -88,8 +89,8 @@ struct Binding {
     Native native = Native::f64;
     void* context = nullptr;
 
-    // column: element of row r is at base(context) + r * stride. A function, not a pointer, so that
-    // the array may move.
+    // column: the element of row r is at base(context) + r * stride. `base` is a function, not a
+    // pointer, because the array may move.
     std::byte* (*base)(void* context) = nullptr;
     std::size_t stride = 0;
 
@@ -99,20 +100,20 @@ struct Binding {
     Value (*get)(void* context, Row row) = nullptr;
     void (*set)(void* context, Row row, const Value& value) = nullptr;
 
-    // node: as accessor, for values that live in the tree's own structure.
+    // node: as accessor, for values that are part of the tree's structure.
     Value (*node_get)(void* context, const Tree& tree, Handle self) = nullptr;
     void (*node_set)(void* context, Tree& tree, Handle self, const Value& value) = nullptr;
 
     // Optional. `reset` removes the override (a mass is computed from density again) instead of
-    // writing the default; `overridden`: whether there is an override.
+    // writing the default. `overridden`: whether there is an override.
     void (*reset)(void* context, Row row) = nullptr;
     bool (*overridden)(void* context, Row row) = nullptr;
 
-    // Optional, after a write: may only set dirty flags and wake bodies. Derived data are computed
-    // when they are read.
+    // Optional, called after a write: may only set dirty flags and wake bodies. Derived data are
+    // computed when they are read.
     void (*invalidate)(void* context, Row row) = nullptr;
 
-    // Optional: typed ways for a number and for a vec2.
+    // Optional: typed functions for a number and for a vec2.
     Typed<double> number{};
     Typed<Vec2> vec2{};
 };
@@ -123,7 +124,7 @@ struct Property {
     Type type = Type::number;
     Value default_value{};
     std::string unit{};  // "kg", "m/s", "rad"; "" without a unit
-    Range range{};       // of numbers; for a vec2 or a color, of each component
+    Range range{};       // for numbers; for a vec2 or a color, of each component
     std::string doc{};   // one or two sentences, shown by help
     Binding binding{};
 
@@ -147,22 +148,22 @@ struct Property {
     const Class* owner = nullptr;
     std::vector<Value> enumerator_values{};
     std::uint32_t stored_index = 0;
-    /// Which typed ways of `Tree` may read and write the property.
+    /// Which typed functions of `Tree` may read and write the property.
     struct Shortcut {
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
         Way read = Way::none;
         Way write = Way::none;
-        Way plain = Way::none;  // as `write`, if a call of a plain `put` is enough
+        Way plain = Way::none;  // like `write`, but only if calling a plain `put` is enough
         bool narrow = false;    // rounded to float
-        // Values that may be written: in range, small enough that integers are exact; also after
-        // rounding.
+        // Values that may be written: in range, also after rounding, and so small that integers are
+        // exact.
         Range takes = Range::nothing();
     } shortcut{};
     /// Number of broad watchers (class, pattern) that may match this property. Set by
     /// `note_interest`.
     mutable std::uint32_t interest = 0;
-    /// Values that a call of a plain `put` alone may write: none while there is a watcher, or if
-    /// the type does not fit, since then there may be no `put`.
+    /// Values that can be written by calling a plain `put` and nothing else. Empty while there is a
+    /// watcher, or if the type does not fit, because then there may be no `put`.
     mutable Range numbers_at_once = Range::nothing();
     mutable Range vec2s_at_once = Range::nothing();
     void note_interest(std::uint32_t watchers) const {
@@ -181,8 +182,7 @@ struct Property {
                : single_precision ? Precision::single_precision
                                   : Precision::double_precision;
     }
-    bool single_precision =
-        false;  // accessor over a float: range checks and printing narrow to float
+    bool single_precision = false;  // accessor of a float: range checks and printing round to float
     /// Index of `text` in the enumerators, or -1.
     int enumerator_index(std::string_view text) const;
 };
@@ -211,7 +211,7 @@ struct Record {
 using Result = std::variant<Value, Record, std::vector<Record>>;
 
 /// What a method changes. `nothing`: it only reads, and a formula may call it. `tree`: properties
-/// and instances, by the tree's own members. `memory`: its module's memory, without reporting
+/// and instances, through members of the tree. `memory`: memory of its module, without reporting
 /// changes. Formulas, and functions that are called in the middle of a step or of a query, may not
 /// call methods of the last two kinds.
 enum class Effect : std::uint8_t { nothing, tree, memory };
@@ -234,9 +234,9 @@ struct Method {
     const Class* owner = nullptr;
 };
 
-/// Delivered while all the instances in it live: if one was deleted since, by another handler for
-/// example, it is no longer valid. An event called `..._end` whose class has a `..._begin` with the
-/// same first fields is still delivered, to the handlers that got the beginning.
+/// An event is delivered only while all instances in it live; another handler may have deleted one.
+/// There is an exception: if a class has an event `..._begin` and an event `..._end` with the same
+/// first fields, the end is delivered to the handlers that received the beginning.
 struct Event {
     std::string name;
     std::vector<Field> fields{};
@@ -244,8 +244,8 @@ struct Event {
     // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
-    const Event* begin = nullptr;  // of an end
-    const Event* end = nullptr;    // of a beginning
+    const Event* begin = nullptr;  // for an end
+    const Event* end = nullptr;    // for a beginning
     mutable std::uint32_t listeners = 0;
 };
 
@@ -275,7 +275,7 @@ struct Lifecycle {
 /// The data in a snapshot for the instances of a class, in addition to those of the tree.
 enum class Snapshots : std::uint8_t {
     by_value,  // each property that can be written and is not transient, by its name
-    natively,  // each property that can be written and is not transient, by name
+    natively,  // no values: a part of the snapshot saves the rows of the module
     never      // no data, and none of the tree's own columns: it belongs to the present (a console)
 };
 
@@ -283,8 +283,7 @@ struct ClassDescriptor {
     std::string name;
     std::string base = "Object";  // "" only for Object itself
     std::string doc{};
-    bool creatable = true;  // users may create instances; services such as `time` may not be
-                            // created
+    bool creatable = true;  // users may create instances; not of services like `time`
     Snapshots snapshots = Snapshots::by_value;
     std::vector<Property> properties{};
     std::vector<Method> methods{};
@@ -303,14 +302,14 @@ class Class {
     const std::string& doc() const { return descriptor_.doc; }
     const Class* base() const { return base_; }
     bool creatable() const { return descriptor_.creatable; }
-    /// Of the nearest native base class: a script's class is saved like its base.
+    /// From the nearest native base class: a script's class is saved like its base.
     Snapshots snapshots() const { return snapshots_; }
     bool is_a(const Class& other) const;
     const std::string& stem() const { return descriptor_.stem; }
-    /// Of the nearest base class that has one, or its own.
+    /// From the nearest base class that has one, or its own.
     const Lifecycle& lifecycle() const { return *lifecycle_; }
 
-    // With everything inherited, base class first.
+    // These include inherited members, base class first.
     const std::vector<const Property*>& properties() const { return properties_; }
     const std::vector<const Method*>& methods() const { return methods_; }
     const std::vector<const Event*>& events() const { return events_; }
@@ -323,7 +322,7 @@ class Class {
     const Method* method(std::string_view name) const { return method(Symbol::find(name)); }
     const Event* event(std::string_view name) const { return event(Symbol::find(name)); }
 
-    /// Its place in the order of definition.
+    /// Index in the order of definition.
     std::uint32_t id() const { return id_; }
     /// Names of properties and methods, for nearest spellings.
     std::vector<std::string> member_names() const;
@@ -352,17 +351,17 @@ class Class {
     std::unordered_map<Symbol, const Event*> event_index_;
     std::vector<const Property*> stored_;  // properties the tree keeps, own and inherited
     std::vector<const Property*>
-        observed_;  // simulated or derived: compared with shadows while watched
+        observed_;  // simulated or derived properties; they have shadows while watched
     std::vector<const Property*>
-        initial_;  // inherited natively, with another default in this class
+        initial_;  // inherited from a native class, with another default in this class
     std::uint32_t id_ = 0;
-    mutable bool columns_found_ = false;  // no `base` of a column returned null for the first row
+    mutable bool columns_found_ = false;  // every `base` has returned memory for the first row
 };
 
 // --- Binding makers
 // -------------------------------------------------------------------------------------------------
 
-/// Compares bits: a NaN equals itself, -0.0 is not 0.0.
+/// Compares bits: a NaN equals itself, and -0.0 is not 0.0.
 inline bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -370,7 +369,7 @@ inline bool same_bits(const Vec2& a, const Vec2& b) {
     return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
 }
 
-/// The typed ways to a `T` at a fixed place in a row, stored as `Kept`s.
+/// The typed functions for a `T` at a fixed place in a row, stored as `Kept`s.
 template <class T, class Kept, class Context, class Base>
 Typed<T> typed_column() {
     constexpr std::size_t count = std::is_same_v<T, double> ? 1 : 2;
@@ -405,8 +404,9 @@ Typed<T> typed_column() {
     return typed;
 }
 
-/// A column over `Element`s of `stride` bytes. `base` is a captureless lambda: (Context&) ->
-/// pointer to the first element. Scripts write numbers and vectors faster if it is `noexcept`.
+/// A column of `Element`s with a distance of `stride` bytes. `base` is a captureless lambda:
+/// (Context&) -> pointer to the first element. If it is `noexcept`, scripts write numbers and
+/// vectors faster.
 template <class Context, class Base>
 Binding column(Context& context, Native native, std::size_t stride, Base) {
     static_assert(std::is_empty_v<Base>, "a lambda without captures, not a function's address");
@@ -425,7 +425,8 @@ Binding column(Context& context, Native native, std::size_t stride, Base) {
     return b;
 }
 
-/// The result type of a getter, if there are typed ways for it: double or Vec2; else void.
+/// The result type of a getter if there are typed functions for it (double or Vec2); otherwise
+/// void.
 template <class Context, class Get>
 using TypedResult = std::conditional_t<
     std::is_floating_point_v<std::invoke_result_t<Get, Context&, Row>>, double,
@@ -433,7 +434,7 @@ using TypedResult = std::conditional_t<
         std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Get, Context&, Row>>, Vec2>, Vec2,
         void>>;
 
-/// The typed ways of a binding for T.
+/// The typed functions of a binding for T.
 template <class T>
 Typed<T>& typed(Binding& binding) {
     if constexpr (std::is_same_v<T, double>)

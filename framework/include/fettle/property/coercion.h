@@ -13,8 +13,9 @@ namespace fettle::property {
 
 class Tree;
 
-/// `value` as a value of the property: the rules of `Tree::set`, without those of the property's
-/// owner. Throws Error(wrong_type, out_of_range, not_finite) with `path` in front of the message.
+/// `value` as a value of the property, by the rules of `Tree::set` without the checks of the
+/// property's owner. Throws Error(wrong_type, out_of_range, not_finite) with `path` in front of the
+/// message.
 Value coerced(const Tree& tree, const Property& property, const Value& value,
               const std::string& path);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The moment of the picture that is being drawn.
+// The moment between two steps that is being drawn.
 
 #include <fettle/property/export.h>
 
@@ -16,8 +16,8 @@ class Drawing {
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// Of the current picture; 1, the last step, outside of drawing. So the results of scripts
-    /// outside of `draw` do not depend on frames.
+    /// The value for the current picture. Outside of drawing it is 1, the last step, so that the
+    /// results of scripts outside of `draw` do not depend on frames.
     static double alpha();
 
   private:

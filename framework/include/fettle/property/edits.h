@@ -1,6 +1,6 @@
 #pragma once
-// Edits: changes of a tree by people, reported to an observer that keeps them. Writes of scripts
-// are not reported, so an observer costs the game nothing.
+// Edits: changes of a tree by people, reported to one observer. Writes by scripts are not reported,
+// so the observer costs a game nothing.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// All states of a property of an instance: absent, its default, a value, a formula.
+/// The states of a property of an instance: absent, default, value, or formula.
 struct CellState {
     bool present = false;
     bool overridden = false;
@@ -21,9 +21,9 @@ struct CellState {
     std::optional<Formula> formula{};
 };
 
-/// Gets every edit by a person (console, inspector, remote, a script's `edit` block), and the
-/// changes by undo and redo, right after they are made. Members must not throw and must not change
-/// the tree; `Tree::cause()` is the writer.
+/// Receives every edit by a person (console, inspector, remote, an `edit` block of a script), and
+/// the changes by undo and redo, right after they are made. Members must not throw and must not
+/// change the tree; `Tree::cause()` is the writer.
 class EditObserver {
   public:
     virtual ~EditObserver() = default;

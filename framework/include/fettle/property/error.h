@@ -1,6 +1,6 @@
 #pragma once
-// Errors a user of the tree can cause. The message names the path, the value, what was expected
-// and, where a name was wrong, the nearest spelling.
+// Errors that a user of the tree can cause. The message contains the path, the value, the
+// expectation and, for a wrong name, the nearest spelling.
 
 #include <stdexcept>
 #include <string>
@@ -13,7 +13,7 @@ namespace fettle::property {
 
 enum class ErrorKind {
     unknown_name,    // no such property, child, class, method, event
-    near_miss,       // would add an ad-hoc property whose name is nearly a declared one
+    near_miss,       // would add an ad-hoc property with a name similar to a declared one
     wrong_type,      // value cannot become the property's type
     out_of_range,    // outside the property's range
     not_finite,      // NaN anywhere; infinity where the property does not allow it
@@ -25,7 +25,7 @@ enum class ErrorKind {
     formula,         // the value is a formula that failed or depends on itself
     rejected,        // the owner of the value refused it; the message says why
     no_barrier_end,  // handlers kept changing values
-    damaged          // a snapshot or a saved game that is cut off, changed or another version's
+    damaged          // a snapshot or save that is incomplete, changed or of another version
 };
 
 class Error : public std::runtime_error {
@@ -35,7 +35,7 @@ class Error : public std::runtime_error {
     ErrorKind kind() const { return kind_; }
 
   private:
-    /// A zero byte in a name or a text would end the message.
+    /// Zero bytes are replaced, because one in a name or a text would end the message.
     static std::string shown(std::string message) {
         for (std::size_t at = message.find('\0'); at != std::string::npos;
              at = message.find('\0', at + 2))

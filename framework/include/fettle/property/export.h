@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_property shows of itself: what its public headers declare between these
-// two marks, and nothing else. Everything is compiled with hidden visibility; a static library
-// needs no marks and has FETTLE_PROPERTY_STATIC defined.
+// Exported symbols of a shared libfettle_property: only declarations between these two marks in its
+// public headers. Everything is compiled with hidden visibility. A static library needs no marks
+// and defines FETTLE_PROPERTY_STATIC.
 
 #ifdef FETTLE_PROPERTY_STATIC
 #define FETTLE_PROPERTY_BEGIN

@@ -21,7 +21,7 @@ struct Formula {
     /// Its text, for display, editing and saving; "" if it has none.
     std::string source{};
     /// Why the text alone does not define the same formula ("uses the local variable \"speed\" of
-    /// main.lua:12"), so that files contain its value instead; "" if it does.
+    /// main.lua:12"); files then contain the value. "" if it does.
     std::string not_saved{};
     /// Bytes of memory that only this function uses, estimated.
     std::size_t holds = 0;
@@ -33,15 +33,15 @@ inline std::size_t bytes_of(const Formula& formula) {
            formula.holds;
 }
 
-/// Makes a formula from its text. Throws Error(formula) with the error in the text.
+/// Compiles the text of a formula. Throws Error(formula) for an error in the text.
 using FormulaCompiler = std::function<Formula(const std::string& source)>;
 
 /// The sources of a value, as a tree.
 struct Explanation {
     std::string path;
     std::string value;    // as printed, with its unit; "" if there is none
-    std::string source;   // of a formula
-    std::string problem;  // of a formula in error
+    std::string source;   // for a formula
+    std::string problem;  // for a formula that fails
     std::vector<Explanation> from;
     bool repeated = false;  // explained elsewhere in the same tree
 };

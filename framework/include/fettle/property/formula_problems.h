@@ -17,13 +17,14 @@ struct FormulaProblem {
     std::string message;  // error of the formula, or why its result does not fit the property
 };
 
-/// `sink` gets, at barriers, each formula with a new error: once, and again when the text of its
-/// error changes, numbers aside. A formula with an error only because it reads a formula with an
-/// error is not reported; of a cycle of formulas one is reported. A tree has one such function; an
-/// empty one ends the reports.
+/// At barriers, `sink` receives each formula with a new error: once, and again when the text of the
+/// error changes, except for its numbers. A formula that fails only because it reads a failing
+/// formula is not reported. Of a cycle of formulas one is reported. A tree has one sink; an empty
+/// function ends the reports.
 void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> sink);
 
-/// The current error of the formula was reported elsewhere.
+/// To be called after the current error of the formula was reported elsewhere: it is not reported
+/// again.
 void formula_problem_told(Tree& tree, Handle instance, const Property& property);
 
 }  // namespace fettle::property

@@ -17,20 +17,20 @@ struct HistoryEntry {
     Cause cause;
     std::size_t edits = 0;
     bool undone = false;     // can be redone
-    bool too_large = false;  // it used more memory than the history may use, and cannot be undone
+    bool too_large = false;  // over the memory limit: it cannot be undone
 };
 
 struct UndoResult {
     bool done = false;  // false: there was nothing to undo
     std::string name;
-    /// What could not be restored, one line each: watchers that ended with their instance, values
-    /// that their owner refused, instances that their module refused to create, or that the game
-    /// has deleted since. The rest of the step is undone.
+    /// One line for each thing that could not be restored: watchers that ended with their instance,
+    /// values that their owner refused, instances that their module refused to create or that the
+    /// game has deleted since. The rest of the step is undone.
     std::vector<std::string> notes;
 };
 
-/// The last writer of a property. Edits by people, and changes of watched properties, keep file and
-/// line; other writes keep writer and step, if they are among the last quarter of a million writes.
+/// The last writer of a property. Edits by people, and changes of watched properties, include file
+/// and line. Other writes include writer and step, if they are among the last 250 000 writes.
 struct Provenance {
     bool known = false;
     Cause cause;

@@ -1,6 +1,6 @@
 #pragma once
-// Observers: get all changes of a tree from outside the simulation, right after they are made. They
-// feed logs for replay, and journals; game logic uses watchers instead.
+// Observers receive all changes of a tree from outside the simulation, right after they are made.
+// They are for replay logs and journals; game logic uses watchers instead.
 
 #include <memory>
 #include <span>
@@ -17,8 +17,8 @@ namespace fettle::property {
 class SnapshotPart;
 class Tree;
 
-/// A number (in `x`) or a vec2 that was written to a declared property. An empty instance: the
-/// write was refused later.
+/// A number (in `x`) or a vec2 that was written to a declared property. If the instance is empty,
+/// the write was refused later.
 struct PlainWrite {
     Handle instance;
     const Property* property = nullptr;
@@ -27,7 +27,7 @@ struct PlainWrite {
     Value value() const;
 };
 
-/// Several of them in order. To read them later, keep `owner` rather than a copy.
+/// Several writes in order. To read them later, keep `owner` instead of a copy.
 struct PlainWrites {
     std::span<const PlainWrite> list;
     std::shared_ptr<const void> owner;
@@ -39,12 +39,12 @@ struct PlainWrites {
 class Observer {
   public:
     virtual ~Observer() = default;
-    /// A plain value was written, and replaced a formula if there was one. It may have added an
-    /// ad-hoc property.
+    /// A plain value was written; it replaced a formula if there was one. The write may have added
+    /// an ad-hoc property.
     virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
-    /// Several writes of the typed ways (`Tree::write`), in order: scripts use these most, and a
-    /// call for each would cost more than the write. Called before any other member, and before the
-    /// writer or the step changes. Calls `wrote` for each unless it is overridden.
+    /// Several writes of the typed functions (`Tree::write`), in order. Scripts use these most, and
+    /// one call per write would cost more than the write. Called before any other member, and
+    /// before the writer or the step changes. The default calls `wrote` for each.
     virtual void wrote_plain(const PlainWrites& writes);
     /// The override of the property was removed, or its default was restored.
     virtual void was_reset(Handle, const Property&) {}
@@ -53,7 +53,7 @@ class Observer {
     /// The property got a formula, or lost it and kept its last value: `Tree::formula` says which.
     virtual void formula_changed(Handle, const Property&) {}
     /// The instance has its row and its defaults. Instances that its class creates below it are
-    /// reported before.
+    /// reported before it.
     virtual void created(Handle) {}
     /// Called before the instance and everything below it is deleted.
     virtual void destroying(Handle) {}
@@ -63,7 +63,7 @@ class Observer {
     /// Its changes of the tree are reported, too.
     virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
     virtual void call_ends(Handle, const Method&) {}
-    /// A read is about to bring data up to date in a module's memory that edits left out of date
+    /// A read is about to update memory of a module that edits left out of date
     /// (`Tree::refreshing`).
     virtual void refreshing(SnapshotPart&, std::uint64_t /*what*/) {}
     /// A snapshot was restored: everything may be different. Its changes are not reported one by

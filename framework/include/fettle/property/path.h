@@ -24,11 +24,12 @@ struct Segment {
     bool is_index() const { return std::holds_alternative<std::int64_t>(key); }
 };
 
-/// Throws Error(bad_path), which names the place of the error. A leading `game.` may be omitted;
-/// "game" alone is the root.
+/// Throws Error(bad_path) with the position of the error. A leading `game.` may be omitted; "game"
+/// alone is the root.
 std::vector<Segment> parse_path(std::string_view text);
 
-/// `name` in a path after its parent: `.ball`, or `["my ball"]` if it is not an identifier.
+/// The text of `name` in a path after its parent: `.ball`, or `["my ball"]` if it is not an
+/// identifier.
 std::string path_suffix(std::string_view name);
 /// Letters, digits and underscores, not beginning with a digit, not a reserved word of Lua.
 bool is_identifier(std::string_view name);
@@ -60,13 +61,13 @@ class Pattern {
     /// Throws Error(bad_path).
     explicit Pattern(std::string_view text);
     const std::string& text() const { return text_; }
-    /// Its names, each of which may contain stars.
+    /// Names of the pattern; each may contain stars.
     const std::vector<std::string>& segments() const { return segments_; }
     bool matches(const Tree& tree, Handle instance, const Property& property) const;
     bool matches(const Tree& tree, Handle instance) const;
     /// `names`: the names of a path, without the root; they need not exist.
     bool matches(const std::vector<std::string>& names) const;
-    /// False if no property of this name can match: cheap, to skip changes early.
+    /// False if no property of this name can match. Cheap, so that changes can be skipped early.
     bool may_match(Symbol property) const;
     /// The only property name that can match; empty if several may match.
     Symbol only_property() const;

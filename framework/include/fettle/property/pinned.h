@@ -8,8 +8,8 @@ namespace fettle::property {
 
 class Tree;
 
-/// While it lives, a function is called that must not destroy the tree, since work on the tree goes
-/// on when it returns. If the function does destroy it, the program ends with a message that
+/// While it lives, a function is called that must not destroy the tree, because work on the tree
+/// continues when it returns. If the function does destroy it, the program ends with a message that
 /// contains `what`, which must outlive this object: "the function given to on_print".
 class Pinned {
   public:

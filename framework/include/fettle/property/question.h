@@ -17,7 +17,7 @@ namespace fettle::property {
 
 class Tree;
 
-/// While one lives, a function of a game is called in the middle of a step or of a search: the
+/// While it lives, a function of a game is called in the middle of a step or of a search, when the
 /// memory of modules must not change. The function may read the tree. Calls that would change the
 /// tree throw Error(rejected), and formulas keep their values.
 class Inquiry {
@@ -64,9 +64,9 @@ class Question {
     std::size_t changeable_;
 };
 
-/// Calls the handlers of an event of an instance. `values` are those of the event's fields; the
-/// fields from `changeable` on may be changed, and go from one handler to the next. Errors of
-/// handlers go to the tree's error sink, as at a barrier.
+/// Calls the handlers of an event of an instance. `values` are the values of the event's fields.
+/// The handlers may change the fields from `changeable` on; each handler sees the changes of those
+/// before it. Errors of handlers go to the tree's error sink, as at a barrier.
 void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
          std::size_t changeable);
 

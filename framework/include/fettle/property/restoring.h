@@ -13,9 +13,10 @@ namespace fettle::property {
 
 class Tree;
 
-/// Within `SnapshotPart::restore`: visits each instance that will exist, with its class and its
-/// row. A part that stores rows itself checks here that each row exists and belongs to the
-/// instance: foreign bytes may hold any number. At any other time there are none.
+/// Inside `SnapshotPart::restore`: visits each instance that will exist, with its class and its
+/// row. A part that stores rows itself must check here that each row exists and belongs to the
+/// instance, because bytes from a file may contain any number. At any other time there are no
+/// instances.
 void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit);
 
 }  // namespace fettle::property

@@ -1,6 +1,6 @@
 #pragma once
-// Snapshots: the whole state of a tree and its modules, to restore it in place or to save it in a
-// file. docs/design/time.md tells how they are made.
+// Snapshots: the whole state of a tree and its modules, for restoring it in place or saving it in a
+// file. docs/design/time.md describes how they are made.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +19,10 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Data that bytes cannot hold (functions), shared by snapshots while the process lives.
+/// Data that bytes cannot represent (functions). Snapshots share them while the process lives.
 using Memory = std::shared_ptr<const void>;
 
-/// An object with state of its own that belongs to the tree's: a module, a clock, a script runtime.
+/// An object whose state belongs to the state of the tree: a module, a clock, a script runtime.
 /// Registered with `Tree::add_part`.
 class SnapshotPart {
   public:
@@ -36,15 +36,14 @@ class SnapshotPart {
     /// not throw. `memory` is what `save` returned; null if the bytes come from a file.
     virtual std::function<void()> restore(ByteReader& from, const Memory& memory) = 0;
 
-    /// The changes since the last call, of the data that `save` returns as memory; null: none. A
-    /// timeline keeps them for every step and passes them to `redo` when it makes the step again.
+    /// The changes since the last call in the data that `save` returns as memory; null: none. A
+    /// timeline keeps them for every step and passes them to `redo` when it repeats the step.
     virtual Memory changes() { return {}; }
     virtual void redo(const Memory& /*changes*/) {}
     /// Bytes of a result of `save` or `changes`, estimated, for limits on memory.
     virtual std::size_t size_of(const Memory& /*memory*/) const { return 0; }
-    /// Brings data up to date that a read once brought up to date, as reported to
-    /// `Tree::refreshing`, if they still exist. A timeline calls it when it makes a step again,
-    /// since it does not repeat reads.
+    /// Repeats an update of data that a read caused, as reported to `Tree::refreshing`, if the data
+    /// still exist. A timeline calls it when it repeats a step, because it does not repeat reads.
     virtual void refresh(std::uint64_t /*what*/) {}
 };
 
@@ -66,8 +65,8 @@ class Snapshot {
     /// Moves the state out of the snapshot; a copy if it is shared.
     std::vector<std::byte> take_payload() &&;
 
-    /// For a file: complete, with a version and a checksum of every byte. Functions are not
-    /// included: formulas are restored from their text, timers and tweens are not restored.
+    /// The bytes of a file: complete, with a version and a checksum of every byte. Functions are
+    /// not included: formulas are restored from their text; timers and tweens are not restored.
     std::vector<std::byte> to_bytes() const;
     /// Throws Error(damaged) for bytes that are incomplete, changed, of another version or no
     /// snapshot.

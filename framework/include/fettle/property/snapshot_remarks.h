@@ -12,8 +12,8 @@ namespace fettle::property {
 
 class Tree;
 
-/// The formulas that no file can hold, one line each: `world.a.x: its formula uses the local
-/// variable "speed" of main.lua:12`. A file holds the last values of their properties instead.
+/// The formulas that no file can contain, one line each: `world.a.x: its formula uses the local
+/// variable "speed" of main.lua:12`. A file contains the last values of their properties instead.
 std::vector<std::string> unsaved_formulas(const Tree& tree);
 
 /// What differs after the last restored snapshot, one line each: formulas that were not saved or no

@@ -1,5 +1,5 @@
 #pragma once
-// Spelling: the name that the user may have meant.
+// Spelling: finds the name that the user probably meant.
 
 #include <cstddef>
 #include <span>
@@ -13,15 +13,15 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Edits (insert, delete, replace, swap of neighbours) that turn `a` into `b`, letter case ignored;
+/// Edits (insert, delete, replace, swap of neighbors) that turn `a` into `b`, letter case ignored;
 /// stops counting beyond `limit` and returns limit + 1. Source: Damerau 1964, optimal string
 /// alignment.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit);
 
-/// True if `name` is so similar to `declared` that it is surely a typing error: other case, one
-/// edit or one transposition. Names under four letters are compared by case only, since they are
-/// similar to many; names with different numbers or letters at the end (wheel1 and wheel2, item_a
-/// and item_b) are different names.
+/// True if `name` is so similar to `declared` that it is probably a typing error: other case, one
+/// edit or one transposition. Names with fewer than four letters are compared by case only, because
+/// they are similar to many others. Names with different numbers or letters at the end (wheel1 and
+/// wheel2, item_a and item_b) are different names.
 bool near_miss(std::string_view name, std::string_view declared);
 
 /// The candidate nearest to `name`, or "" if none is near enough.

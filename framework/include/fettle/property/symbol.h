@@ -22,8 +22,8 @@ class Symbol {
     Symbol() = default;
     /// Throws Error(bad_name) if there are too many different names.
     explicit Symbol(std::string_view text);
-    /// The symbol of `text` if it is interned, else the empty symbol. Never adds to the table, so
-    /// that names typed by a user or read from a file use no memory.
+    /// The symbol of `text` if it exists, otherwise the empty symbol. Never adds a symbol, so that
+    /// names typed by a user or read from a file use no memory.
     static Symbol find(std::string_view text);
     const std::string& text() const;
     std::uint32_t id() const { return id_; }

@@ -1,15 +1,15 @@
 #pragma once
-// The live property tree: instances with classes, parents, ordered children and properties,
-// reachable by path.
+// The live property tree: instances with classes, parents, ordered children and properties.
+// Everything can be reached by a path.
 //
 // The module that computes with a value owns its memory; the tree knows where it is. Reading a
-// property reads the module's own memory; an edit goes coerce -> validate -> equal? stop -> setter
-// -> invalidate hook -> queue the change. The simulation writes its own memory and calls nothing
-// here: its watched values are compared with shadow values at the barrier after the step. Handlers
-// run at barriers only.
+// property reads the module's own memory. An edit goes through these steps: coerce -> validate ->
+// stop if equal -> setter -> invalidate hook -> queue the change. The simulation writes its own
+// memory and does not call the tree: its watched values are compared with shadow values at the
+// barrier after the step. Handlers run only at barriers.
 //
 // One thread owns a tree. Throwing members throw property::Error with path, value, expectation and
-// nearest spelling; exceptions of a getter or a lifecycle function of a class go on to the caller
+// nearest spelling. Exceptions of a getter or a lifecycle function of a class reach the caller
 // unchanged. A handle belongs to its tree: in another tree, the same number may refer to another
 // instance.
 
@@ -39,32 +39,33 @@ namespace fettle::property {
 class EditObserver;
 class Observer;
 
-/// What is known of a deleted instance.
+/// Data of a deleted instance.
 struct Remains {
     const Class& of;
     std::string name;
 };
 
-/// **Lifetimes.** Handles are numbers: after the tree they refer to nothing and do no harm.
-/// Connections, values, records and snapshots may outlive it. Classes, properties, methods and
-/// events live as long as the tree that they were registered with, and any other tree refuses them.
-/// Modules, parts of snapshots and observers are not owned: they live until the tree is destroyed,
-/// or until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may outlive the
-/// tree, and are useless then. A handler, a function given to `at_barrier` or a method may destroy
-/// the tree that calls it: `barrier` or `call` throws Error(deleted) after it has returned.
-/// Formulas, lifecycle functions, setters, observers, functions that are called in the middle of a
-/// step or of a search (question.h, acceptance.h), and functions given to `each_below`,
-/// `mark_weight` or `restore` must not: the program is ended then, with a message that names them.
-/// Getters, and setters that the typed ways call, must not either, and this is not checked: a check
-/// would cost every read and write.
+/// **Lifetimes.** Handles are numbers: after the end of the tree they refer to nothing and do no
+/// harm. Connections, values, records and snapshots may outlive it. Classes, properties, methods
+/// and events live as long as the tree that they were registered with, and any other tree refuses
+/// them. Modules, parts of snapshots and observers are not owned: they must live until the tree is
+/// destroyed, or until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may
+/// outlive the tree, but cannot be used then. A handler, a function given to `at_barrier` or a
+/// method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after it
+/// has returned. The following must not destroy it: formulas, lifecycle functions, setters,
+/// observers, functions that are called in the middle of a step or of a search (question.h,
+/// acceptance.h), and functions given to `each_below`, `mark_weight` or `restore`. If one does, the
+/// program ends with a message that names it. Getters, and setters that the typed functions call,
+/// must not do it either, but this is not checked, because a check would cost time in every read
+/// and write.
 class Tree {
   public:
     Tree();
     ~Tree();
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
-    /// For objects that refer to the tree and may outlive it: expired as soon as its destruction
-    /// begins.
+    /// For objects that refer to the tree and may outlive it. It expires as soon as the destruction
+    /// of the tree begins.
     std::weak_ptr<const Tree*> lifetime() const;
 
     // --- Classes
@@ -88,19 +89,19 @@ class Tree {
 
     Handle root() const;  // `game`
     /// Without a parent the instance is detached: alive, editable, not simulated. Without a name it
-    /// gets its class's stem: "circle", then "circle_2" under a parent when `first_plain`, else
-    /// "body_1", "body_2".
+    /// gets a name from its class's stem: with `first_plain`, "circle", then "circle_2" under a
+    /// parent; otherwise "body_1", "body_2".
     Handle create(const Class& instance_class, Handle parent = {}, std::string_view name = {});
     /// Deletes the instance and everything below it. Handles become invalid at once; `deleted` is
     /// delivered at the barrier. Exceptions of modules (`Lifecycle::destroy`) do not stop this:
     /// after all instances are deleted, the first is thrown as Error(rejected).
     void destroy(Handle instance);
     bool alive(Handle instance) const;
-    /// Throws Error(deleted) "world.ball was deleted at step 412 by console" unless alive.
+    /// Throws Error(deleted) "world.ball was deleted at step 412 by console" if it is not alive.
     void require(Handle instance) const;
     const Class& class_of(Handle instance) const;
-    /// What is known of a deleted instance, for messages about its handle; none while it lives, and
-    /// for instances that were deleted long ago.
+    /// Data of a deleted instance, for messages about its handle; nullopt while it lives, and for
+    /// instances that were deleted long ago.
     std::optional<Remains> remains(Handle instance) const;
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
@@ -112,14 +113,15 @@ class Tree {
     Handle next_sibling(Handle instance) const;
     std::vector<Handle> children(Handle instance) const;
     std::size_t child_count(Handle instance) const;
-    /// From 1; a null handle if there are fewer. Fast if called in order.
+    /// Counts from 1; a null handle if there are fewer. Fast if called in order.
     Handle nth_child(Handle instance, std::uint64_t n) const;
-    /// Null handle if there is none.
+    /// A null handle if there is none.
     Handle child(Handle instance, std::string_view name) const;
     bool is_below(Handle instance, Handle ancestor) const;
     /// A number that changes whenever an instance is created, deleted, moved or renamed.
     std::uint64_t structure() const;
-    /// Number of living instances, and their visit in a fixed order (parents before children).
+    /// Number of living instances. `each_below` visits them in a fixed order (parents before
+    /// children).
     std::size_t size() const;
     void each_below(Handle top, const std::function<void(Handle)>& visit) const;
 
@@ -129,17 +131,17 @@ class Tree {
     std::string path(Handle instance, const Property& property) const;
     /// Throws Error(bad_name): empty, taken by a sibling, or a property or method of the parent.
     void rename(Handle instance, std::string_view name);
-    /// Gives the instance another parent (null: detaches it). `name` empty: keeps its own, numbered
-    /// if taken. Throws Error(bad_structure) for a parent below the instance itself. In case of an
-    /// error nothing has changed: a module may refuse (Error(rejected)).
+    /// Gives the instance another parent (null: detaches it). If `name` is empty, it keeps its own
+    /// name, numbered if that is taken. Throws Error(bad_structure) for a parent below the instance
+    /// itself. After an error nothing has changed; a module may refuse (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
               bool first_plain = false);
-    /// Deletes `old` and gives its name and its parent to `by`, which is detached. In case of an
+    /// Deletes `old` and gives its name and its parent to `by`, which must be detached. After an
     /// error nothing has changed; throws as `move` does.
     void replace(Handle old, Handle by);
-    /// Returns a function that takes a later move back: it puts the instance back to its current
-    /// place and name. The function does nothing if the instance or its parent was deleted; it
-    /// never throws.
+    /// Returns a function that undoes a later move: it moves the instance back to its current place
+    /// and name. The function does nothing if the instance or its parent was deleted; it never
+    /// throws.
     std::function<void()> way_back(Handle instance);
 
     // --- Properties
@@ -156,21 +158,21 @@ class Tree {
 
     Value get(Handle instance, const Property& property) const;
     Value get(Handle instance, std::string_view name) const;
-    /// The value in its owner's memory, even if its formula is in error. Not a dependency of a
-    /// running formula.
+    /// The value in its owner's memory, even if its formula fails. It does not become a dependency
+    /// of a running formula.
     Value peek(Handle instance, const Property& property) const;
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
-    /// The typed ways, for numbers and vec2s in the usual cases, of a property that the instance
-    /// has: this is not checked. False if `get` or `set` must be used (another type, a formula, a
-    /// deleted instance, a watcher, a value that is not finite or out of range). Observers get
-    /// these writes before any other change, and before the writer or the step changes, but not at
-    /// once.
+    /// The typed functions, for numbers and vec2s in the usual cases. The instance must have the
+    /// property; this is not checked. They return false if `get` or `set` must be used (another
+    /// type, a formula, a deleted instance, a watcher, a value that is not finite or out of range).
+    /// Observers receive these writes before any other change, and before the writer or the step
+    /// changes, but not at once.
     bool read(Handle instance, const Property& property, double& number) const;
     bool read(Handle instance, const Property& property, Vec2& vector) const;
     /// For the fastest reads: the row of the instance, for the `get` of the bindings of properties
-    /// with a `shortcut.read` of `number` or `vec2`; nullptr if `read` must be used. Valid until
-    /// the next change of the tree.
+    /// whose `shortcut.read` is `number` or `vec2`; nullptr if `read` must be used. Valid until the
+    /// next change of the tree.
     const Row* readable(Handle instance) const;
     bool write(Handle instance, const Property& property, double number) {
         const Put begun = begin_write(instance, property, number);
@@ -180,8 +182,8 @@ class Tree {
         const Put begun = begin_write(instance, property, vector);
         return begun == Put::done || end_write(begun, instance, property, vector);
     }
-    /// `write` in two calls, for the fastest writes. The first takes the shortest way and never
-    /// throws. Unless it returns Put::done, the second must be called with the same arguments
+    /// `write` in two calls, for the fastest writes. The first call tries the fastest path and
+    /// never throws. Unless it returns Put::done, the second must be called with the same arguments
     /// before anything else is done to the tree; it does the rest, and returns and throws what
     /// `write` does.
     Put begin_write(Handle instance, const Property& property, double number);
@@ -192,8 +194,8 @@ class Tree {
     void reset(Handle instance, const Property& property);
     bool overridden(Handle instance, const Property& property) const;
 
-    /// Sets a property, adding it to this instance if it has none of that name. Throws
-    /// Error(near_miss) if the name is nearly a declared one, Error(bad_name) if a child or a
+    /// Sets a property, and adds it to this instance if it has none of that name. Throws
+    /// Error(near_miss) if the name is similar to a declared one, Error(bad_name) if a child or a
     /// method has it.
     void set_or_add(Handle instance, std::string_view name, const Value& value);
     void remove_ad_hoc(Handle instance, std::string_view name);
@@ -207,26 +209,26 @@ class Tree {
     // --- Formulas
     // ----------------------------------------------------------------------------------------------------
 
-    /// From now on the function *is* the value of the property: its dependencies are found by
-    /// running it, a read of the property gives its result, and a plain write replaces the formula.
-    /// Reads throw its error, also that of a cycle; the owner's memory keeps the last good value.
+    /// From now on the function *is* the value of the property. Its dependencies are found by
+    /// running it; a read of the property gives its result, and a plain write replaces it. Reads
+    /// throw its error, also that of a cycle; the owner's memory keeps the last valid value.
     void set_formula(Handle instance, const Property& property, Formula formula);
     /// Adds the property first if the instance has none of that name; throws as `set_or_add` does.
     void set_formula(Handle instance, std::string_view name, Formula formula);
     /// nullptr if the value is a plain one. Valid until the formula is replaced.
     const Formula* formula(Handle instance, const Property& property) const;
-    /// Removes the formula; its last good value stays as a plain one.
+    /// Removes the formula; its last valid value stays as a plain one.
     void remove_formula(Handle instance, const Property& property);
     /// Computes the formula and returns its error; "" if there is no error or no formula.
     std::string problem(Handle instance, const Property& property) const;
-    /// The sources of the value: those of the formula, their sources, and so on, 3000 levels deep.
-    /// If there are more levels, the last has one source, "…".
+    /// The sources of the value, their sources, and so on, up to 3000 levels. If there are more
+    /// levels, the last one has one source, "…".
     Explanation why(Handle instance, const Property& property) const;
     /// Number of properties with a formula.
     std::size_t formula_count() const;
     /// True while a formula runs: nothing may be changed then.
     bool in_formula() const;
-    /// Throws Error "..., it cannot `what`", which names the running formula or question
+    /// Throws Error "..., it cannot `what`" with the name of the running formula or question
     /// (`Inquiry`). Changes of the tree check this themselves; call it before other changes of a
     /// game. `what`: "call quit".
     void require_changeable(std::string_view what) const;
@@ -240,24 +242,24 @@ class Tree {
     // --- History
     // ----------------------------------------------------------------------------------------------------
 
-    /// Writes by people (console, inspector, remote) can be undone, each write by itself; all
-    /// writes between `begin_edit` and `end_edit` are one step of undo. With `scripts`, writes of
-    /// scripts and modules in between are part of the edit; a drag, during which the game goes on,
-    /// does without. May be nested.
+    /// Writes by people (console, inspector, remote) can be undone, each write by itself. All
+    /// writes between `begin_edit` and `end_edit` are one step of undo. With `scripts`, writes by
+    /// scripts and modules in between are part of the edit; a drag uses false, because the game
+    /// continues during it. Edits may be nested.
     void begin_edit(std::string name, bool scripts = true);
     void end_edit();
-    /// Acts at once, as a new edit at the current time. Throws Error(bad_structure) in the middle
-    /// of an edit that has changed something; before the first change, it undoes the step before
-    /// the edit, for a console command that is only `undo()`.
+    /// Undoes at once, as a new edit at the current time. Throws Error(bad_structure) inside an
+    /// edit that has changed something. Before the first change, it undoes the step before the
+    /// edit; this is for a console command that is only `undo()`.
     UndoResult undo();
     UndoResult redo();
     /// The latest first.
     std::vector<HistoryEntry> history() const;
-    /// Memory of the history, 64 MiB by default; the oldest entries are dropped first. An entry
-    /// that takes more than three quarters of it keeps only its name.
+    /// Memory limit of the history, 64 MiB by default; the oldest entries are dropped first. An
+    /// entry that takes more than three quarters of it keeps only its name.
     void set_history_limit(std::size_t bytes);
-    /// Memory of the history, estimated, and the sum of all that it has ever used: snapshots hold
-    /// entries that it has dropped since.
+    /// Memory of the history, estimated, and the sum of everything it ever contained: snapshots may
+    /// hold entries that it has dropped.
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;
     Provenance who(Handle instance, const Property& property) const;
@@ -291,42 +293,42 @@ class Tree {
                   WatchOptions options = {});
     Connection on(const Class& of, const Event& event, EventHandler handler,
                   WatchOptions options = {});
-    /// True if there is a handler: check it before making a record.
+    /// True if there is a handler. Check it before making a record.
     bool listens(Handle instance, const Event& event) const;
     bool listens(const Event& event) const;
     /// Queues the event for the next barrier. Throws Error, even without handlers, for an event of
     /// another class or tree, and for a number of values that differs from its fields.
     void emit(Handle instance, const Event& event, std::vector<Value> values);
 
-    /// Runs at the end of the next barrier between steps, after all deliveries; its changes are
-    /// delivered in the same barrier. Its errors are treated as errors of handlers.
+    /// The action runs at the end of the next barrier between steps, after all deliveries; its
+    /// changes are delivered in the same barrier. Its errors are treated as errors of handlers.
     void at_barrier(std::function<void()> action);
 
     /// Delivers everything queued, and compares the watched values of the simulation. Errors of
-    /// handlers go to the error sink; without one, the first error is thrown after all deliveries,
-    /// and so is the first exception of the sink. Throws Error(no_barrier_end) after 16 generations
-    /// of handlers that make changes. `between_steps` is false in the middle of a step, when
-    /// functions given to `at_barrier` must wait.
+    /// handlers go to the error sink. Without a sink, the first error is thrown after all
+    /// deliveries; so is the first exception of the sink. Throws Error(no_barrier_end) after 16
+    /// generations of handlers that make changes. `between_steps` is false in the middle of a step,
+    /// when functions given to `at_barrier` must wait.
     void barrier(bool between_steps = true);
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// Number of registered watchers.
     std::size_t watcher_count() const;
 
-    /// Not owned; gets all changes from outside the simulation, until `unobserve`.
+    /// Not owned. Receives all changes from outside the simulation, until `unobserve`.
     void observe(Observer& observer);
     void unobserve(Observer& observer);
-    /// Not owned; gets the edits of people, instead of the observer before. Null: none.
+    /// Not owned. Receives the edits of people and replaces the previous observer. Null: none.
     void observe_edits(EditObserver* observer);
 
     // --- Growth
     // --------------------------------------------------------------------------------------------------
 
-    /// Memory of instances, values, watchers and other lasting data, in bytes; an estimate that is
-    /// the same in every run: for measuring how much something adds.
+    /// Memory of instances, values, watchers and other lasting data, in bytes. The estimate is the
+    /// same in every run. It serves to measure how much something adds.
     std::int64_t weight() const;
-    /// Adds memory that was allocated for good, or subtracts freed memory.
+    /// Adds memory that was allocated permanently, or subtracts freed memory.
     void add_weight(std::int64_t bytes);
-    /// `passed` is called, once, when the weight exceeds `mark`; it may set another mark, and must
+    /// `passed` is called, once, when the weight exceeds `mark`. It may set another mark, and must
     /// change nothing else. It is called in the middle of the change that makes the tree grow.
     void mark_weight(std::int64_t mark, std::function<void()> passed);
 
@@ -338,28 +340,28 @@ class Tree {
     void add_part(SnapshotPart& part);
     void remove_part(SnapshotPart& part);
     const std::vector<SnapshotPart*>& parts() const;
-    /// A part calls this before a *read* makes it update memory that edits left out of date, if an
-    /// earlier or later update may differ in the last bit; not for updates by an edit itself.
-    /// `what` is passed back to it by `SnapshotPart::refresh`.
+    /// A part must call this before a *read* makes it update memory that edits left out of date, if
+    /// an earlier or later update could differ in the last bit. It is not for updates by an edit
+    /// itself. `what` is passed back by `SnapshotPart::refresh`.
     void refreshing(SnapshotPart& part, std::uint64_t what);
     /// The whole state: instances, values, formulas, the history of edits, the step, and the parts.
     Snapshot snapshot() const;
-    /// As `snapshot`, written into `room`, which the snapshot keeps. For many snapshots, pass the
-    /// memory of an old one (`Snapshot::take_payload`): new pages cost the system more time than
-    /// filling them.
+    /// Like `snapshot`, but written into `room`, which the snapshot keeps. For many snapshots, pass
+    /// the memory of an old one (`Snapshot::take_payload`): getting new pages from the system takes
+    /// longer than filling them.
     Snapshot snapshot(std::vector<std::byte> room) const;
-    /// Restores the tree in place. Instances that existed then have their handles again; later ones
-    /// are deleted, and their handles will never refer to another instance. An instance that its
-    /// module refuses to create (`Lifecycle::create`) is missing with all instances below it: see
-    /// `restore_remarks`. Watchers stay with the instances that exist on both sides and get the
-    /// changes, with cause `restore`, at the next barrier; so do handlers of `restored` of the
-    /// root. Classes stay. Changes that were still to be delivered are dropped.
+    /// Restores the tree in place. Instances of the snapshot have their old handles again; later
+    /// ones are deleted, and their handles will never refer to another instance. An instance that
+    /// its module refuses to create (`Lifecycle::create`) is missing with all instances below it:
+    /// see `restore_remarks`. Watchers stay with the instances that exist before and after, and get
+    /// the changes, with cause `restore`, at the next barrier; so do handlers of `restored` of the
+    /// root. Classes stay. Changes that were not yet delivered are dropped.
     ///
     /// Throws Error(damaged) or, for a class or a module that this game does not have,
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in
     /// functions that must not destroy the tree (Lifetimes): see `at_barrier`.
     void restore(const Snapshot& snapshot);
-    /// As `restore`; `go_on` then repeats the later changes, before any handler is called.
+    /// Like `restore`; then `go_on` repeats the later changes, before any handler is called.
     void restore(const Snapshot& snapshot, const std::function<void()>& go_on);
     /// Reads the whole snapshot as `restore` does, and changes nothing: throws Error(damaged,
     /// unknown_name) where `restore` would.
@@ -370,7 +372,7 @@ class Tree {
 
     std::uint64_t step() const;
     void set_step(std::uint64_t step);
-    /// The simulation has made a step: the next barrier compares its watched values.
+    /// Must be called after a step of the simulation: the next barrier compares its watched values.
     void stepped();
     /// Sets the current writer. `locate`, if given, is called only when the place is needed.
     class CauseScope {

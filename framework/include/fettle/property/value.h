@@ -1,7 +1,7 @@
 #pragma once
-// Values of properties. One small tagged value (24 bytes); numbers, vectors, colors and references
-// are inside it, texts and lists are immutable and shared, so that copying any value costs a few
-// instructions.
+// Values of properties: one small tagged union (24 bytes). Numbers, vectors, colors and references
+// are stored inside; texts and lists are immutable and shared. So copying any value costs only a
+// few instructions.
 
 #include <atomic>
 #include <cstddef>
@@ -18,7 +18,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// A vector in the plane; also a point. Metres unless a property says otherwise. Eigen's arithmetic
+/// A vector in the plane; also a point. Meters unless a property says otherwise. Eigen's arithmetic
 /// applies.
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
@@ -28,8 +28,8 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// Identifies an instance: index and generation. A handle of a deleted instance is detected, never
-/// followed. The default handle refers to nothing.
+/// Identifies an instance by index and generation. A handle of a deleted instance is detected and
+/// never followed. The default handle refers to nothing.
 struct Handle {
     std::uint32_t index = 0;
     std::uint32_t generation = 0;
@@ -56,8 +56,8 @@ std::string_view type_name(Type type);
 class Value;
 using List = std::vector<Value>;
 
-/// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that
-/// comparing for a change can never loop.
+/// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that a NaN
+/// never counts as a change.
 bool operator==(const Value& a, const Value& b);
 
 class Value {
@@ -78,7 +78,7 @@ class Value {
     Value(const char* v);
     Value(const std::string& v) : Value(std::string_view(v)) {}
     Value(std::string_view v);
-    /// Throws Error(out_of_range) where lists are in lists more than 64 deep.
+    /// Throws Error(out_of_range) for lists nested more than 64 deep.
     Value(List v);
     Value(std::nullptr_t) = delete;
     Value(const void*) = delete;
@@ -158,7 +158,7 @@ class Value {
 };
 static_assert(sizeof(Value) == 24);
 
-/// Number of digits of a printed number: a property that is a `float` in memory prints 0.1, not
+/// Number of digits of a printed number. A property that is a `float` in memory prints 0.1, not
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
 
@@ -173,7 +173,7 @@ std::string value_text(const Value& value, Precision precision = Precision::doub
 /// A CSS color name ("tomato") or "#rgb", "#rrggbb", "#rrggbbaa". Returns false when `text` is
 /// neither.
 bool parse_color(std::string_view text, Color& out);
-/// "#rrggbb", or "#rrggbbaa" where not opaque; each channel rounded to 8 bits.
+/// "#rrggbb", or "#rrggbbaa" if it is not opaque; each channel is rounded to 8 bits.
 std::string color_text(Color color);
 /// All color names `parse_color` knows, sorted.
 const std::vector<std::string>& color_names();

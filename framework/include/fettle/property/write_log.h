@@ -1,5 +1,5 @@
 #pragma once
-// A log of all changes of a tree from outside the simulation, for replay: between two states of the
+// A log of all changes of a tree from outside the simulation, for replay. Between two states of the
 // modules it contains the changes by scripts, formulas, handlers and people.
 
 #include <cstddef>
@@ -20,34 +20,34 @@ namespace fettle::property {
 /// A piece of the log. Only usable in its process and its tree.
 struct LoggedWrites {
     std::vector<std::byte> bytes;
-    std::vector<Formula> formulas;  // formulas in the log, by number
-    Memory history;                 // of edits, at the end of the piece, if it has changed
+    std::vector<Formula> formulas;  // formulas in the log; entries refer to their indices
+    Memory history;                 // history at the end of the piece, if it has changed
     std::size_t history_bytes = 0;  // bytes of the edits in the piece
-    bool too_much = false;          // there were more changes than a log may hold: it cannot be
-                                    // played
+    bool too_much = false;          // more changes than the limit: it cannot be played
     bool empty() const { return bytes.empty() && history == nullptr; }
     std::size_t memory() const;  // its memory in bytes, estimated
 };
 
-/// Logs all changes while it lives. A logged write costs about as much as a copy of its data. It
-/// may outlive the tree; only its destructor may be called then.
+/// Logs all changes while it lives. Logging a write costs about as much as copying its data. The
+/// log may outlive the tree; then only its destructor may be called.
 class WriteLog : public Observer {
   public:
     explicit WriteLog(Tree& tree);
     ~WriteLog() override;
     WriteLog(const WriteLog&) = delete;
 
-    /// The log since the last call.
+    /// Returns the log since the last call.
     LoggedWrites take();
     /// True if there is something to take.
     bool any() const { return !bytes_.empty() || !kept_.empty(); }
     /// Bytes it holds now.
     std::size_t memory() const;
-    /// Maximum bytes of one piece, 32 MiB by default. Further changes are not logged: `too_much`.
+    /// Limit of one piece in bytes, 32 MiB by default. Further changes are not logged and set
+    /// `too_much`.
     void set_most(std::size_t bytes) { most_ = bytes; }
-    /// Repeats a piece: in the `go_on` of `Tree::restore`, in the state at its beginning. Throws
-    /// Error(rejected) for a piece of another tree, Error(deleted) if its tree is destroyed. It
-    /// does not check that the bytes are those of `take`: they contain addresses.
+    /// Repeats a piece: in the `go_on` of `Tree::restore`, in the state at the beginning of the
+    /// piece. Throws Error(rejected) for a piece of another tree, Error(deleted) if its tree is
+    /// destroyed. It does not check that the bytes come from `take`: they contain addresses.
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;
@@ -63,7 +63,7 @@ class WriteLog : public Observer {
     void call_ends(Handle instance, const Method& method) override;
     void refreshing(SnapshotPart& part, std::uint64_t what) override;
     void restored() override;
-    /// The last number that was used for a name of that stem below `parent`.
+    /// Logs the last number that was used for a name of that stem below `parent`.
     void numbered(Handle parent, Symbol stem, std::uint32_t last);
 
   private:
@@ -71,14 +71,14 @@ class WriteLog : public Observer {
     class FETTLE_PROPERTY_PRIVATE Player;
     void note(Did what, Handle instance, const Property& property);
 
-    /// Plain writes between the first `at` bytes and the others. They are kept and copied only
-    /// once, when all is taken.
+    /// Plain writes that belong behind the first `at` bytes. They are copied only once, when the
+    /// log is taken.
     struct Kept {
         std::size_t at;
         PlainWrites writes;
     };
     static constexpr std::size_t worth_keeping = 128;               // fewer are copied at once
-    static constexpr std::size_t most_kept = std::size_t{1} << 20;  // bytes, for the next piece
+    static constexpr std::size_t most_kept = std::size_t{1} << 20;  // bytes of the reused buffer
 
     /// True if changes are to be logged now.
     bool notes();
@@ -93,14 +93,14 @@ class WriteLog : public Observer {
     bool too_much_ = false;
     std::vector<std::byte> bytes_;
     std::vector<Kept> kept_;
-    std::size_t kept_count_ = 0;  // of writes
+    std::size_t kept_count_ = 0;  // number of writes in `kept_`
     std::vector<Formula> formulas_;
     std::size_t formula_bytes_ = 0;
     std::uint64_t history_version_ = 0;
     std::size_t history_bytes_ = 0;
     bool call_noted_ = false;
-    int calls_ = 0;             // running calls of methods, which repeat their changes of the tree
-    std::vector<Handle> made_;  // instances made by the outermost of them
+    int calls_ = 0;             // running method calls; they repeat their changes of the tree
+    std::vector<Handle> made_;  // instances made by the outermost call
 };
 
 }  // namespace fettle::property

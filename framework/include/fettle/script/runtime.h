@@ -93,8 +93,8 @@ struct Completion {
 /// tree: functions that would run a script then throw Error(deleted). Functions given to
 /// `on_error`, `on_print` and the others may destroy the runtime that calls them; the running call
 /// goes on to its end without it. Only the function given to `on_command` may destroy the tree; if
-/// that of `on_print` or a method that a script calls does, the program ends with a message. They should not throw: an exception
-/// leaves the call (`run`, `step`) that called them.
+/// that of `on_print` or a method that a script calls does, the program ends with a message. They
+/// should not throw: an exception leaves the call (`run`, `step`) that called them.
 class Runtime {
   public:
     Runtime(property::Tree& tree, Options options);

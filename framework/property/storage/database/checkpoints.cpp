@@ -8,7 +8,7 @@
 
 namespace fettle::property {
 
-// Commits that come close together share a checkpoint.
+// Commits within this time share a checkpoint.
 constexpr std::chrono::milliseconds patience{500};
 
 CheckpointThread::CheckpointThread(std::filesystem::path file)
@@ -46,12 +46,13 @@ void CheckpointThread::work() {
                     database.emplace(file_, Access::existing);
                     database->run("PRAGMA synchronous = FULL");
                 }
-                // Passive: it waits for nobody and nobody waits for it. What it cannot bring over
-                // now, the next one will.
+                // A passive checkpoint neither waits for other connections nor blocks them. The
+                // next checkpoint copies what this one had to leave.
                 database->run("PRAGMA wal_checkpoint(PASSIVE)");
             }
         } catch (const DatabaseError&) {
-            // A full disk: the log keeps everything, and the owner hears of it when it writes.
+            // For example a full disk. The log keeps all data, and the owner gets the error from
+            // its next write.
         }
         if (last) return;
         lock.lock();

@@ -1,6 +1,6 @@
 #pragma once
-// The thread that brings a write-ahead log into its database file, and both to the disk: the
-// waiting that nobody who plays should notice.
+// A thread that copies a write-ahead log into its database file and synchronizes both with the
+// disk. The thread of the game must not wait for the disk.
 
 #include <condition_variable>
 #include <filesystem>
@@ -17,7 +17,7 @@ class CheckpointThread {
     CheckpointThread(const CheckpointThread&) = delete;
     CheckpointThread& operator=(const CheckpointThread&) = delete;
 
-    /// Something was committed.
+    /// Must be called after a commit.
     void notify();
 
   private:

@@ -16,11 +16,11 @@ std::string words(sqlite3* database, int code) {
     const int primary = code & 0xff;
     if (primary == SQLITE_FULL) return system_reason(ENOSPC);
     if (primary == SQLITE_INTERRUPT) return "reading it takes too long";
-    // The message of the connection says more than the code alone, when it is about this code.
+    // The message of the connection is more precise, but only if it belongs to this code.
     const bool told = database != nullptr && sqlite3_errcode(database) == primary;
     std::string text = told ? sqlite3_errmsg(database) : sqlite3_errstr(code);
     if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return text;
-    // SQLite does not keep the reason of a failed commit.
+    // SQLite does not keep the reason of a failed commit, so it is taken from errno.
     const int last = errno;
     const int system = database != nullptr ? sqlite3_system_errno(database) : 0;
     if (system != 0 || last != 0) return system_reason(system != 0 ? system : last);
@@ -28,7 +28,7 @@ std::string words(sqlite3* database, int code) {
     return text;
 }
 
-/// SQLite opens files that lie beside the one that was named, too.
+/// Checks the named file and the files that SQLite opens beside it.
 void require_regular_files(const std::filesystem::path& file) {
     for (const char* const suffix : {"", "-wal", "-shm", "-journal"}) {
         const std::string name = file.string() + suffix;
@@ -49,7 +49,7 @@ constexpr int no_links = SQLITE_OPEN_NOFOLLOW;
 constexpr int no_links = 0;
 #endif
 
-/// As SQLite's URIs want it.
+/// The file as a URI for SQLite.
 std::string uri(const std::filesystem::path& file, bool immutable) {
     static constexpr std::string_view digits = "0123456789ABCDEF";
     std::string out = "file:";
@@ -149,7 +149,8 @@ std::size_t Statement::size(int column) const {
 Database::Database(const std::filesystem::path& named, Access access) : Database() {
     require_regular_files(named);
     errno = 0;
-    // Links may lead to the folder, where the user has put it; not from there to somewhere else.
+    // The folder may be reached through links, because the user made them. The file itself must not
+    // be a link.
     std::error_code ignored;
     const std::filesystem::path whole = std::filesystem::absolute(named);
     const std::filesystem::path file =
@@ -157,7 +158,7 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
     const int rights = access == Access::create     ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                        : access == Access::existing ? SQLITE_OPEN_READWRITE
                                                     : SQLITE_OPEN_READONLY;
-    // Without a log beside it nothing but the file itself needs to be read, and nothing is written.
+    // If the file has no log beside it, only the file is read, and SQLite writes nothing.
     const bool immutable =
         access == Access::reading && !std::filesystem::exists(file.string() + "-wal", ignored);
     const int code =
@@ -167,8 +168,8 @@ Database::Database(const std::filesystem::path& named, Access access) : Database
     distrust();
 }
 
-/// What a file of another's making could do to whoever reads it: run its own views, triggers and
-/// functions, make SQLite compute for ever, or use damage as a lever.
+/// Protects against hostile files: they must not run their own views, triggers and functions, make
+/// SQLite compute for ever, or use corrupt data for an attack.
 void Database::distrust() {
     for (const auto& [option, value] :
          {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
@@ -181,7 +182,7 @@ void Database::distrust() {
           std::pair{SQLITE_LIMIT_VDBE_OP, 25'000}, std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8},
           std::pair{SQLITE_LIMIT_ATTACHED, 0}, std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1}})
         sqlite3_limit(database_, limit, value);
-    // What our own statements do is a matter of thousands; each is counted by itself.
+    // Each statement is counted by itself. Ours need some thousands of operations.
     constexpr int most_operations = 200'000'000;
     sqlite3_progress_handler(
         database_, most_operations, [](void*) { return 1; }, nullptr);
@@ -198,7 +199,7 @@ Database Database::in_memory() {
 
 Database Database::of_bytes(std::string_view file) {
     Database made = in_memory();
-    // SQLite takes no bytes that are const; it does not write to those that are for reading.
+    // The parameter of SQLite is not const, but a read-only database is not written to.
     auto* const bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(file.data()));
     const auto size = static_cast<sqlite3_int64>(file.size());
     const int code =
@@ -248,7 +249,7 @@ void Database::wait_for_others(int milliseconds) {
 }
 
 DatabaseTransaction::DatabaseTransaction(Database& database) : database_(database) {
-    // At once the one writer: a transaction that began by reading could not always become it.
+    // The transaction starts as a writer, because a reader cannot always become one.
     database_.run("BEGIN IMMEDIATE");
 }
 
@@ -273,7 +274,7 @@ void set_format(Database& database, const FileFormat& format) {
 
 namespace {
 
-/// While it lives, all that is read is of the moment of the first read.
+/// While it lives, all reads see the state of the first read.
 class Reading {
   public:
     explicit Reading(Database& database) : database_(database) { database_.run("BEGIN"); }
@@ -301,7 +302,7 @@ void check_identity(std::int64_t application, std::int64_t version, const FileFo
 }  // namespace
 
 void check_header(std::string_view file, const FileFormat& format) {
-    // https://sqlite.org/fileformat.html: numbers have their highest byte first.
+    // https://sqlite.org/fileformat.html: numbers are big-endian.
     constexpr std::string_view magic{"SQLite format 3", 16};  // with its zero byte
     constexpr std::size_t size = 100, version_at = 60, application_at = 68;
     if (file.size() < size || !file.starts_with(magic))
@@ -320,7 +321,7 @@ void check_header(std::string_view file, const FileFormat& format) {
 }
 
 bool check_format(Database& database, const FileFormat& format) {
-    // All of it is of one moment: another program may be about to make the tables.
+    // All checks see one state: another program may be creating the tables now.
     const Reading moment(database);
     const std::int64_t application = database.integer("PRAGMA application_id");
     const std::int64_t version = database.integer("PRAGMA user_version");

@@ -1,7 +1,7 @@
 #pragma once
-// SQLite, as far as the journal of tweaks and the saves need it: connections and statements that
-// end with their owners, and failures as exceptions. A file may come from anywhere, so none is
-// trusted: whatever it defines besides tables is off, and no statement runs for ever.
+// SQLite for the journal of tweaks and for saves: connections and statements with owners, errors as
+// exceptions. A file may come from anywhere, so none is trusted: everything except tables is
+// disabled, and the run time of a statement is limited.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,11 +20,11 @@ namespace fettle::property {
 class DatabaseError : public std::runtime_error {
   public:
     DatabaseError(int code, const std::string& what) : std::runtime_error(what), code_(code) {}
-    /// Somebody else is writing: the same may well succeed a moment later.
+    /// Another connection is writing; the same call may succeed a moment later.
     bool busy() const;
-    /// The file is no database, or a damaged one.
+    /// The file is no database, or is damaged.
     bool damaged() const;
-    /// The same with `where` in front of what it says.
+    /// The same error with the path `where` in front of the message.
     DatabaseError at(const std::filesystem::path& where) const {
         return {code_, where.string() + ": " + what()};
     }
@@ -44,13 +44,13 @@ class Statement {
     Statement& bind(int parameter, std::int64_t value);
     Statement& bind(int parameter, std::string_view text);
     Statement& bind_bytes(int parameter, std::string_view bytes);
-    /// True when there is a row to read.
+    /// True if there is a row to read.
     bool step();
-    /// Runs it to its end, and makes it ready for other parameters.
+    /// Runs the statement to its end and resets it.
     void run();
     void reset();
 
-    // Columns count from 0; null reads as 0 or "".
+    // Columns count from 0; null is read as 0 or "".
     std::int64_t integer(int column) const;
     std::string text(int column) const;
     /// Its size in bytes, without reading it.
@@ -62,19 +62,19 @@ class Statement {
     sqlite3_stmt* statement_ = nullptr;
 };
 
-/// How a file is opened. `create` makes it when it is missing, `existing` refuses that, `reading`
-/// writes nothing, not even beside the file, unless another program has it open.
+/// How a file is opened. `create` makes a missing file, `existing` does not. `reading` writes
+/// nothing; only if another program has the file open may SQLite write a file beside it.
 enum class Access : std::uint8_t { create, existing, reading };
 
 class Database {
   public:
-    /// Throws DatabaseError, and std::runtime_error with the reason in words for what is no regular
-    /// file, or larger than `size_limit`: the file itself, or one of those that SQLite keeps beside
-    /// it.
+    /// Throws DatabaseError. Throws std::runtime_error with the reason in words if the file, or one
+    /// that SQLite keeps beside it, is no regular file or larger than `size_limit`.
     Database(const std::filesystem::path& file, Access access);
     static Database in_memory();
     static constexpr std::uintmax_t size_limit = std::uintmax_t{1} << 30;  // bytes
-    /// What `serialized` gave, to be read. The bytes must outlive it.
+    /// A read-only database made of the bytes that `serialized` returned. The bytes must outlive
+    /// it.
     static Database of_bytes(std::string_view file);
     Database(Database&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     ~Database();
@@ -83,15 +83,15 @@ class Database {
 
     void run(const char* sql);
     Statement statement(std::string_view sql) { return {database_, sql}; }
-    /// The one value of the one row a query gives.
+    /// The result of a query with one row and one column.
     std::int64_t integer(const char* sql);
     std::string text(const char* sql);
     std::int64_t last_row() const;
-    /// Nothing can be written, whatever it was opened for.
+    /// Whether the database cannot be written, whatever it was opened for.
     bool read_only() const;
-    /// The bytes its file has, or would have.
+    /// The bytes of its file, or of the file that it would have.
     std::string serialized() const;
-    /// How long to wait for somebody else who is writing.
+    /// Sets how long to wait for another connection that is writing.
     void wait_for_others(int milliseconds);
 
   private:
@@ -100,7 +100,7 @@ class Database {
     sqlite3* database_ = nullptr;
 };
 
-/// Rolls back unless committed.
+/// Rolls back in the destructor unless committed.
 class DatabaseTransaction {
   public:
     explicit DatabaseTransaction(Database& database);
@@ -114,24 +114,24 @@ class DatabaseTransaction {
     bool open_ = true;
 };
 
-/// What a file of ours says of itself: whose it is (`application_id`), in which version, and the
-/// statements that have made its tables.
+/// Format of a file: which application it belongs to (`application_id`), its version, and the
+/// statements that create its tables.
 struct FileFormat {
     std::int32_t application = 0;
     int version = 0;
     std::vector<std::string_view> tables{};
 };
 
-/// Makes an empty file one of that format.
+/// Gives an empty file that format.
 void set_format(Database& database, const FileFormat& format);
 
-/// Checks whose a file is and its version, by its first bytes: that it is neither newer nor older.
-/// Throws std::runtime_error with the reason in words.
+/// Checks the first bytes of a file: the application must match, and the version must be neither
+/// newer nor older. Throws std::runtime_error with the reason in words.
 void check_header(std::string_view file, const FileFormat& format);
 
-/// Checks that an open file is of that format, whole, and not newer, and that there is nothing in
-/// it but those tables. True: it is; false: it is new and empty. Throws std::runtime_error with the
-/// reason in words.
+/// Checks that an open file has that format, is not damaged and not newer, and contains only those
+/// tables. Returns true if so, false if the file is new and empty. Throws std::runtime_error with
+/// the reason in words.
 bool check_format(Database& database, const FileFormat& format);
 
 }  // namespace fettle::property

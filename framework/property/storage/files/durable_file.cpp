@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads to the end, or one byte beyond `limit`. Returns false with errno set.
+/// Reads to the end, or one byte more than `limit`. Returns false with errno set.
 bool read_all(int descriptor, std::string& out, std::size_t limit) {
     constexpr std::size_t piece = std::size_t{1} << 16;
     std::size_t size = 0;
@@ -69,8 +69,8 @@ class Replacement {
     }
     [[noreturn]] void fail(int error) const { fail(system_reason(error)); }
 
-    /// What the name leads to. Renaming would quietly replace a device, and a file that somebody
-    /// protected against writing.
+    /// Follows links and checks the target: renaming would replace a device or a write-protected
+    /// file without an error.
     void find_target() {
         std::error_code error;
         target_ = asked_;
@@ -91,7 +91,8 @@ class Replacement {
 
     void write(const fs::path& folder) {
         TemporaryFile temporary(folder / target_.filename());
-        if (replaces_) ::fchmod(temporary.descriptor(), mode_);  // some systems have no permissions
+        if (replaces_)
+            ::fchmod(temporary.descriptor(), mode_);  // not all file systems support this
         if (!write_all(temporary.descriptor(), content_)) fail(errno);
         compare(temporary.descriptor());
         if (::fsync(temporary.descriptor()) != 0) fail(errno);
@@ -106,7 +107,7 @@ class Replacement {
         if (read != content_) fail("what was read back differs from what was written");
     }
 
-    /// The new name itself is durable only when the folder is.
+    /// Synchronizes the folder, because otherwise the new name may be lost.
     void synchronize(const fs::path& folder) const {
         const Descriptor descriptor(open_file(folder, O_RDONLY | O_DIRECTORY));
         const bool done = descriptor && ::fsync(descriptor.number()) == 0;
@@ -125,14 +126,14 @@ class Replacement {
 }  // namespace
 
 std::string read_file(const fs::path& file, std::size_t limit) {
-    // Not blocking: opening a pipe would wait for another process to write to it.
+    // Non-blocking, because opening a pipe would wait for a writer.
     const Descriptor descriptor = open_file(file, O_RDONLY | O_NONBLOCK);
     const auto fail = [&file](const std::string& why) {
         throw FileError(file, "could not be read: " + why);
     };
     const int error = errno;
     struct stat status {};
-    // A socket cannot be opened, but looked at.
+    // A socket cannot be opened, but its status can be read.
     if ((descriptor ? ::fstat(descriptor.number(), &status) : ::stat(file.c_str(), &status)) != 0)
         fail(system_reason(errno));
     if (const std::string why = why_no_file(status.st_mode); !why.empty()) fail(why);

@@ -1,6 +1,6 @@
 #pragma once
-// Files that are replaced whole or not at all: whatever fails, and whenever the power does, the
-// name leads to the complete old content or to the complete new one.
+// Files that are replaced completely or not at all. After any error or power failure, the name
+// leads to the complete old content or to the complete new one.
 
 #include <cstddef>
 #include <filesystem>
@@ -13,8 +13,8 @@ namespace fettle::property {
 std::string read_file(const std::filesystem::path& file, std::size_t limit);
 
 /// Writes a temporary file beside `file`, reads it back, synchronizes it with the disk, renames it
-/// over `file` and synchronizes the folder. A symbolic link is followed; the permissions of a file
-/// that is replaced stay. Throws FileError, having removed the temporary file.
+/// to `file` and synchronizes the folder. A symbolic link is followed; a replaced file keeps its
+/// permissions. Throws FileError after removing the temporary file.
 void replace_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace fettle::property

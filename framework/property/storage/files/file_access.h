@@ -1,6 +1,5 @@
 #pragma once
-// What the operating system has to say about files, for those that are read, written and locked
-// here.
+// Descriptors, locks and error messages of files.
 
 #include <sys/stat.h>
 
@@ -9,14 +8,14 @@
 
 namespace fettle::property {
 
-/// What an error number means, in words that say what to do about a full disk.
+/// The meaning of an error number in words. For a full disk it says what to do.
 std::string system_reason(int error);
 
 /// Why something of that mode cannot be read or replaced as a file: "it is a folder", "it is a
 /// pipe, not a regular file"; "" for a regular file.
 std::string why_no_file(mode_t mode);
 
-/// A descriptor that is closed with its owner.
+/// A file descriptor with an owner that closes it.
 class Descriptor {
   public:
     Descriptor() = default;
@@ -26,18 +25,18 @@ class Descriptor {
     Descriptor& operator=(Descriptor&& other) noexcept;
     int number() const { return number_; }
     explicit operator bool() const { return number_ >= 0; }
-    /// Network file systems report a full disk only here.
+    /// False if closing fails: network file systems report a full disk only here.
     bool close();
 
   private:
     int number_ = -1;
 };
 
-/// `flags` as for open(2). Nothing when it fails, with errno set.
+/// `flags` as for open(2). The result is empty, with errno set, if the call fails.
 Descriptor open_file(const std::filesystem::path& path, int flags, mode_t mode = 0);
 
-/// Locks the file for its descriptor alone if nobody else has locked it. False with errno set;
-/// EWOULDBLOCK: another one has.
+/// Locks the file unless another descriptor has locked it. False with errno set; EWOULDBLOCK: it is
+/// locked.
 bool try_lock(const Descriptor& descriptor);
 
 }  // namespace fettle::property

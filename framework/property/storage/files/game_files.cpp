@@ -1,3 +1,5 @@
+// Reading, writing and locking of the files of a game.
+
 #include <fettle/property/storage/game_files.h>
 
 #include <fcntl.h>
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t greatest_module = std::size_t{1} << 30;  // bytes; with what it debugs by
+constexpr std::size_t greatest_module = std::size_t{1} << 30;  // bytes; includes debug information
 
 std::uint64_t checksum_of(std::string_view content) {
     return checksum(std::as_bytes(std::span(content)));
@@ -47,7 +49,7 @@ std::optional<std::uint64_t> file_checksum(const fs::path& file) {
     return checksum_of(*content);
 }
 
-/// However it is called: what is overwritten is the same file as what was read.
+/// The same key for all names of one file.
 fs::path GameFiles::key(const fs::path& file) {
     std::error_code error;
     fs::path found = fs::weakly_canonical(file, error);
@@ -116,7 +118,7 @@ void GameFiles::put(const Path& file, std::optional<std::string> content) {
 
 namespace {
 
-/// Why no scene may have that name, "" when one may. `name`: from the game's folder.
+/// Why a scene must not have that name; "" if it may. `name`: relative to the game's folder.
 std::string why_no_name_of_a_scene(const fs::path& name) {
     for (const fs::path& part : name)
         if (part.string().starts_with('.')) return "hidden files are not a game's to write";
@@ -127,7 +129,7 @@ std::string why_no_name_of_a_scene(const fs::path& name) {
     return taken ? "the name means something to Fettle itself" : "";
 }
 
-/// Why a file that holds this text must not be replaced by a scene, "" when it may.
+/// Why a scene must not replace a file with this text; "" if it may.
 std::string why_no_scene(std::string text, const std::string& name) {
     try {
         const Document document(std::move(text), name);
@@ -147,7 +149,7 @@ void GameFiles::write_scene(const Path& file, std::string_view text) {
     const auto refuse = [&](const std::string& why) {
         if (!why.empty()) throw FileError(file, "was not written: " + why);
     };
-    // Under the name that was given, and under the one that a link leads to.
+    // Both the given name and the target of a link are checked.
     const Path found = checked(file, true);
     const Path named = fs::absolute(file).lexically_normal();
     for (const auto& [name, folder] : {std::pair(named, named_), std::pair(found, game_)})
@@ -162,12 +164,11 @@ void GameFiles::write_scene(const Path& file, std::string_view text) {
 
 std::shared_ptr<void> GameFiles::lock() {
     if (in_memory_ || game_.empty()) return nullptr;
-    // The folder itself is locked: no file has to be made for it, and the lock ends with the
-    // process.
+    // The folder itself is locked, so no lock file is necessary. The lock ends with the process.
     auto folder = std::make_shared<Descriptor>(open_file(game_, O_RDONLY | O_DIRECTORY));
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     while (*folder && !try_lock(*folder)) {
-        if (errno != EWOULDBLOCK) break;  // a file system without locks
+        if (errno != EWOULDBLOCK) break;  // the file system has no locks
         if (std::chrono::steady_clock::now() > deadline)
             throw FileError(
                 game_, "another program holds the lock on this folder, so nothing was written");
@@ -176,8 +177,7 @@ std::shared_ptr<void> GameFiles::lock() {
     return folder;
 }
 
-// --- What is told
-// --------------------------------------------------------------------------------------------------
+// --- Reports -------------------------------------------------------------------------------------
 
 void GameFiles::tell(std::function<void(const Finding&)> listener) {
     listener_ = std::move(listener);

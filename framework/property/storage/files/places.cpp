@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// FNV-1a, so that two games of one name do not share a folder.
+/// FNV-1a. The hash separates the folders of games with the same name.
 std::uint32_t hash_of(const std::string& text) {
     std::uint32_t hash = 2166136261u;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -21,7 +21,7 @@ std::uint32_t hash_of(const std::string& text) {
 
 fs::path user_data() {
     const char* data = std::getenv("XDG_DATA_HOME");
-    if (data != nullptr && data[0] == '/') return data;  // relative ones are to be ignored
+    if (data != nullptr && data[0] == '/') return data;  // XDG: ignore relative paths
     const char* home = std::getenv("HOME");
     if (home != nullptr && home[0] == '/') return fs::path(home) / ".local" / "share";
     return {};

@@ -1,5 +1,5 @@
 #pragma once
-// Where files about a game lie.
+// Locations of files about a game.
 
 #include <filesystem>
 #include <string>
@@ -9,9 +9,9 @@ namespace fettle::property {
 
 /// The folder with main.lua, or with the .lua file.
 std::filesystem::path game_folder(const std::filesystem::path& game);
-/// "main", or what the .lua file is called.
+/// "main", or the name of the .lua file without its ending.
 std::string game_name(const std::filesystem::path& game);
-/// Beside the game, then the user's own folder for it.
+/// The folder of the game, then the user's own folder for the game.
 std::vector<std::filesystem::path> journal_folders(const std::filesystem::path& game);
 
 }  // namespace fettle::property

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view ending = ".fettle.tmp";
 
-/// As the constructor below makes them.
+/// Whether the name has the form that the constructor below gives.
 bool is_name_of_ours(std::string_view name) {
     if (!name.starts_with('.') || !name.ends_with(ending)) return false;
     name.remove_suffix(ending.size());
@@ -28,7 +28,7 @@ bool is_name_of_ours(std::string_view name) {
            std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whether the name still leads to the open file.
+/// Whether the path still leads to the open file.
 bool is_called(const Descriptor& file, const fs::path& path) {
     struct stat open {
     }, named{};
@@ -40,7 +40,7 @@ bool is_called(const Descriptor& file, const fs::path& path) {
 
 TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    // The name of a file may have 255 bytes; a temporary one need not tell all of the target's.
+    // A file name may have 255 bytes, so the name of the target is shortened.
     const std::string stem = "." + target.filename().string().substr(0, 200) + ".";
     std::random_device random;
     for (int attempt = 0;; ++attempt) {
@@ -48,8 +48,8 @@ TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
         descriptor_ = open_file(path_, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
         const int error = errno;
         if (descriptor_) {
-            // Another process may have taken it for a leftover before the lock was there. A file
-            // system without locks has no such process either.
+            // Before the lock was there, another process may have removed the file as a leftover.
+            // Without locks in the file system, no process removes leftovers.
             const bool ours = try_lock(descriptor_) || errno != EWOULDBLOCK;
             if (ours && is_called(descriptor_, path_)) return;
         } else if (error != EEXIST) {
@@ -64,8 +64,8 @@ TemporaryFile::~TemporaryFile() {
 }
 
 bool TemporaryFile::put_into_place() {
-    // Network file systems report a full disk when a descriptor is closed, and closing the only one
-    // would end the lock before the file has its name.
+    // Network file systems report a full disk on closing. A duplicate is closed, because closing
+    // the only descriptor would end the lock before the rename.
     if (!Descriptor(::dup(descriptor_.number())).close()) return false;
     if (::rename(path_.c_str(), target_.c_str()) != 0) return false;
     placed_ = true;
@@ -85,7 +85,7 @@ void remove_leftovers(const fs::path& folder) noexcept {
             if (!file || ::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
             if (try_lock(file) && is_called(file, path)) ::unlink(path.c_str());
         }
-    } catch (const std::exception&) {  // no memory: another time, then
+    } catch (const std::exception&) {  // a later call removes them
     }
 }
 

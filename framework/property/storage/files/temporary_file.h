@@ -1,6 +1,6 @@
 #pragma once
-// Files on their way to their place. A process holds a lock on each of its own for as long as it
-// writes it; one that nobody holds was left behind by a process that was killed.
+// Temporary files for replacing other files. A process locks each of its temporary files while it
+// writes them. A temporary file without a lock was left by a process that was killed.
 
 #include <filesystem>
 
@@ -10,16 +10,16 @@ namespace fettle::property {
 
 class TemporaryFile {
   public:
-    /// Makes an empty file beside `target`, under a hidden name that was free:
+    /// Makes an empty file beside `target` with an unused hidden name:
     /// `.level.json.123.fettle.tmp`. Throws std::system_error.
     explicit TemporaryFile(const std::filesystem::path& target);
-    /// Removes it, unless it has found its place.
+    /// Removes the file unless `put_into_place` succeeded.
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     int descriptor() const { return descriptor_.number(); }
-    /// Gives it the name of its target, replacing what has that name. False with errno set.
+    /// Renames it to its target, replacing an existing file. False with errno set.
     bool put_into_place();
 
   private:
@@ -28,8 +28,8 @@ class TemporaryFile {
     bool placed_ = false;
 };
 
-/// Removes the temporary files in a folder that killed processes have left there. Files that a
-/// living process writes, and names of any other form, are left alone; nothing is thrown.
+/// Removes the temporary files that killed processes left in a folder. Files of running processes,
+/// and files with names of any other form, stay. Throws nothing.
 void remove_leftovers(const std::filesystem::path& folder) noexcept;
 
 }  // namespace fettle::property

@@ -19,7 +19,7 @@ std::size_t skip_comment(std::string_view text, std::size_t at) {
     return close == std::string_view::npos ? text.size() : close + 2;
 }
 
-/// Where the next token starts, from the end of the one before.
+/// The start of the next token. `at`: the end of the previous one.
 std::size_t token_start(std::string_view text, std::size_t at) {
     if (at == 0 && text.starts_with("\xef\xbb\xbf")) at = 3;
     while (at < text.size()) {
@@ -44,9 +44,9 @@ std::size_t string_end(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-/// Receives what nlohmann's reader sees, and finds each token again in the source to know its
-/// place: the reader reports tokens in order, and only white space, comments, commas and colons can
-/// lie between two of them.
+/// Receives the tokens of nlohmann's reader and finds each of them in the source to know its place.
+/// The reader reports tokens in order, and only white space, comments, commas and colons can be
+/// between two of them.
 class DocumentReader : public nlohmann::json_sax<Json> {
   public:
     explicit DocumentReader(Document& document) : document_(document) {}
@@ -60,7 +60,7 @@ class DocumentReader : public nlohmann::json_sax<Json> {
     }
     bool number_integer(std::int64_t value) override {
         Document::Node& node = add_number();
-        if (value == 0 && document_.source_[node.begin] == '-') {  // -0: JSON has it, integers not
+        if (value == 0 && document_.source_[node.begin] == '-') {  // JSON has -0, integers do not
             node.kind = Document::Kind::number;
             node.number = -0.0;
             return true;
@@ -93,7 +93,7 @@ class DocumentReader : public nlohmann::json_sax<Json> {
         node.string = keep(value);
         return true;
     }
-    bool binary(Json::binary_t&) override { return false; }  // cannot occur in a text
+    bool binary(Json::binary_t&) override { return false; }  // does not occur in text
 
     bool start_object(std::size_t) override { return open(Document::Kind::object); }
     bool start_array(std::size_t) override { return open(Document::Kind::array); }
@@ -110,9 +110,9 @@ class DocumentReader : public nlohmann::json_sax<Json> {
     }
 
     bool parse_error(std::size_t position, const std::string&, const Json::exception& e) override {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while
-        // ...": the place is ours to tell. Inside a string, where reading stopped; else the start
-        // of the token it stopped at.
+        // The message begins "[json.exception.parse_error.101] parse error at line 1, column 2:
+        // syntax error while ...". The position is replaced: inside a string it is where reading
+        // stopped, otherwise the start of the token where reading stopped.
         std::string reason = e.what();
         const std::size_t column = reason.find(", column ");
         if (column != std::string::npos) {
@@ -121,7 +121,8 @@ class DocumentReader : public nlohmann::json_sax<Json> {
         } else if (reason.starts_with("[")) {
             reason.erase(0, reason.find("] ") + 2);
         }
-        // Reading cannot have stopped behind `position`: a comma too many is not skipped either.
+        // The error cannot be behind `position`, but `token_start` may be, because it skips a
+        // superfluous comma.
         const bool in_string = reason.find("invalid string") != std::string::npos;
         const std::size_t last = std::min(position - (position > 0), document_.source_.size());
         const std::size_t at =
@@ -222,7 +223,7 @@ Document::Document(std::string text, std::string file_name)
     for (std::size_t i = 0; i < source_.size(); ++i) {
         if (source_[i] == '\n') line_starts_.push_back(static_cast<std::uint32_t>(i + 1));
     }
-    // nlohmann's reader takes a zero byte for the end of its input and would ignore what follows.
+    // nlohmann's reader ends at a zero byte and would ignore the rest.
     const std::size_t zero = source_.find('\0');
     if (zero != std::string::npos) {
         fail(ErrorKind::bad_structure, zero, "not JSON: a zero byte");

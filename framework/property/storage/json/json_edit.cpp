@@ -6,7 +6,7 @@ namespace fettle::property {
 
 std::string without_indent(std::string text, const Document& document, const Document::Node& node) {
     const std::string& all = document.source();
-    const std::size_t line = all.rfind('\n', node.begin) + 1;  // 0 where it is the first
+    const std::size_t line = all.rfind('\n', node.begin) + 1;  // 0 if it is the first line
     const std::size_t indent = all.find_first_not_of(' ', line) - line;
     for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 1)) {
         const std::size_t spaces = text.find_first_not_of(' ', i + 1) - i - 1;
@@ -23,7 +23,7 @@ void JsonEdit::set(std::string text) {
     document_ = Document(std::move(text), document_.file_name());
 }
 
-// --- Where things stand --------------------------------------------------------------------------
+// --- Positions -----------------------------------------------------------------------------------
 
 std::size_t JsonEdit::start(const Node& child) const {
     return document_.has_key(child) ? child.key_begin : child.begin;
@@ -116,7 +116,7 @@ void JsonEdit::add_element(const Node& array, std::string_view value, const Node
     add(array, std::string(value), after);
 }
 
-/// The first shows how the others are to stand: each on a line of its own or behind the other.
+/// The layout follows the first element: one per line, or all on the same line.
 void JsonEdit::add_last(const Find& container,
                         const std::vector<std::pair<std::string, std::string>>& items) {
     const bool named = container(document_)->kind == Document::Kind::object;
@@ -143,12 +143,12 @@ void JsonEdit::add_first(const Node& container, const std::string& item) {
     std::string text = document_.source();
     const std::string outer = indent(container.begin), inner = outer + "  ";
     const std::size_t close = container.end - 1;
-    if (begins_line(close) && close > container.begin + 1) {  // a comment may stand above
+    if (begins_line(close) && close > container.begin + 1) {  // a comment may be above
         const std::size_t line = text.rfind('\n', close) + 1;
         text.insert(line, inner + indented(item, inner) + newline_);
     } else {
         text.insert(close, newline_ + inner + indented(item, inner) + newline_ + outer);
-        // `{ }` leaves its space at the end of the line.
+        // `{ }` keeps its space at the end of the line.
         std::size_t blank = close;
         while (blank > container.begin + 1 && text[blank - 1] == ' ') --blank;
         text.erase(blank, close - blank);
@@ -191,7 +191,7 @@ void JsonEdit::add(const Node& container, const std::string& item, const Node* a
     set(std::move(text));
 }
 
-/// The first comma behind a place, which is in no comment; the end of the text: there is none.
+/// The first comma behind `at` that is not in a comment; the end of the text if there is none.
 std::size_t JsonEdit::comma_behind(std::size_t at) const {
     const std::string& text = document_.source();
     while (at < text.size() && text[at] != ',') {
@@ -206,7 +206,7 @@ std::size_t JsonEdit::comma_behind(std::size_t at) const {
     return at;
 }
 
-/// With the comma behind it, if it needs one.
+/// Including a comma behind it.
 bool JsonEdit::alone_on_its_lines(const Node& child) const {
     const std::string& text = document_.source();
     const std::size_t end = line_end(child.end);
@@ -215,8 +215,8 @@ bool JsonEdit::alone_on_its_lines(const Node& child) const {
            (text[end] == '\n' || text[end] == '\r');
 }
 
-/// Whole lines go together. The last one, and what shares a line with another, go one by one: then
-/// commas are mended.
+/// Adjacent whole lines are removed together. The last element, and elements that share a line, are
+/// removed one by one, because commas have to be corrected.
 void JsonEdit::remove(const Find& container,
                       const std::function<bool(const Document&, const Node&)>& which) {
     const Node* in = container(document_);
@@ -266,7 +266,7 @@ void JsonEdit::remove(const Node& container, const Node& child) {
         text.erase(begin, child.end - begin);
         return set(std::move(text));
     }
-    // Before what was erased.
+    // A new last element must have no comma. This comma is in front of the erased range.
     if (next == nullptr && previous != nullptr) text.erase(comma_behind(previous->end), 1);
     set(std::move(text));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Edits of a JSON text that leave everything else of it as it is: comments, order, white space.
+// Edits of a JSON text that leave the rest unchanged: comments, order, white space.
 
 #include <functional>
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace fettle::property {
 
-/// A text that stood at `node`, or stands there, as if it began in column 1: so must what is added.
+/// `text`, which was at `node` or is there, without the indentation of that place. Values to be
+/// added must have this form.
 std::string without_indent(std::string text, const Document& document, const Document::Node& node);
 
 class JsonEdit {
@@ -19,31 +20,31 @@ class JsonEdit {
     /// Throws SceneError for a text that is not JSON.
     JsonEdit(std::string text, std::string file_name);
 
-    /// Of the text as it is now; its nodes are those of another text after an edit.
+    /// Describes the current text. After an edit, nodes of an older document are invalid.
     const Document& document() const { return document_; }
     const std::string& text() const { return document_.source(); }
 
     using Node = Document::Node;
     void replace(const Node& node, std::string_view value);
-    /// Behind `after`, a member of the object, as the first one (the object itself), or as the last
-    /// one (null). `value` may have several
-    /// lines, indented as if it began in column 1.
+    /// Adds a member to an object: behind the member `after`, as the first one (`after` is the
+    /// object itself), or as the last one (null). `value` may have several lines; its first column
+    /// must be column 1.
     void add_member(const Node& object, std::string_view key, std::string_view value,
                     const Node* after = nullptr);
     void add_element(const Node& array, std::string_view value, const Node* after = nullptr);
 
-    // Many at once, for the price of one.
+    // Many edits in one pass over the text.
     void replace(const std::vector<std::pair<const Node*, std::string>>& values);
-    /// Where an object or an array is in the text as it is then.
+    /// Finds an object or an array in a document, also after an edit.
     using Find = std::function<const Node*(const Document&)>;
-    /// As the last ones, in this order; of an array the keys do not count.
+    /// Adds the items at the end, in this order. For an array the keys are ignored.
     void add_last(const Find& container,
                   const std::vector<std::pair<std::string, std::string>>& items);
-    /// All members or elements `which` is true of.
+    /// Removes all members or elements for which `which` is true.
     void remove(const Find& container,
                 const std::function<bool(const Document&, const Node&)>& which);
-    /// Removes a member of an object, or an element of an array, with its line and the comment
-    /// behind it.
+    /// Removes a member of an object, or an element of an array, together with its line and the
+    /// comment behind it.
     void remove(const Node& container, const Node& child);
 
   private:
@@ -52,7 +53,7 @@ class JsonEdit {
     bool alone_on_its_lines(const Node& child) const;
     void add_first(const Node& container, const std::string& item);
     void set(std::string text);
-    /// Behind white space, comments and commas on the same line.
+    /// The end of the line, if only white space, comments and commas follow on it.
     std::size_t line_end(std::size_t at) const;
     bool begins_line(std::size_t at) const;
     std::string indent(std::size_t at) const;

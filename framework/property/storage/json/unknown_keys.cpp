@@ -32,7 +32,7 @@ std::optional<Document> unknown_keys(const Tree& tree, Handle instance) {
     try {
         Document document(value.text(), std::string(unknown_keys_property));
         if (document.root().kind == Document::Kind::object) return document;
-    } catch (const SceneError&) {  // not ours, then
+    } catch (const SceneError&) {  // the text is an ordinary property of the user
     }
     return std::nullopt;
 }

@@ -1,8 +1,8 @@
 #pragma once
-// What a scene file says and nothing here understands: a property of a newer version of a class, a
-// note of an editor. It lives in the tree, as JSON in the ad-hoc text property `unknown_keys` of
-// the instance it was said about, so that it can be seen and removed like everything else, and goes
-// where the instance goes: into snapshots, through undo, back into the file.
+// Keys of a scene file that this version does not know: a property of a newer class, a note of an
+// editor. Each instance keeps them, as JSON, in its ad-hoc text property `unknown_keys`. There they
+// can be seen and removed like other properties, and they are part of snapshots, undo and saved
+// files.
 
 #include <array>
 #include <optional>
@@ -15,28 +15,28 @@
 
 namespace fettle::property {
 
-/// Of an instance, the keys with a meaning, in the order they are written.
+/// Known keys of an instance, in the order in which they are written.
 inline constexpr std::array<std::string_view, 5> instance_keys = {"class", "name", "properties",
                                                                   "ad_hoc", "children"};
-/// Of the topmost instance: the version of the format.
+/// Key of the topmost instance: the version of the format.
 inline constexpr std::string_view version_key = "fettle_scene";
 
-/// Gathered while loading: members of the instance's object, of its "properties" and of its
-/// "ad_hoc".
+/// Collects unknown keys during loading: members of the instance's object, of its "properties" and
+/// of its "ad_hoc".
 class UnknownKeys {
   public:
     enum class Place { instance, properties, ad_hoc };
     void add(Place place, const Document& document, const Document::Node& member);
     bool empty() const { return keys_[0].empty() && keys_[1].empty() && keys_[2].empty(); }
-    /// As JSON; the values as they were written.
+    /// As JSON; the values have their original text.
     std::string text() const;
 
   private:
     std::array<std::string, 3> keys_;
 };
 
-/// What `unknown_keys` of an instance holds; nothing when it has none, or when the text is no JSON
-/// object (it is then a property of the user's like any other).
+/// The content of `unknown_keys` of an instance. nullopt if it has none, or if the text is no JSON
+/// object: then it is an ordinary property of the user.
 std::optional<Document> unknown_keys(const Tree& tree, Handle instance);
 
 }  // namespace fettle::property

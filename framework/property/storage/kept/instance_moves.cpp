@@ -10,7 +10,7 @@ namespace fettle::property {
 
 namespace {
 
-// A zero byte that a name begins with, as it is written in paths.
+// The mark, a zero byte at the start of a name, as it is written in paths.
 constexpr std::string_view mark_in_paths = R"(["\000)";
 constexpr std::string_view mark_in_json = R"([\"\\000)";
 
@@ -18,7 +18,7 @@ struct Replaced {
     std::string beginning, rest;
 };
 
-/// `path` with the beginning that `paths` has for the longest of its beginnings.
+/// Replaces the longest beginning of `path` that is a key of `paths`.
 Replaced replaced(const std::unordered_map<std::string, std::string>& paths,
                   const std::string& path) {
     if (paths.empty()) return {{}, path};
@@ -94,7 +94,7 @@ InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
         if (beginning.empty()) return path;
         if (++depth > moves.size())
             throw Error(ErrorKind::rejected, path + " would be moved below itself");
-        const auto [parent, name] = split_path(beginning);  // the parent may have moved, too
+        const auto [parent, name] = split_path(beginning);  // the parent may have moved too
         std::string whole = path_below(now(parent), name) + rest;
         --depth;
         return whole;
@@ -106,7 +106,7 @@ InstanceMoves whole_moves(const std::vector<MoveStep>& moves) {
 
 namespace {
 
-/// Moves of one depth.
+/// Orders moves of instances with the same depth.
 void put_in_order(std::vector<MoveStep> moves, std::vector<MoveStep>& ordered) {
     std::unordered_set<std::string> taken;
     for (const MoveStep& move : moves) taken.insert(move.from);

@@ -1,8 +1,8 @@
 #pragma once
-// Instances that have other names or parents now than the game's files and scripts give them. The
-// path that those give is the *home path* of an instance. Something new may have the path of what
-// has moved away, which is at home there; the name in the home path of the new one is marked, as no
-// name of an instance can be.
+// Instances whose name or parent differs from what the game's files and scripts say. The path in
+// those files and scripts is the *home path*. A new instance may have the path of an instance that
+// was moved away and is at home there. The home path of the new one then contains a marked name,
+// which no instance can have.
 
 #include <cstddef>
 #include <string>
@@ -14,44 +14,44 @@
 
 namespace fettle::property {
 
-/// Moves of instances, each with its whole home path and its whole path now: where both a parent
-/// and its child have moved, the child's paths begin with those of the parent.
+/// Moves of instances, each with its complete home path and its complete current path. If both a
+/// parent and its child moved, the paths of the child begin with those of the parent.
 class InstanceMoves {
   public:
     void add(const std::string& home, const std::string& now);
-    /// Where the game makes what is at `now`; the same path where nothing was moved, marked where
-    /// that is the home of something else.
+    /// The home path of the instance at `now`. Without a move it is the same path, marked if it is
+    /// the home path of another instance.
     std::string home(const std::string& now) const;
-    /// The path now of something whose home is below `home`; "": of nothing.
+    /// The current path of an instance whose home is below `home`; "" if there is none.
     std::string moved_out_of(const std::string& home) const;
-    /// Where the instance of that home path is now; "": it was not moved.
+    /// The current path of the instance with that home path; "" if it was not moved.
     std::string moved_from(const std::string& home) const;
-    /// Where what the game makes at `home` is now.
+    /// The current path of the instance with that home path.
     std::string now(const std::string& home) const;
 
   private:
-    std::unordered_map<std::string, std::string> homes_;  // by the path now
-    std::unordered_map<std::string, std::string> nows_;   // by the home path
+    std::unordered_map<std::string, std::string> homes_;  // by current path
+    std::unordered_map<std::string, std::string> nows_;   // by home path
 };
 
-/// Whether the path is the marked one of something new, or of something below that.
+/// Whether the path, or a path above it, is the marked home path of a new instance.
 bool is_marked(const std::string& home);
 std::string without_marks(const std::string& home);
 /// Whether a text in JSON may hold a marked path.
 bool may_hold_marks(std::string_view json);
 
-/// One move among several: of the instance number `which`.
+/// One of several moves; `which` is the number of the instance.
 struct MoveStep {
     std::size_t which;
     std::string from, to;  // paths
 };
 
-/// The same moves, each by itself: what is below an instance before the instance, and no instance
-/// onto the path of another one that has still to move. Where instances change places, one of them
-/// gets a free path in between. `from` of each is its path before all of them.
+/// The same moves in an order in which they can be made one by one: an instance below another one
+/// moves first, and no instance moves to a path that is still occupied. If instances exchange their
+/// paths, one of them gets a free path in between. `from` of each is its path before all moves.
 std::vector<MoveStep> in_order(const std::vector<MoveStep>& moves);
-/// Where everything is when all of them are made. `to` of each is its path before the others.
-/// Throws Error if together they move something below itself.
+/// The result of all moves. `to` of each is its path before the others are made. Throws Error if
+/// together they move an instance below itself.
 InstanceMoves whole_moves(const std::vector<MoveStep>& moves);
 
 }  // namespace fettle::property

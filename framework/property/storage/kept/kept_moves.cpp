@@ -1,4 +1,4 @@
-// Kept tweaks of instances that get another name or parent: the file says what they are called now.
+// Kept tweaks of instances that get another name or parent: their paths in the file are changed.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ void KeptTweaks::require_movable(const std::string& from, const std::string& to)
 void KeptTweaks::move(const std::vector<MoveStep>& moves) {
     fold();
     const InstanceMoves all = whole_moves(moves);
-    std::map<std::string, std::vector<MoveStep>> parts;  // by what they are a part of
+    std::map<std::string, std::vector<MoveStep>> parts;  // by the instance that they are a part of
     for (const MoveStep& move : moves)
         if (const std::string made = made_above(move.from); made != move.from)
             parts[made].push_back(move);
@@ -54,7 +54,8 @@ SceneSteps KeptTweaks::steps_between(const std::string& top, const std::string& 
     return steps;
 }
 
-/// The path of the instance that the file makes there, or above that; "": it makes none.
+/// The path of the nearest instance, at `path` or above it, that the file makes; "" if it makes
+/// none.
 std::string KeptTweaks::made_above(const std::string& path) const {
     const std::vector<Segment> names = parse_path(path);
     for (std::size_t count = names.size(); count > 0; --count)
@@ -86,7 +87,8 @@ void KeptTweaks::rename(const NewPath& now_at) {
 }
 
 void KeptTweaks::rename_values(const NewPath& now_at) {
-    std::vector<std::pair<std::string, std::string>> renamed;  // where two change places
+    // Added after all removals, because two instances may exchange their names.
+    std::vector<std::pair<std::string, std::string>> renamed;
     for (const auto& [instance, values] : contents_.values)
         if (const auto now = now_at(instance))
             for (const Kept& kept : values) {
@@ -116,13 +118,13 @@ std::optional<std::string> KeptTweaks::with_paths(const std::string& section,
         } else {
             const auto [instance, property] = split_path(key);
             Type type = Type::nil, element = Type::nil;
-            // One that is not there says its type.
+            // A value of an undeclared property contains its type.
             if (const Handle handle = this->instance(instance))
                 if (const Property* declared = tree_.class_of(handle).property(property))
                     type = declared_type(*declared), element = declared->element;
             now = value_with_paths(text, now_at, type, element);
         }
-    } catch (const Error&) {  // what is wrong with it is told when the game starts
+    } catch (const Error&) {  // errors of the value are reported when the game starts
         return std::nullopt;
     }
     return now == text ? std::nullopt : std::optional(now);

@@ -1,4 +1,4 @@
-// Kept tweaks of instances that are deleted, and that come back when that is undone.
+// Kept tweaks of instances that are deleted, and of those that return by undo.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace fettle::property {
 
-/// What lies deeper goes first, so that what is told of an instance above it is without it.
+/// Deeper paths are removed first, so the result for an instance does not contain theirs.
 std::vector<std::string> KeptTweaks::deepest_first(const std::vector<std::string>& paths,
                                                    const Remove& remove) {
     std::map<std::size_t, std::vector<std::size_t>, std::greater<>> by_depth;
@@ -47,7 +47,7 @@ bool KeptTweaks::deletes(const std::string& path) const {
     return std::ranges::find(contents_.deleted, path) != contents_.deleted.end();
 }
 
-/// Of an instance that the file makes: a part of its scene goes.
+/// Removes an instance from the scene of an instance that the file makes.
 bool KeptTweaks::part_removed(const std::string& path) {
     const std::string made = made_above(path);
     if (made.empty()) return false;
@@ -58,12 +58,12 @@ bool KeptTweaks::part_removed(const std::string& path) {
         put("created", made, without_indent(edit.text(), *document_, node));
         fold();
         return true;
-    } catch (const Error&) {  // a script makes it there
+    } catch (const Error&) {  // a script makes it
         return false;
     }
 }
 
-/// None of them is below another one.
+/// `paths` must not contain a path below another one of them.
 std::vector<std::string> KeptTweaks::forget_beside(const std::vector<std::string>& paths) {
     fold();
     const PathSet set(paths);
@@ -82,7 +82,8 @@ std::vector<std::string> KeptTweaks::forget_beside(const std::vector<std::string
     return before;
 }
 
-/// For each path what the file says of the instance and of what is below it, and what names these.
+/// For each path, the entries of the file about the instance, about instances below it, and with
+/// references to these.
 std::vector<std::string> KeptTweaks::about(const PathSet& set,
                                            const std::vector<std::string>& paths) const {
     std::vector<std::array<std::string, 3>> lists(paths.size());  // values, created, deleted
@@ -101,7 +102,7 @@ std::vector<std::string> KeptTweaks::about(const PathSet& set,
             for (const std::size_t each : set.above(path)) all.insert(each);
         };
         note(value ? split_path(key).first : key);
-        // What goes itself is told with what it belongs to.
+        // An entry that is removed itself is reported for its own path only.
         if (meant.empty())
             (void)with_paths(section, key, [&](const std::string& named) {
                 note(named);
@@ -138,7 +139,7 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
                 const std::string& key = document.key(*node);
                 const std::string about =
                     section == std::string_view("values") ? split_path(key).first : key;
-                // What named it may have been deleted itself.
+                // the instance of this entry may have been deleted as well
                 if (is_at_or_below(about, path) || instance(about))
                     put(section, key, std::string(document.raw(*node)));
             }
@@ -146,7 +147,7 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
     name_as_in(path, scene);
 }
 
-/// What the tweaks of the instance, and of what is below it, name is what `scene` says.
+/// Sets the references of tweaks at `path` and below it to those of `scene`.
 void KeptTweaks::name_as_in(const std::string& path, const std::string& scene) {
     const NewPath none = [](const std::string&) { return std::optional(std::string()); };
     const SceneEdit now(tree_, scene, "its scene");

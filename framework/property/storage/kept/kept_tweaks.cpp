@@ -1,3 +1,5 @@
+// The file of kept tweaks: reading, editing and writing it.
+
 #include <kept/kept_tweaks.h>
 
 #include <algorithm>
@@ -118,7 +120,7 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
     return contents;
 }
 
-// --- Keeping -------------------------------------------------------------------------------------
+// --- Writing -------------------------------------------------------------------------------------
 
 void KeptTweaks::put(const std::string& section, const std::string& key, const std::string& value) {
     if (!problem_.empty())
@@ -153,7 +155,7 @@ void KeptTweaks::change(const std::string& section, const std::string& key,
         its->list[place->second].value = std::move(value);
 }
 
-/// What is there already stays where it is, with its new value; the others come behind it.
+/// Existing entries stay in their places and get the new value; new entries are added at the end.
 void KeptTweaks::make(JsonEdit& edit, const Changes& changes) {
     const auto section = [&](const Document& in) { return in.member(in.root(), changes.section); };
     const auto key_of = [](const Document& in, const Node& node) -> std::string {
@@ -208,7 +210,7 @@ void KeptTweaks::set(const std::string& instance, const std::string& property,
     put("values", path, image_in_file(tree_, declared, image, written));
 }
 
-/// What a run has left may be of other classes than those there are now, or of nobody's making.
+/// The value may come from a run with other classes, or be invalid.
 void KeptTweaks::check_value(const std::string& path, const Property* declared,
                              const Image& image) const {
     const Value value = image_value(tree_, image);
@@ -222,7 +224,7 @@ void KeptTweaks::check_value(const std::string& path, const Property* declared,
 }
 
 void KeptTweaks::add(const std::string& path, const std::string& scene) {
-    // A deletion of the same path stays: what the script makes there still goes.
+    // A deletion of the same path stays in the file: what the script makes there is still deleted.
     std::string text = scene;
     while (text.ends_with('\n')) text.pop_back();
     put("created", path, text);
@@ -234,11 +236,12 @@ void KeptTweaks::forget_value(const std::string& instance, const std::string& pr
             if (kept.property == property) drop("values", kept.key);
 }
 
-/// What was changed so far, in memory. Throws SceneError for what could not be read again.
+/// Applies the changes so far to the document in memory. Throws SceneError if the result would be
+/// unreadable.
 void KeptTweaks::fold() {
     if (changes_.empty()) return;
     std::vector<Changes> changes = std::exchange(changes_, {});
-    // Whatever was changed first: a file has its sections in one order.
+    // The order of sections in the file must not depend on the order of changes.
     static constexpr std::array<std::string_view, 3> sections{"values", "created", "deleted"};
     const auto place = [](const Changes& each) {
         return std::find(sections.begin(), sections.end(), each.section);

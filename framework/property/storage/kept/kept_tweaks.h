@@ -1,5 +1,5 @@
 #pragma once
-// Tweaks that were kept of what a script makes: `main.tweaks.json`, beside the game, by path.
+// Kept tweaks of instances that scripts make: `main.tweaks.json` beside the game, by path.
 //
 //   {
 //     "fettle_tweaks": 1,
@@ -35,47 +35,48 @@ class KeptTweaks {
   public:
     using Warn = std::function<void(const std::string&)>;
 
-    /// Reads the file, if there is one. One that cannot be used is told, has no effect and is never
-    /// written.
+    /// Reads the file if it exists. If it is invalid, that is reported, and the file has no effect
+    /// and is never written.
     KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn);
 
     const std::filesystem::path& file() const { return file_; }
-    /// Finds the instance of a home path; without it that is the one at the path now.
+    /// Finds the instance with a home path. Without this function, the path is used as it is.
     using Find = std::function<Handle(const std::string& home)>;
     void find_by(Find find) { find_ = std::move(find); }
-    /// What the file says now: another run of the game may have kept something since.
+    /// Reads the file again, because another run of the game may have changed it.
     void read_again();
 
-    /// Values of the instance and of everything below it.
+    /// Applies the values of the instance and of everything below it.
     void apply_values(Handle top);
-    /// To everything there is: values, and what was created and deleted.
+    /// Applies everything: values, creations and deletions.
     void apply_all();
-    /// Sets the values that wait for an instance, and tells of those whose instance is not there
-    /// by now.
+    /// Sets the values whose references were missing, and reports those that are still missing.
     void settle();
 
-    // For the next run. Throw Error; `write` throws FileError.
-    /// `declared`: by the class of the instance, null for an ad-hoc property, or where there is no
-    /// such instance now. `written`: as for `image_in_file`.
+    // Changes for the next run. Throw Error; `write` throws FileError.
+    /// `declared`: the property of the class; null for an ad-hoc property, or if the instance does
+    /// not exist. `written`: as for `image_in_file`.
     void set(const std::string& instance, const std::string& property, const Property* declared,
              const Image& image, const NewPath& written);
     void add(const std::string& path, const std::string& scene);
-    /// For each of the paths, what the file told of it, for `put_back`.
+    /// Returns, for each path, the removed entries for `put_back`.
     std::vector<std::string> remove(const std::vector<std::string>& paths);
-    /// `taken_out`: what `remove` has given; "" where it is not known. `scene`: of the
-    /// instance as it is now, since what it named may have gone or have got another name meanwhile.
+    /// `taken_out`: the result of `remove`; "" if unknown. `scene`: the current scene of the
+    /// instance, because its references may have changed meanwhile.
     void put_back(const std::string& path, const std::string& taken_out, const std::string& scene);
     bool makes(const std::string& path) const;
     bool deletes(const std::string& path) const;
-    /// Instances that the file makes get other paths: all of them at once. Throws Error for one
-    /// that it makes as a part of another one and that is to leave it.
+    /// Whether and how instances that the file makes get other paths. `require_movable` throws
+    /// Error if the instance is a part of another one and would leave it. `move` makes all moves at
+    /// once.
     void require_movable(const std::string& from, const std::string& to) const;
     void move(const std::vector<MoveStep>& moves);
-    /// Instances have other paths now: those that tweaks are about, and those that they name.
+    /// Replaces the paths of instances in tweaks and in their references.
     void rename(const NewPath& now_at);
-    /// A value, or an instance with all its values, is told elsewhere from now on.
+    /// Removes a tweak, because another file contains the value now.
     void forget_value(const std::string& instance, const std::string& property);
-    /// And what is below them; what named them names nothing. Gives what `remove` gives.
+    /// The same for the instances and everything below them; references to them become null.
+    /// Returns the same as `remove`.
     std::vector<std::string> forget_below(const std::vector<std::string>& paths);
     void write();
 
@@ -93,15 +94,15 @@ class KeptTweaks {
     void set_contents(Contents contents);
     static Contents contents_of(const Document& document);
     void check_value(const std::string& path, const Property* declared, const Image& image) const;
-    /// A value that a property is to get.
+    /// A value to be assigned to a property.
     struct Assignment {
         Handle instance;
         std::string property, path;
-        Handle top;  // of the scene that says it; null for one of "values"
+        Handle top;  // topmost instance of the scene with the value; null for "values"
         std::shared_ptr<const Document> document;
         const Node* node;
     };
-    /// Null where there is none now.
+    /// Null if it does not exist now.
     Handle instance(const std::string& home) const {
         return find_ ? find_(home) : instance_or_none(tree_, home);
     }
@@ -122,32 +123,33 @@ class KeptTweaks {
     bool part_removed(const std::string& path);
     static SceneSteps steps_between(const std::string& top, const std::string& path);
     void rename_in_references(const NewPath& now_at);
-    /// The text of a value or of a new instance with other paths; nothing where it names none.
+    /// The text of a value or of a new instance with replaced paths; nullopt if it contains no
+    /// reference.
     std::optional<std::string> with_paths(const std::string& section, const std::string& key,
                                           const NewPath& now_at) const;
     std::vector<std::pair<std::string, std::string>> all_keys() const;
     void create(const std::string& path);
     Handle find(const Node& node, const std::string& path, std::size_t count,
                 const std::string& then);
-    void tell_values_of_nobody();
+    void report_unused_values();
     void warn(std::size_t offset, const std::string& reason);
     void warn(const Document& document, std::size_t offset, const std::string& reason);
     void tell(const SceneError& error);
     const Node* member(std::string_view section, const std::string& key) const;
-    /// What the file has for a key, as if it began in column 1.
+    /// The text of an entry, with its first column as column 1.
     std::string text_of(const std::string& section, const std::string& key) const;
-    /// What is to be in the file; it is written with all others.
+    /// Sets an entry. The file is written later with all changes.
     void put(const std::string& section, const std::string& key, const std::string& value);
     void drop(const std::string& section, const std::string& key);
     void put_deleted(const std::string& path);
     struct Change {
         std::string key;
-        std::optional<std::string> value;  // none: it goes
+        std::optional<std::string> value;  // nullopt: the entry is removed
     };
     struct Changes {
         std::string section;
         std::vector<Change> list{};
-        std::unordered_map<std::string, std::size_t> places{};  // in the list, by key
+        std::unordered_map<std::string, std::size_t> places{};  // index in the list, by key
     };
     void change(const std::string& section, const std::string& key,
                 std::optional<std::string> value);
@@ -158,15 +160,15 @@ class KeptTweaks {
     std::filesystem::path file_;
     Warn warn_;
     Find find_;
-    std::unordered_set<std::string> created_;   // of the contents
+    std::unordered_set<std::string> created_;   // same as in `contents_`
     std::string problem_;                       // why the file is not used
-    std::shared_ptr<const Document> document_;  // as it was read
-    std::vector<Changes> changes_;              // since, of each section
+    std::shared_ptr<const Document> document_;  // the file as it was read
+    std::vector<Changes> changes_;              // changes since then, one item per section
     Contents contents_;
     std::unordered_set<std::string> told_;  // warnings
-    std::vector<Assignment> waiting_;       // for an instance that they name
+    std::vector<Assignment> waiting_;       // until the instance that they refer to exists
     bool unwritten_ = false;                // the document is newer than the file
-    bool applied_ = false;                  // all of it, once
+    bool applied_ = false;                  // set by `apply_all`
 };
 
 }  // namespace fettle::property

@@ -1,4 +1,4 @@
-// Kept tweaks, from their file into the tree.
+// Applies kept tweaks from their file to the tree.
 
 #include <algorithm>
 #include <cstdint>
@@ -36,7 +36,8 @@ const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::
     return object == nullptr ? nullptr : document_->member(*object, key);
 }
 
-/// False when it names an instance that is not there; with `last` that is told.
+/// Assigns the value. False if it refers to an instance that does not exist; if `last`, that is
+/// reported.
 bool KeptTweaks::assign(const Assignment& to, bool last) {
     const Document& document = *to.document;
     const Node& node = *to.node;
@@ -55,7 +56,7 @@ bool KeptTweaks::assign(const Assignment& to, bool last) {
             tree_.set(to.instance, *found, {});
             return true;
         }
-        // The last value of a formula is for whoever cannot compute it.
+        // The stored value of a formula is used only if the formula cannot be compiled.
         if (formula && tree_.formula_compiler()) plain = nullptr;
         Value value;
         if (plain != nullptr)
@@ -106,8 +107,8 @@ void KeptTweaks::apply_values(Handle top) {
     try_waiting(false);
 }
 
-/// The instance to which the first `count` names lead. Where there is none, that is told, with
-/// `then`: what that means for the tweak. "": it is not told.
+/// The instance that the first `count` names lead to. If it does not exist, that is reported
+/// together with `then`, which says what it means for the tweak. "": no report.
 Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t count,
                         const std::string& then) {
     const std::vector<Segment> segments = parse_path(path);
@@ -129,7 +130,7 @@ Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t c
     return at;
 }
 
-void KeptTweaks::tell_values_of_nobody() {
+void KeptTweaks::report_unused_values() {
     const Node* values =
         problem_.empty() && document_ ? document_->member(document_->root(), "values") : nullptr;
     if (values == nullptr) return;
@@ -140,8 +141,8 @@ void KeptTweaks::tell_values_of_nobody() {
     }
 }
 
-/// Parents first, whatever order they were kept in. References among them are set when all are
-/// made.
+/// Makes parents first, whatever the order in the file. References are set after all instances
+/// exist.
 void KeptTweaks::create_all() {
     std::unordered_map<std::string, const std::string*> open;  // keys by path
     for (const std::string& key : contents_.created) {
@@ -176,7 +177,7 @@ void KeptTweaks::create(const std::string& path) {
     const std::string& name = std::get<std::string>(segments.back().key);
     if (tree_.child(parent, name)) return;
     try {
-        // In its place, so that errors name it.
+        // The text is padded with lines, so that errors name the right line.
         std::string text(document_->line(node->begin) - 1, '\n');
         text += document_->raw(*node);
         const auto scene = std::make_shared<const Document>(std::move(text), file_.string());
@@ -200,7 +201,8 @@ void KeptTweaks::apply_all() {
     for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
          node && next < contents_.deleted.size(); node = document_->next(*node)) {
         const std::string& path = contents_.deleted[next++];
-        // What an edit has put in its place is made below, whether a script makes it or not.
+        // An instance that an edit put in its place is made below in any case, so a missing one is
+        // no error.
         const bool replaced = member("created", path) != nullptr;
         const Handle instance =
             find(*node, path, SIZE_MAX, replaced ? "" : "there is nothing to delete");
@@ -213,15 +215,15 @@ void KeptTweaks::apply_all() {
         }
     }
     applied_ = true;
-    waiting_.clear();  // they come again
+    waiting_.clear();  // they are added again
     create_all();
     apply_values(tree_.root());
     try_waiting(true);
-    tell_values_of_nobody();
+    report_unused_values();
     settle_formulas();
 }
 
-/// What modules derive from a formula's value is right before the first barrier, too.
+/// Values that modules derive from formulas must be correct before the first barrier.
 void KeptTweaks::settle_formulas() {
     for (const auto& [path, values] : contents_.values)
         if (const Handle instance = instance_or_none(tree_, path))
@@ -230,7 +232,7 @@ void KeptTweaks::settle_formulas() {
                     property != nullptr && tree_.formula(instance, *property) != nullptr)
                     try {
                         (void)tree_.get(instance, *property);
-                    } catch (const Error&) {  // the property is in error, which it says when asked
+                    } catch (const Error&) {  // the error is stored in the property
                     }
 }
 

@@ -1,3 +1,5 @@
+// Saving and loading a running game at barriers.
+
 #include <fettle/property/storage/game_saves.h>
 
 #include <utility>
@@ -37,8 +39,8 @@ void GameSaves::save(const std::string& slot) {
         throw Error(ErrorKind::rejected,
                     "the game is asked to be saved more than " + std::to_string(most_requests) +
                         " times at one barrier, the last time as \"" + slot + "\"");
-    // In its place among what else the barrier does: a game that is loaded in between is another
-    // one.
+    // The request is queued in order with the other work of the barrier: a game that is loaded in
+    // between is a different one.
     const std::size_t request = requested_[slot] = ++requests_;
     tree().at_barrier([alive = alive_, slot, request] {
         if (*alive != nullptr) (*alive)->take(slot, request);
@@ -52,8 +54,8 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
     if (loaded_.erase(request) == 0 && !is_last) return;
     if (requested_.empty() && loaded_.empty()) requests_ = 0;
     std::vector<std::byte> state = tree().snapshot().to_bytes();
-    // What cannot be loaded must not take the place of what can. No state that the tree accepts is
-    // such: this is for modules that leave something out of theirs.
+    // A state that cannot be loaded must not replace a save. The tree itself makes no such state,
+    // but a module might leave something out.
     try {
         tree().check(Snapshot::from_bytes(state));
     } catch (const Error& error) {
@@ -66,7 +68,7 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
         return;
     }
     std::erase_if(waiting_, [&](const Waiting& each) { return each.slot == slot; });
-    // Several slots at one barrier are mostly one state.
+    // Several slots at one barrier usually have the same state.
     const bool same = !waiting_.empty() && *waiting_.back().state == state;
     auto kept = same ? waiting_.back().state
                      : std::make_shared<const std::vector<std::byte>>(std::move(state));
@@ -143,7 +145,7 @@ void GameSaves::warn(const std::string& what) const {
     if (options_.warn) options_.warn(what);
 }
 
-/// Of formulas: a game that saves itself every minute says it the first time.
+/// For formulas: a game that saves every minute gets the warning once.
 void GameSaves::warn_once(const std::string& what) {
     if (told_.insert(what).second) warn(what);
 }

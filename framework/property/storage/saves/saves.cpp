@@ -1,3 +1,5 @@
+// Files of saved games.
+
 #include <fettle/property/storage/saves.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ constexpr std::string_view save_ending = ".sqlite";
 constexpr std::size_t largest_thumbnail = std::size_t{16} << 20;  // bytes
 constexpr std::size_t largest_file = std::size_t{Database::size_limit};
 
-/// Stands behind the database, which SQLite does not mind: the checksum of every byte before it.
+/// Follows the database in the file, which SQLite ignores: the checksum of all bytes before it.
 struct Seal {
     std::array<char, 8> magic = {'F', 'e', 't', 't', 'l', 'e', 'S', '2'};
     std::uint64_t checksum = 0;
@@ -45,8 +47,8 @@ std::string sealed(std::string database) {
     return database;
 }
 
-/// The database of a file that is whole. Throws std::runtime_error with what is wrong: whose file
-/// it is and its version are looked at first, since a newer one may be sealed in another way.
+/// The database inside a complete file. Throws std::runtime_error with the reason. The format and
+/// version are checked first, because a newer version may use another checksum.
 std::string_view unsealed(std::string_view file) {
     check_header(file, format);
     Seal seal;
@@ -150,7 +152,7 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
                                  .count();
     std::string bytes;
     try {
-        // Made in memory and put into place whole, so that there is never half a save.
+        // The file is built in memory and replaced at once, so a save is never incomplete.
         Database database = Database::in_memory();
         set_format(database, format);
         database.statement("INSERT INTO save VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
@@ -164,7 +166,7 @@ void Saves::save(const std::string& slot, std::uint64_t step, std::span<const st
             .bind_bytes(8, view_of(state))
             .run();
         bytes = sealed(database.serialized());
-        // What `load` would refuse takes the place of nothing.
+        // The result is loaded as a test, so that an unreadable save replaces nothing.
         Database again = Database::of_bytes(unsealed(bytes));
         SavedGame read_back;
         read(again, read_back);
@@ -187,7 +189,7 @@ SavedGame Saves::read(const fs::path& file) const {
         Database database = Database::of_bytes(unsealed(bytes));
         if (!check_format(database, format)) throw std::runtime_error("it is empty");
         read(database, saved);
-    } catch (const FileError& problem) {  // which names the file first, as whoever loads it does
+    } catch (const FileError& problem) {  // the message begins with the file, as in `load`
         saved.info.problem = std::string(problem.what()).substr(file.string().size() + 2);
     } catch (const std::runtime_error& problem) {
         saved.info.problem = problem.what();
@@ -219,7 +221,7 @@ void Saves::read(Database& database, SavedGame& into) const {
 }
 
 bool Saves::exists(const std::string& slot) const {
-    // A link that leads nowhere is there, too: whoever reads it says what is wrong with it.
+    // A link without a target counts as existing; reading it reports the error.
     std::error_code ignored;
     return fs::exists(fs::symlink_status(file(slot), ignored));
 }
@@ -250,7 +252,7 @@ std::vector<SaveInfo> Saves::list(const Check& problem_of) const {
         try {
             check_slot(saved.info.slot);
         } catch (const Error& refused) {
-            saved.info.problem = refused.what();  // whatever is in it, nobody can ask for it
+            saved.info.problem = refused.what();  // the slot cannot be loaded
         }
         if (problem_of && saved.info.problem.empty()) saved.info.problem = problem_of(saved);
         all.push_back(std::move(saved.info));

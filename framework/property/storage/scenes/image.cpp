@@ -11,7 +11,7 @@ namespace fettle::property {
 
 namespace {
 
-/// The property as one that says the types of its values itself.
+/// A copy of the property without a declared type, so that its values contain their type.
 Property undeclared(const Property& property) {
     Property any;
     any.any_type = true;
@@ -22,7 +22,7 @@ Property undeclared(const Property& property) {
 
 std::string value_json(const Tree& tree, const Property& property, const Value& value) {
     std::string out;
-    // On one line: a row of a table, not a file for people.
+    // On one line, because it goes into a table.
     const Property any = undeclared(property);
     if (!value.is(Type::list)) {
         ValueWriter(tree, {}).append(out, any, value, 0, 0);
@@ -71,7 +71,7 @@ Image image_of(const Tree& tree, const Property& property, const CellState& stat
     if (!property.unit.empty()) image.unit = " " + property.unit;
     try {
         image.value = value_json(tree, property, state.value);
-    } catch (const Error& error) {  // NaN, or a reference to what hangs nowhere
+    } catch (const Error& error) {  // NaN, or a reference to a detached instance
         image.value = "null";
         image.not_saved = error.what();
     }
@@ -165,7 +165,7 @@ std::string image_in_file(const Tree& tree, const Property* declared, const Imag
     const bool formula =
         image.kind == Image::Kind::formula && image.not_saved.empty() &&
         writer.append(out, property, {.function = {}, .source = image.source}, value);
-    // What is read back is what the property makes of it: a number of an integer property is one.
+    // An integer is converted if the property wants a number.
     if (!formula && declared != nullptr && value.is(Type::integer) &&
         declared->type == Type::number)
         writer.append(out, property, Value(value.as_double()), 0, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// What a property is, as text that outlives the tree: for the journal of tweaks.
+// State of a property as text that outlives the tree. Used by the journal of tweaks.
 
 #include <string>
 #include <utility>
@@ -14,13 +14,13 @@ namespace fettle::property {
 struct Image {
     enum class Kind : std::uint8_t { absent, by_default, value, formula };
     Kind kind = Kind::absent;
-    std::string value{};      // as scene files write what has no declared type; references by path
-    std::string source{};     // of a formula
-    std::string not_saved{};  // why the source is not all of it
+    std::string value{};      // in the form of undeclared values in scene files; references by path
+    std::string source{};     // text of a formula
+    std::string not_saved{};  // why the text is not the whole formula
     std::string text{};       // for people
-    std::string unit{};       // belongs behind it; "" for what is no value
+    std::string unit{};       // to be shown behind the text; "" if there is no value
 
-    /// What a person would call the same: a formula may have another value by now.
+    /// Equal for a person: the current values of equal formulas may differ.
     friend bool operator==(const Image& a, const Image& b) {
         return a.kind == b.kind && a.source == b.source &&
                (a.kind == Kind::formula || a.value == b.value);
@@ -28,26 +28,26 @@ struct Image {
 };
 
 Image image_of(const Tree& tree, const Property& property, const CellState& state);
-/// Of a property as it is now. `settle`: a formula is run first, if it is due.
+/// The current state of a property. `settle`: a formula that is due runs first.
 Image image_now(const Tree& tree, Handle instance, Symbol property, bool settle);
 
-/// A change as people read it: the unit is said once, behind the last value.
+/// A change for people: the unit is written once, behind the last value.
 std::pair<std::string, std::string> change_text(const Image& was, const Image& now);
 
 std::string image_json(const Image& image);
-/// Throws Error for what `image_json` has not written. The text for people is not part of it.
+/// Throws Error for text that `image_json` did not write. The text for people is not included.
 Image read_image(const std::string& json);
 
-/// Its value, a formula's included. Throws Error for a reference that leads nowhere now.
+/// The value, also that of a formula. Throws Error for a reference to an instance that does not
+/// exist.
 Value image_value(const Tree& tree, const Image& image);
 
-/// As it stands in a file, for a property that the class declares, or for an ad-hoc one (null).
-/// `written`: the path to write in the place of one from the root of the tree; none: all as they
-/// are.
+/// The value as it is written in a file. `declared`: the property of the class; null for an ad-hoc
+/// property. `written`: replaces paths that begin at the root; none: all paths stay.
 std::string image_in_file(const Tree& tree, const Property* declared, const Image& image,
                           const NewPath& written = {});
 
-/// Makes the property be that. Throws Error.
+/// Sets the property to that state. Throws Error.
 void apply_image(Tree& tree, Handle instance, const std::string& property, const Image& image);
 
 }  // namespace fettle::property

@@ -88,7 +88,7 @@ NewPath moved_path(std::string from, std::string to) {
 std::string mention_of(const std::string& path) {
     std::string quoted;
     append_quoted(quoted, path);
-    quoted.pop_back();  // paths below it are longer
+    quoted.pop_back();  // the paths of instances below it continue here
     return quoted;
 }
 

@@ -22,7 +22,7 @@ class SceneCheck {
           plan_(tree, document, parent, name),
           resolve_([this](const std::string& path, const Node& node) {
               require_target(path, node);
-              return Handle{};  // it does not exist yet
+              return Handle{};  // the instance does not exist yet
           }) {}
 
     void run() {
@@ -44,7 +44,7 @@ class SceneCheck {
             for (const Node* node = section != nullptr ? document_.first(*section) : nullptr; node;
                  node = document_.next(*node)) {
                 const Property* const property = of.property(document_.key(*node));
-                // Loading keeps the text of a property that the class does not have.
+                // Loading keeps the text of unknown properties, so their values are not checked.
                 if (property != nullptr || section == planned.ad_hoc)
                     check_value(index, property, *node);
             }
@@ -93,7 +93,8 @@ class SceneCheck {
                        "refers to " + value_text(Value(path)) + ", which does not exist");
     }
 
-    /// What may yet come into being elsewhere is taken to exist: the parent is not known then.
+    /// Whether the path may lead to an instance. The parent may be unknown, so paths outside the
+    /// scene are assumed to exist.
     bool exists(const std::string& path) const {
         const bool relative = is_from_top(path);
         std::vector<Segment> segments;
@@ -115,7 +116,7 @@ class SceneCheck {
         return true;
     }
 
-    /// Whether the names from `first` lead from the top of the scene to an instance that it names.
+    /// Whether the names from `first` on lead to an instance of the scene.
     bool is_planned(const std::vector<Segment>& segments, std::size_t first) const {
         std::size_t at = 0;
         for (std::size_t i = first; i < segments.size(); ++i) {
@@ -131,7 +132,7 @@ class SceneCheck {
                 else if (document_.text(*planned.name) == name)
                     found = child;
             }
-            // Its class may make children of its own.
+            // The class may make children itself.
             if (found == ScenePlan::none)
                 return nameless ||
                        plan_.instances[at].instance_class->lifecycle().create != nullptr;

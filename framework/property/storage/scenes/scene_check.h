@@ -1,5 +1,5 @@
 #pragma once
-// Whether a scene could be loaded, found out without making anything.
+// Checks whether a scene can be loaded, without making anything.
 
 #include <string>
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace fettle::property {
 
-/// Throws the SceneError that loading the scene below `parent` (null: one that is not known) as
-/// `name` ("": as the file says) would throw, as far as the classes tell: its shape, classes,
-/// names, values, the texts of formulas, references inside of it. What the owner of a property, or
-/// a parent that makes children of its own, would refuse is found by loading alone.
+/// Throws the SceneError that loading the scene would throw, as far as the classes show: structure,
+/// classes, names, values, texts of formulas, references inside the scene. `parent` may be null
+/// (unknown); `name` "" means the name in the file. An error from a setter, or from a parent that
+/// makes its own children, is found only by loading.
 void check_scene(const Tree& tree, const Document& document, Handle parent = {},
                  std::string_view name = {});
 

@@ -15,7 +15,7 @@ SceneEdit::SceneEdit(const Tree& tree, std::string text, std::string file_name)
         document().fail(ErrorKind::bad_structure, 0, "not a scene");
 }
 
-// By name; a child the file does not name is known by its place.
+// Finds a child by its name; a child without a name in the file is found by its place.
 const SceneEdit::Node* SceneEdit::child(const Node& instance, const SceneStep& step) const {
     const Node* children = document().member(instance, "children");
     if (children == nullptr || children->kind != Document::Kind::array) return nullptr;
@@ -66,7 +66,7 @@ void SceneEdit::set(const SceneSteps& steps, const std::string& property, const 
     }
 }
 
-/// The last member that the class declares before the property: files keep that order.
+/// The last member that the class declares before the property; members of a file keep that order.
 const SceneEdit::Node* SceneEdit::member_before(const Node& section, const Class& of,
                                                 const Property& property) const {
     const Node* before = &section;  // as the first
@@ -191,7 +191,7 @@ std::vector<SceneEdit::NamingValue> SceneEdit::naming_values(const NewPath& path
     return found;
 }
 
-/// For each of them the steps to its instance, its section, its key and its text.
+/// Returns one element per reference: the steps to its instance, section, key and text.
 std::string SceneEdit::forget_references(const std::vector<std::string>& paths) {
     const PathSet set(paths);
     std::string before;
@@ -257,7 +257,7 @@ const Document::Node* SceneEdit::value_node(const SceneSteps& steps,
     return nullptr;
 }
 
-/// Behind the child behind which it was.
+/// Puts the child behind the sibling that was in front of it.
 void SceneEdit::put_back(const SceneSteps& steps, const std::string& taken_out) {
     SceneSteps above = steps;
     above.pop_back();
@@ -285,7 +285,7 @@ void SceneEdit::put_references_back(const Document& before, const Node& list) {
 }
 
 void SceneEdit::put_reference_back(const Document& before, const Node& reference) {
-    std::vector<const Node*> parts;  // as `forget_references` writes them
+    std::vector<const Node*> parts;  // as written by `forget_references`
     for (const Node* part = before.first(reference); part; part = before.next(*part))
         parts.push_back(part);
     if (parts.size() != 4) before.fail(ErrorKind::bad_structure, reference.begin, "not a deletion");
@@ -297,8 +297,8 @@ void SceneEdit::put_reference_back(const Document& before, const Node& reference
         json_.replace(*now, before.raw(*parts[3]));
 }
 
-/// Those that have none are known by their places, and their names come from these: both would
-/// change.
+/// Throws if a sibling has no name in the file. Such siblings are found by their places and named
+/// in their order, and a new name would change both.
 void SceneEdit::require_names_beside(const Node& instance, const Node& children) const {
     for (const Node* node = document().first(children); node; node = document().next(*node))
         if (node != &instance && document().member(*node, "name") == nullptr)

@@ -1,5 +1,5 @@
 #pragma once
-// Changes of a scene file that leave the rest of it as somebody wrote it.
+// Edits of a scene file that leave the rest of its text unchanged.
 
 #include <string>
 #include <vector>
@@ -22,33 +22,32 @@ class SceneEdit {
 
     struct NamingValue {
         SceneSteps steps;
-        const Document::Node *section, *node;  // of the value
-        std::string forgotten;  // the value with nothing in the place of what it names
+        const Document::Node *section, *node;  // `node` is the value
+        std::string forgotten;                 // the value with its references replaced by null
     };
-    /// Every value in which `path` changes the name of an instance.
+    /// Every value in which `path` changes a reference.
     std::vector<NamingValue> naming_values(const NewPath& path) const;
 
-    /// What names one of the instances (paths as in the file), or what is below it, names nothing.
-    /// Gives what it was, the elements of a list for `put_references_back`.
+    /// Replaces references to the instances (paths as in the file), and to those below them, by
+    /// null. Returns the old values as the elements of a list for `put_references_back`.
     std::string forget_references(const std::vector<std::string>& paths);
-    /// What still names nothing; `list` is a list of `document`.
+    /// Restores the references that are still null; `list` is a list of `document`.
     void put_references_back(const Document& document, const Document::Node& list);
 
-    // Each throws Error when the file has no such instance (any more).
+    // Each function throws Error if the file does not contain the instance.
 
-    /// `written`: the path to write in the place of one from the root of the tree; none: all as
-    /// they are.
+    /// `written`: replaces paths that begin at the root; none: all paths stay.
     void set(const SceneSteps& steps, const std::string& property, const Image& image,
              const NewPath& written = {});
     /// `scene`: the text of the new child as a scene of its own.
     void add_child(const SceneSteps& steps, const std::string& scene);
-    /// What it was in the file, for `put_back`. `home`: its path from the root, by which the file
-    /// may name it as well.
+    /// Returns the removed text for `put_back`. `home`: the path from the root, which references in
+    /// the file may use.
     std::string remove(const SceneSteps& steps, const std::string& home = {});
     void put_back(const SceneSteps& steps, const std::string& taken_out);
-    /// What the instance and those below it name is what they name in another scene.
+    /// Sets the references of the instance and of those below it to those of another scene.
     void name_as_in(const SceneSteps& steps, const SceneEdit& other, const SceneSteps& other_steps);
-    /// The text of a value; "null" where it says none.
+    /// The text of a value; "null" if the file has none.
     std::string value(const SceneSteps& steps, const std::string& property) const;
     void rename(const SceneSteps& steps, const std::string& name);
 

@@ -1,7 +1,7 @@
-// From a file into the tree: read the whole description and check its shape; create every instance,
-// detached; assign values, then those that name instances (so that a reference may point forward);
-// attach; tell `ready`. Until it is attached nothing of it is in the tree, and a failure removes
-// it.
+// Loading a scene: reads the whole file and checks its structure; creates all instances detached;
+// assigns the values, then the values with references (which may refer to later instances);
+// attaches the scene; calls `ready`. Before it is attached, the tree does not contain any of it; an
+// error removes it.
 
 #include <map>
 #include <string>
@@ -25,7 +25,7 @@ namespace {
 
 using Node = Document::Node;
 
-/// Destroys what was built, unless it was let go.
+/// Destroys what was built, unless it was released.
 class Detached {
   public:
     explicit Detached(Tree& tree) : tree_(tree) {}
@@ -70,8 +70,8 @@ class SceneLoader {
                                      writer_ ? nullptr : &locate_);
         Detached detached(tree_);
         for (std::size_t i = 0; i < made_.size(); ++i) allocate(i, detached);
-        // Formulas last: a plain value would replace them. A parent gets its values after its
-        // children: a body whose centre of mass moves changes its velocity.
+        // Formulas are last, because a plain value would replace them. A parent gets its values
+        // after its children, because a body changes its velocity when its center of mass moves.
         for (const Pass pass : {Pass::values, Pass::references, Pass::formulas})
             for (const std::size_t i : plan_.children_first()) assign(i, pass);
         for (std::size_t i = 0; i < made_.size(); ++i) keep(i);
@@ -93,12 +93,12 @@ class SceneLoader {
 
     struct Made {
         Handle handle{};
-        std::unordered_set<const Node*> set_aside{};  // of its ad-hoc properties
+        std::unordered_set<const Node*> set_aside{};  // ad-hoc properties that could not be set
     };
 
     // --- Messages
 
-    /// "level.json:12", for whoever asks who wrote a value.
+    /// "level.json:12", for the cause of a write.
     std::string place() const {
         return document_.file_name() + ":" + std::to_string(document_.line(now_->begin));
     }
@@ -106,8 +106,8 @@ class SceneLoader {
     [[noreturn]] void fail(ErrorKind kind, std::size_t offset, const std::string& reason) const {
         document_.fail(kind, offset, reason);
     }
-    /// What the tree said, with the place in the file. The tree knows the instances as detached;
-    /// the reader of the message knows them by where they will be.
+    /// Adds the place in the file to an error of the tree. The paths of detached instances are
+    /// replaced by the paths that they are going to have.
     [[noreturn]] void fail(const Error& error, std::size_t offset, const std::string& path,
                            Handle top) const {
         std::string reason = error.what();
@@ -146,8 +146,8 @@ class SceneLoader {
         if (top) detached.top = made_[index].handle;
     }
 
-    /// As a constructor calls a child that is given no name: `circle`, `circle_2`. Names in the
-    /// file come first, wherever they stand.
+    /// A generated name like that of a constructor without a name: `circle`, `circle_2`. Names in
+    /// the file take precedence, wherever they are.
     std::string free_name(const Planned& planned) {
         const Handle parent = made_[planned.parent].handle;
         const std::string& stem = planned.instance_class->stem();
@@ -160,7 +160,7 @@ class SceneLoader {
         return name;
     }
 
-    /// An instance may make children of its own as it is created; the file then describes those.
+    /// An instance may make children when it is created; then the file describes those.
     Handle found_or_created(const Planned& planned, Handle parent, const std::string& name) {
         const Class& wanted = *planned.instance_class;
         const Handle own = parent && !name.empty() ? tree_.child(parent, name) : Handle{};
@@ -191,7 +191,7 @@ class SceneLoader {
         }
     }
 
-    /// The plain value that is to be assigned in this pass; null: none.
+    /// The plain value that is assigned in this pass; null if there is none.
     const Node* value_in(const Node& node, Type type, Type element, Pass pass) const {
         if (pass == Pass::formulas) return nullptr;
         const bool references = names_instance(document_, node, type, element);
@@ -217,19 +217,19 @@ class SceneLoader {
             const std::string path = plan_.path(index) + path_suffix(property.name);
             if (!property.simulated || e.kind() != ErrorKind::rejected)
                 fail(e, node.begin, path, made_.front().handle);
-            // Another value of the file forbids it, as `type = "static"` does a velocity.
+            // Another value in the file forbids it: `type = "static"` forbids a velocity.
             const std::string reason = e.what();
             plan_.warn(node.begin,
                        path + ": " + reason.substr(reason.find(": ") + 2) + "; it is left out");
         }
     }
 
-    /// Whether somebody else cares for a reference that leads nowhere yet.
+    /// Whether a missing reference is left to the caller.
     bool left_open(std::size_t index, const std::string& property, const Node& node, Pass pass,
                    const SceneError& error) const {
         if (open_ == nullptr || pass != Pass::references || error.kind() != ErrorKind::unknown_name)
             return false;
-        // A formula that can be computed has no need of its last value.
+        // The last value of a formula is not needed if the formula can be computed.
         if (!formula_text(document_, node) || !tree_.formula_compiler())
             open_->push_back({made_[index].handle, property, &node});
         return true;
@@ -247,7 +247,7 @@ class SceneLoader {
         Planned& planned = plan_.instances[index];
         Made& made = made_[index];
         const std::string& key = document_.key(node);
-        // A class may have learned to declare what was ad-hoc when the file was written.
+        // The class may declare a property that was ad-hoc when the file was written.
         if (const Property* declared = planned.instance_class->property(key)) {
             assign(index, *declared, node, pass);
             return;
@@ -275,8 +275,8 @@ class SceneLoader {
         }
     }
 
-    /// Properties the class does not have are kept aside rather than added as ad-hoc ones: what a
-    /// newer version of the class means by them is not for this one to say.
+    /// Unknown properties are kept as text instead of becoming ad-hoc properties, because a newer
+    /// version of the class may give them a meaning.
     void keep(std::size_t index) {
         Planned& planned = plan_.instances[index];
         if (planned.properties != nullptr) {
@@ -322,13 +322,13 @@ class SceneLoader {
     Handle parent_;
     std::string name_;
     ScenePlan plan_;
-    std::vector<Made> made_;                                              // as in the plan
-    std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;  // given, by stem
+    std::vector<Made> made_;                                              // order of the plan
+    std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;  // last one, by stem
     std::vector<std::string>* warnings_;
     std::vector<SceneInstance>* described_;
     std::vector<OpenReference>* open_;
-    std::optional<Writer> writer_;  // none: a file is loaded
-    const Node* now_ = nullptr;     // what is being assigned
+    std::optional<Writer> writer_;  // none if a file is loaded
+    const Node* now_ = nullptr;     // the value that is being assigned
     std::function<std::string()> locate_;
     ReferenceResolver resolve_;
 };

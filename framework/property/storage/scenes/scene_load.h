@@ -1,5 +1,5 @@
 #pragma once
-// A scene that names instances which may come later than the scene itself.
+// Loading of a scene whose references may lead to instances that are made later.
 
 #include <string>
 #include <string_view>
@@ -11,18 +11,18 @@
 
 namespace fettle::property {
 
-/// A property that a scene gives a value with a reference that leads nowhere yet.
+/// A property whose value in a scene contains a reference that leads nowhere yet.
 struct OpenReference {
     Handle instance;
     std::string property;
-    const Document::Node* node;  // the whole value
+    const Document::Node* node;  // the complete value
 };
 
-/// As `load_scene_text`, but such a property is left as it is, and told in `open`.
+/// Like `load_scene_text`, but such a property is not set and is added to `open`.
 Handle load_scene_document(Tree& tree, const Document& document, Handle parent,
                            std::string_view name, std::vector<OpenReference>& open);
 
-/// The same as an edit of the writer of this moment, so that it can be undone.
+/// The same as an edit by the current writer, so that it can be undone.
 Handle make_scene(Tree& tree, const Document& document, Handle parent, std::string_view name,
                   std::vector<OpenReference>& open);
 

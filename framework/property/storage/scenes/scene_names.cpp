@@ -13,7 +13,7 @@ namespace {
 
 using Node = Document::Node;
 
-/// What is to be in the place of which node.
+/// New texts of references, by node.
 class Replacements {
   public:
     explicit Replacements(const NewPath& path)

@@ -1,5 +1,5 @@
 #pragma once
-// Which instances a text names, and the same text with other paths in their place.
+// Replacement of paths in the references of a text.
 
 #include <string>
 
@@ -10,11 +10,11 @@
 
 namespace fettle::property {
 
-/// Of every reference in a scene. Throws SceneError for a text that is none.
+/// Replaces paths in every reference of a scene. Throws SceneError for a text that is no scene.
 std::string scene_with_paths(const Tree& tree, const std::string& scene, const NewPath& path);
 
-/// Of every reference in a value of that type; of one that says its own types, as the journal
-/// holds it, without one.
+/// Replaces paths in every reference of a value of that type. Type::nil: the value contains its own
+/// type, as in the journal.
 std::string value_with_paths(const std::string& value, const NewPath& path, Type type = Type::nil,
                              Type element = Type::nil);
 

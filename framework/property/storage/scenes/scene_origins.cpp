@@ -59,7 +59,8 @@ void SceneOrigins::loaded(const Tree& tree, const std::filesystem::path& file,
     }
 }
 
-// Scenes whose topmost instance is gone. Undo may bring it back: it is then what a script made.
+// Forgets scenes whose topmost instance is deleted. If undo brings it back, it counts as made by a
+// script.
 void SceneOrigins::prune(const Tree& tree) {
     std::erase_if(scenes_, [&](const auto& each) {
         return !tree.alive(each.second.instances.front().instance);

@@ -1,6 +1,6 @@
 #pragma once
-// Which instance was described where in which scene file, so that what is changed of it can be kept
-// there.
+// For each instance, the scene file that describes it and its place there. Changes of the instance
+// are kept at this place.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,20 +17,20 @@
 
 namespace fettle::property {
 
-/// Of a child that its name alone finds.
+/// Place of a child that can be found by its name.
 inline constexpr std::size_t no_place = std::numeric_limits<std::int64_t>::max();
 
-/// From the topmost instance of a scene file to one below: at each step the name of a child, and
-/// its place among the children of the file, for one that the file does not name.
+/// Steps from the topmost instance of a scene file to one below it. A step is the name of a child.
+/// For a child without a name in the file it also has the place among the children in the file.
 struct SceneStep {
     std::string name;
     std::size_t place = 0;
 };
 using SceneSteps = std::vector<SceneStep>;
 
-/// As a text, and back; the text is empty for the topmost instance's own.
+/// The steps as a text, and the inverse function. The text is empty for the topmost instance.
 std::string steps_text(const SceneSteps& steps);
-/// The same steps with new names, told by the steps before.
+/// Replaces the names in the steps. `names`: old steps and new names.
 SceneSteps renamed_steps(const SceneSteps& steps,
                          const std::vector<std::pair<SceneSteps, std::string>>& names);
 SceneSteps read_steps(const std::string& text);
@@ -44,24 +44,24 @@ class SceneOrigins {
     };
     void loaded(const Tree& tree, const std::filesystem::path& file,
                 const std::vector<SceneInstance>& instances, bool named_by_script);
-    /// Files say more, or other names, since they were loaded: that an instance at those steps is
-    /// called otherwise; that an instance of the tree is described below another one.
+    /// Files have changed since they were loaded. `renamed`: the instances at those steps have
+    /// other names. `added`: a file describes `child` below `parent` now.
     using Names = std::vector<std::pair<SceneSteps, std::string>>;
     void renamed(const std::filesystem::path& file, const Names& names);
     void added(const Tree& tree, Handle parent, Handle child);
-    /// No file describes the instance and what is below it any more.
+    /// Forgets the instance and everything below it, because no file describes them any more.
     void forget(const Tree& tree, Handle top);
     std::set<std::filesystem::path> files() const;
-    /// Whether a scene's topmost instance has its name from a script.
+    /// Whether a script named the topmost instance of the scene.
     bool named_by_script(Handle top) const;
-    /// Nothing for an instance that no file describes.
+    /// nullopt for an instance that no file describes.
     std::optional<Origin> find(Handle instance) const;
 
   private:
     struct Scene {
         std::filesystem::path file;
         std::vector<SceneInstance> instances;
-        std::vector<std::string> names;  // when they were loaded
+        std::vector<std::string> names;  // names when the file was loaded
         bool named_by_script = false;
     };
     struct Place {

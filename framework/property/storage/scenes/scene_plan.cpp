@@ -109,7 +109,7 @@ void ScenePlan::read(const Node& node, std::size_t parent) {
             "expected an instance, that is an object, got " + std::string(kind_words(node.kind)));
     const std::size_t self = instances.size();
     instances.push_back({&node, parent, &class_of(node, parent)});
-    // The name first: messages about what stands before it in the file say it, too.
+    // The name is read first, because messages about earlier members contain it.
     if (const Node* name = document_.member(node, "name")) {
         if (document_.text(of_kind(*name, Document::Kind::text)).empty())
             document_.fail(ErrorKind::bad_name, name->begin, "a name cannot be empty");
@@ -179,11 +179,12 @@ const Document::Node& ScenePlan::of_kind(const Node& member, Document::Kind kind
                        ", not " + std::string(kind_words(member.kind)));
 }
 
-// --- What stands in the wrong place --------------------------------------------------------------
+// --- Misplaced keys ------------------------------------------------------------------------------
 
-/// Keys of the format come with its version, so one that is nearly such a key is a slip, and
-/// keeping a "childern" aside would lose all that is in it. So is a property beside the class: the
-/// instance would be made without it. Anything else is an editor's note.
+/// Keys of the format only change with its version. So a key that is nearly one of them is a
+/// mistake: keeping "childern" as an unknown key would lose its content. A property beside the
+/// class is a mistake, too: the instance would be made without it. Every other key is a note of an
+/// editor.
 void ScenePlan::other_key(std::size_t index, const Node& member) {
     const std::string& key = document_.key(member);
     const Class& of = *instances[index].instance_class;
@@ -212,7 +213,8 @@ void ScenePlan::other_key(std::size_t index, const Node& member) {
     instances[index].unknown.add(UnknownKeys::Place::instance, document_, member);
 }
 
-/// Instances, and sections of one, that stand inside of a section would not be found there.
+/// Warns about instances, and sections of an instance, inside a section. They would be ignored
+/// there.
 void ScenePlan::check_nesting(std::size_t index, const Node* section) const {
     if (section == nullptr) return;
     const bool declared = document_.key(*section) == "properties";

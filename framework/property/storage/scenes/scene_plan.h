@@ -1,6 +1,6 @@
 #pragma once
-// What a scene file describes, read and checked for its shape: which instances of which classes,
-// and where in the file each of them is told of. Nothing is made yet.
+// Description of a scene file after reading and checking its structure: the instances, their
+// classes, and their positions in the file. Nothing is made yet.
 
 #include <cstdint>
 #include <set>
@@ -26,36 +26,36 @@ class ScenePlan {
 
     struct Instance {
         const Document::Node* node;
-        std::size_t parent;  // none: the topmost
+        std::size_t parent;  // `none` for the topmost instance
         const Class* instance_class;
         const Document::Node* name = nullptr;
         const Document::Node* properties = nullptr;
         const Document::Node* ad_hoc = nullptr;
-        std::size_t place = 0;  // among its parent's children
+        std::size_t place = 0;  // index among the children of its parent
         UnknownKeys unknown{};
-        std::string called{};  // once it has got a name that the file does not tell
+        std::string called{};  // final name, once known, if the file gives none
     };
 
-    /// The scene is to become a child of `parent` (null: of nobody) called `name` ("": as the file
-    /// says). Throws SceneError.
+    /// The scene will be a child of `parent` (null: detached) with the name `name` ("": the name in
+    /// the file). Throws SceneError.
     ScenePlan(const Tree& tree, const Document& document, Handle parent, std::string_view name);
 
     /// Parents before children.
     std::vector<Instance> instances;
-    /// Their numbers, children before parents and siblings in their order.
+    /// Indices of the instances: children before parents, siblings in order.
     std::vector<std::size_t> children_first() const;
-    /// A line for each key that may be a slip.
+    /// One line for each key that is probably a mistake.
     std::vector<std::string> warnings;
 
-    /// Where the instance will be in the tree.
+    /// The future path of the instance in the tree.
     std::string path(std::size_t index) const;
     std::string top_path() const { return future_path(top_name()); }
     std::string top_name() const;
-    /// Whether the file gives a child of that instance the name.
+    /// Whether the file has a child of that instance with that name.
     bool names_child(std::size_t parent, const std::string& name) const {
         return names_.contains({parent, name});
     }
-    /// "level.json:3:5: ..." for the warnings.
+    /// Adds a warning with its position: "level.json:3:5: ...".
     void warn(std::size_t offset, const std::string& text);
 
   private:
@@ -73,7 +73,7 @@ class ScenePlan {
     const Document& document_;
     Handle parent_;
     std::string name_;
-    std::set<std::pair<std::size_t, std::string>> names_;  // in the file, by parent
+    std::set<std::pair<std::size_t, std::string>> names_;  // names in the file, by parent
 };
 
 }  // namespace fettle::property

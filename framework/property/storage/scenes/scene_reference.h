@@ -9,8 +9,8 @@
 
 namespace fettle::property {
 
-/// The scene a reference stands in. Its topmost instance may hang nowhere yet: an absolute path may
-/// lead to where it is about to be, below `parent` under `name`.
+/// The scene that contains a reference. Its topmost instance may be detached: an absolute path may
+/// lead to its future place, below `parent` with the name `name`.
 struct SceneBeingLoaded {
     const Tree& tree;
     const Document& document;
@@ -19,7 +19,7 @@ struct SceneBeingLoaded {
     std::string name;
 };
 
-/// Throws SceneError at `node` for what is no path, or leads nowhere.
+/// Throws SceneError at `node` if the text is no path or leads nowhere.
 Handle find_reference(const SceneBeingLoaded& scene, const std::string& path,
                       const Document::Node& node);
 

@@ -1,4 +1,4 @@
-// From the tree to a file.
+// Writes instances of the tree as a scene file.
 
 #include <algorithm>
 
@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::size_t deepest_instance = 400;
 
-/// The members of one JSON object, one a line.
+/// The members of one JSON object, one per line.
 class Members {
   public:
     Members(std::string& out, std::size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
     Members(const Members&) = delete;
     Members& operator=(const Members&) = delete;
 
-    /// Starts the next member and returns the column its value starts at. Returns npos for a key
+    /// Starts the next member and returns the column where its value begins. Returns npos for a key
     /// that is not UTF-8.
     std::size_t key(std::string_view key) {
         out_ += empty_ ? "\n" : ",\n";
@@ -55,7 +55,8 @@ class Members {
 
 class SceneWriter {
   public:
-    /// `references_from`: paths of references start there; null: all of them at the root.
+    /// `references_from`: paths of references inside it begin there; null: all paths begin at the
+    /// root.
     SceneWriter(const Tree& tree, Handle top, Handle references_from,
                 std::vector<std::string>* warnings)
         : tree_(tree), top_(top), warnings_(warnings), values_(tree, references_from) {}
@@ -157,10 +158,11 @@ class SceneWriter {
         }
     }
 
-    /// As its text, or, where that would not be the same formula, as the value it has.
+    /// Writes the formula as its text. If the text would not give the same formula, writes the
+    /// value.
     void formula(Handle handle, const Property& property, const Formula& formula,
                  std::size_t column, std::size_t indent) {
-        (void)tree_.problem(handle, property);  // settles it; in error, the last good value stays
+        (void)tree_.problem(handle, property);  // settles it; after an error the last value stays
         const Value value = tree_.peek(handle, property);
         std::string why = formula.not_saved;
         if (formula.source.empty() && why.empty()) why = "has no text";
@@ -223,7 +225,7 @@ class SceneWriter {
 
 std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings) {
     std::string text = SceneWriter(tree, node, node, warnings).run();
-    // What cannot be read must not become a file.
+    // The text is parsed as a test, so that no unreadable file is written.
     const Document check(text, tree.path(node));
     return text;
 }

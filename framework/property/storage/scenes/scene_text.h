@@ -1,5 +1,5 @@
 #pragma once
-// Scenes that are to become part of another one.
+// Text of scenes that become a part of another scene.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace fettle::property {
 
-/// As `scene_text`, but references to what is inside are paths from the root as well, so that they
-/// hold wherever the text stands in a file.
+/// Like `scene_text`, but all references are paths from the root. So they stay valid wherever the
+/// text is placed in a file.
 std::string scene_text_with_full_paths(const Tree& tree, Handle node,
                                        std::vector<std::string>* warnings);
 

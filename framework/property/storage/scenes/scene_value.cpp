@@ -15,7 +15,7 @@ using Node = Document::Node;
 constexpr std::size_t widest_line = 100;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Text that is not UTF-8: every byte beyond printable ASCII, and '%' itself, as %XX.
+/// Encodes text that is not UTF-8: '%' and all bytes except printable ASCII become %XX.
 std::string percent_encoded(std::string_view bytes) {
     static constexpr std::string_view digits = "0123456789ABCDEF";
     std::string out;
@@ -157,8 +157,8 @@ void ValueWriter::append_number(std::string& out, double number, Precision preci
     const std::string digits = number_text(number, precision);
     out += digits;
     if (digits.find_first_of(".e") != std::string::npos) return;
-    // 2 is read as an integer: right where a number is declared, as long as every integer of that
-    // size is one. JSON's integers have no -0.
+    // 2 is read as an integer. That is correct where a number is declared, as long as doubles can
+    // represent all integers of that size. JSON has no integer -0.
     const double all_integers = precision == Precision::single_precision ? 0x1p24 : 0x1p53;
     const bool negative_zero = number == 0 && std::signbit(number);
     if (!declared || negative_zero || std::abs(number) >= all_integers) out += ".0";
@@ -190,7 +190,7 @@ void ValueWriter::append_color(std::string& out, Color color) const {
 
 void ValueWriter::append_reference(std::string& out, Handle target, bool declared) const {
     if (!declared) out += "{\"reference\": ";
-    // What was deleted stays deleted: the file says that nothing is referred to.
+    // A reference to a deleted instance is written as null.
     if (!target || !tree_.alive(target)) {
         out += "null";
     } else if (const std::string path = reference(target); !append_quoted(out, path)) {
@@ -279,7 +279,7 @@ class ValueReader {
         }
     }
 
-    /// The numbers of an array of at most four numbers; 0 when it is anything else.
+    /// The numbers of an array with at most four numbers; 0 for anything else.
     std::size_t components(const Node& node, std::array<double, 4>& out) const {
         std::size_t count = 0;
         for (const Node* item = document_.first(node); item; item = document_.next(*item)) {

@@ -1,8 +1,8 @@
 #pragma once
-// Values as they stand in scene files. What a property declares need not be said again: a number is
-// 2, a vec2 [1, 2], a color "#ff8800", a reference ".ball". Where nothing is declared (ad-hoc
-// properties, lists of anything) a number has a point, and what JSON has no form for carries its
-// type: {"vec2": [1, 2]}, {"number": "inf"}.
+// Values in scene files. A declared type is not repeated: a number is 2, a vec2 [1, 2], a color
+// "#ff8800", a reference ".ball". Without a declared type (ad-hoc properties, untyped lists) a
+// number has a decimal point, and values without a JSON form contain their type: {"vec2": [1, 2]},
+// {"number": "inf"}.
 
 #include <functional>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace fettle::property {
 
-/// The type a value of the property is written as; nil where it must say its own.
+/// The type in which a value of the property is written; nil if the value must contain its type.
 inline Type declared_type(const Property& property) {
     return property.any_type ? Type::nil : property.type;
 }
@@ -24,17 +24,17 @@ class ValueWriter {
   public:
     ValueWriter(const Tree& tree, Handle top) : tree_(tree), top_(top) {}
 
-    /// On one line; a list that would pass column 100 gets a line for each element. `column`: where
-    /// it starts; `indent`: of the line it starts on. Throws Error.
+    /// Writes on one line; a list that would exceed column 100 gets one line per element. `column`:
+    /// where the value begins; `indent`: indentation of that line. Throws Error.
     void append(std::string& out, const Property& property, const Value& value, std::size_t column,
                 std::size_t indent) const;
-    /// The same for a formula with its last value. False, with `out` as it was, when its text is
-    /// not UTF-8.
+    /// The same for a formula with its last value. If the text of the formula is not UTF-8, returns
+    /// false and leaves `out` unchanged.
     bool append(std::string& out, const Property& property, const Formula& formula,
                 const Value& value) const;
 
-    /// ".ball.circle" for what is inside the scene ("." its top), "world.floor" for what is not.
-    /// Throws Error for what no path leads to.
+    /// ".ball.circle" for an instance inside the scene ("." is its top), "world.floor" for one
+    /// outside. Throws Error if no path leads to it.
     std::string reference(Handle target) const;
 
   private:
@@ -49,39 +49,39 @@ class ValueWriter {
     Handle top_;
 };
 
-/// Finds the instance a reference in a file names; throws SceneError at `node`.
+/// Finds the instance for a path in a file; throws SceneError at `node`.
 using ReferenceResolver =
     std::function<Handle(const std::string& path, const Document::Node& node)>;
 
-/// A formula in a file: `{"is": "world.ball.mass * 2", "value": 4}`, its text and the last value it
-/// had, for whoever cannot compute it.
+/// A formula in a file: `{"is": "world.ball.mass * 2", "value": 4}`. It contains the text, and the
+/// last value for programs that cannot compile the text.
 struct FormulaText {
     const Document::Node* is = nullptr;
-    const Document::Node* value = nullptr;  // null: not told
+    const Document::Node* value = nullptr;  // null if the file has none
     explicit operator bool() const { return is != nullptr; }
 };
 
-/// Empty when the node is a plain value. Throws SceneError for an object that is neither.
+/// Empty if the node is a plain value. Throws SceneError for an object that is neither.
 FormulaText formula_text(const Document& document, const Document::Node& node);
 
-/// The formula of that text. Where nobody can compute it, one that keeps `value` and the text.
-/// Throws Error for a text that does not compile.
+/// Compiles the text. Without a compiler, returns a formula that keeps `value` and the text. Throws
+/// Error if the text does not compile.
 Formula make_formula(const Tree& tree, const std::string& source, const Value& value);
 
 /// The same for a formula in a file; a text that does not compile is a SceneError at its place.
 Formula made_formula(const Tree& tree, const Document& document, const FormulaText& formula,
                      const Value& value);
 
-/// Throws Error for what a scene tells by the keys of an instance: its name, its parent.
+/// Throws Error for name and parent, which a scene describes by the keys of an instance.
 void require_told_as_property(const Property& property);
 
-/// What a value in a file says, read as one of `type` whose elements, if it is a list, are of type
-/// `element`. A value that says something else is returned as what it is, for the property to
-/// refuse or convert. Throws SceneError for what is no value.
+/// Reads a value of type `type`; if that is a list, `element` is the type of its elements. If the
+/// text has another type, the value of that type is returned, and the property converts or refuses
+/// it. Throws SceneError if the text is no value.
 Value read_value(const Document& document, const Document::Node& node, Type type, Type element,
                  const ReferenceResolver& resolve);
 
-/// Whether reading it needs the resolver.
+/// Whether reading the value calls the resolver.
 bool names_instance(const Document& document, const Document::Node& node, Type type, Type element);
 
 }  // namespace fettle::property

@@ -26,22 +26,22 @@ const FileFormat journal_format{
                "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
                "(run, number)) WITHOUT ROWID"}};
 constexpr int most_files = 9;
-constexpr int io_error = 10;         // a code of SQLite: not the fault of the file
-constexpr int long_patience = 2000;  // ms: opening a file may wait, and so may the last commit
+constexpr int io_error = 10;         // an error code of SQLite that does not concern the file
+constexpr int long_patience = 2000;  // ms; for opening a file and for the last commit
 
 std::uint64_t identity_of(const fs::path& file) {
     struct stat status {};
     return ::stat(file.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_ino) : 0;
 }
 
-/// As who the process acts, which `access` would not tell.
+/// Uses the effective user id, unlike `access`.
 bool may_write(const fs::path& file) {
     return ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
 void make_tables(Database& database) {
     DatabaseTransaction transaction(database);
-    // Another run may have made them since they were looked for.
+    // Another run may have made the tables meanwhile.
     if (database.integer("SELECT count(*) FROM sqlite_schema") == 0)
         set_format(database, journal_format);
     transaction.commit();
@@ -60,7 +60,8 @@ Journal::Journal(std::vector<fs::path> folders, std::string name, Warn warn)
 }
 
 Journal::~Journal() {
-    // The last connection to go synchronizes with the disk as it says: that of the checkpoints.
+    // The last connection that closes decides about synchronization, so the connection of the
+    // checkpoint thread must be the last.
     database_.reset();
     checkpoints_.reset();
 }
@@ -69,15 +70,15 @@ fs::path Journal::candidate(const fs::path& folder, int number) const {
     return folder / (name_ + (number > 1 ? "." + std::to_string(number) : "") + ".sqlite");
 }
 
-/// "" when the file is the journal now, else why it is not. One that can only be read is noted as
-/// such. Throws DatabaseError where others that write to it do not come to an end.
+/// Opens the journal. Returns "" on success, otherwise the reason. A file that can only be read is
+/// added to the list of such files. Throws DatabaseError if other programs keep writing to it.
 std::string Journal::open(const fs::path& file, Access access) {
     using std::chrono::milliseconds, std::chrono::steady_clock;
     const auto patient_until = steady_clock::now() + milliseconds(long_patience);
     while (true) try {
             return try_to_open(file, access);
         } catch (const DatabaseError& error) {
-            // SQLite itself does not wait where a file gets its write-ahead log.
+            // While another connection enables the write-ahead log, SQLite does not wait by itself.
             if (!error.busy() || steady_clock::now() > patient_until) throw;
             std::this_thread::sleep_for(milliseconds(2));
         }
@@ -100,7 +101,7 @@ std::string Journal::try_to_open(const fs::path& file, Access access) {
         identity_ = identity_of(file);
         return {};
     } catch (const DatabaseError& error) {
-        if (error.busy()) throw;  // there is no reason to look for another file
+        if (error.busy()) throw;  // another file would not help
         if (error.damaged()) unusable_.insert(file);
         return error.what();
     } catch (const std::runtime_error& error) {
@@ -109,7 +110,7 @@ std::string Journal::try_to_open(const fs::path& file, Access access) {
     }
 }
 
-/// Notes a journal that nothing more can be written to, in a folder that is read-only.
+/// Adds a journal in a read-only folder to the list of journals that can only be read.
 bool Journal::can_be_read(const fs::path& file) {
     unusable_.insert(file);
     try {
@@ -164,7 +165,7 @@ void Journal::create() {
         for (int number = 1; number <= most_files && problem.empty(); ++number) {
             const fs::path file = candidate(folder, number);
             if (unusable_.contains(file)) continue;
-            // Another run may have made it in the meantime.
+            // Another run may have made the file in the meantime.
             problem = open(file, Access::create);
             if (problem.empty()) {
                 if (!reasons.empty())
@@ -229,7 +230,8 @@ std::vector<JournalRow> Journal::earlier() {
             Database database(file, Access::reading);
             const std::size_t known = rows.size();
             read(database, file);
-            // What becomes of them cannot be written there, and its runs are numbered anew here.
+            // The state of these rows cannot be updated in that file, and its run numbers mean
+            // nothing here.
             for (std::size_t i = known; i < rows.size(); ++i) rows[i].run = JournalRow::elsewhere;
         } catch (const DatabaseError& error) {
             warn_(file.string() + ": cannot be read: " + error.what());
@@ -268,7 +270,7 @@ void Journal::refresh(std::vector<JournalRow>& rows) {
             query.reset();
             row = std::move(now);
         }
-    } catch (const DatabaseError&) {  // as they were, then
+    } catch (const DatabaseError&) {  // they stay as they are
     }
 }
 
@@ -306,7 +308,7 @@ bool Journal::commit(const Changes& changes) {
                 withdraw.bind(1, run_).bind(2, number).run();
             for (const JournalRow* row : changes.removed)
                 withdraw.bind(1, row->run).bind(2, row->number).run();
-            // Not what has become of the row since it was read: its run may still be there.
+            // The condition compares the content, because the run of the row may still change it.
             Statement settle = database_->statement(
                 "UPDATE tweaks SET state = ?, kept_in = ? WHERE run = ? AND number = ? AND now = "
                 "?");

@@ -1,5 +1,5 @@
-// Keeping tweaks, and dropping them. Everything is written under the names that the files have; new
-// names come last, all of them together.
+// Keeping and dropping tweaks. All other changes are written with the old names of instances; the
+// new names are written last, all together.
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ namespace {
 using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
-/// Keeps rows in files, each of which is read, changed and written once.
+/// Keeps rows in files. Each file is read, changed and written once.
 class Keeping {
   public:
     Keeping(Tweaks::State& state, TweakReport& report)
@@ -41,10 +41,12 @@ class Keeping {
     void keep(const Rows& rows) {
         for (JournalRow* row : in_stages(rows)) {
             const auto file = state_.own_file(row->file);
-            // A scene that goes as a whole, or comes back, is loaded by a script.
+            // The top of a scene is deleted or restored: a script loads the scene, so no scene file
+            // can contain this.
             const bool whole =
                 row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
-            // The file of kept tweaks deletes what a script makes there, and then makes this.
+            // The kept-tweaks file first deletes what a script makes there, then makes this
+            // instance.
             const bool in_place =
                 row->kind == Kind::created && state_.deleted_by_path(paths_.home(*row));
             if (!file || whole || in_place)
@@ -52,13 +54,14 @@ class Keeping {
             else if (is_consistent(*row, *file))
                 scenes_[*file].push_back(row);
         }
-        leave_scenes();
+        keep_outside_scenes();
         for (const auto& [file, its_rows] : scenes_) keep_in_scene(file, its_rows);
-        // New names may be those of what has gone, and new instances follow them.
+        // A new name may be the former name of a deleted instance, and new instances may be below
+        // renamed ones.
         std::map<Stage, Rows> stages;
         for (JournalRow* row : kept_rows_) stages[stage_of(*row, kept_rows_)].push_back(row);
-        for (const Stage gone_or_back : {Stage::gone, Stage::back, Stage::gone_below_it})
-            keep_by_path(stages[gone_or_back]);
+        for (const Stage stage : {Stage::deleted, Stage::restored, Stage::deleted_below_restored})
+            keep_by_path(stages[stage]);
         keep_moves_by_path(stages[Stage::moved]);
         stages[Stage::created].insert(stages[Stage::created].end(), stages[Stage::value].begin(),
                                       stages[Stage::value].end());
@@ -66,7 +69,7 @@ class Keeping {
     }
 
   private:
-    /// Two instances of one scene have one value in the file.
+    /// Two instances of one scene share one value in the file.
     bool is_consistent(const JournalRow& row, const fs::path& file) {
         if (row.kind != Kind::value) return true;
         const auto [first, is_first] = values_.try_emplace({file, row.inside, row.property}, &row);
@@ -81,11 +84,11 @@ class Keeping {
 
     // --- References out of a scene
 
-    /// A scene is loaded before there is anything else, so what it names must be in it. A tweak
-    /// that names something else is kept by path, which is set when everything is there.
-    void leave_scenes() {
+    /// When a scene is loaded, only its own instances are certain to exist. So tweaks with
+    /// references to other instances are kept by path; they are set when everything exists.
+    void keep_outside_scenes() {
         for (bool more = true; more;) {
-            more = false;  // one that leaves may be what another one names
+            more = false;  // another tweak may refer to an instance of this one
             for (auto& [file, rows] : scenes_)
                 std::erase_if(rows, [&](JournalRow* row) {
                     if (!leads_out(*row, file)) return false;
@@ -109,7 +112,7 @@ class Keeping {
                 });
             else if (row.kind == Kind::created)
                 (void)paths_.home_scene(row, look);
-        } catch (const Error&) {  // what is wrong with it is told when it is written
+        } catch (const Error&) {  // the error is reported on writing
         }
         return out;
     }
@@ -119,7 +122,7 @@ class Keeping {
         const std::string top = paths_.home_of_top(row);
         if (!is_at_or_below(home, top)) return false;
         const Handle target = paths_.instance(home);
-        if (!target) return true;  // the scene is not loaded, or the check of the scene will tell
+        if (!target) return true;  // the scene is not loaded, or its check reports the error
         if (const auto origin = state_.origins.find(target))
             return paths_.home_of_live(state_.tree.path(origin->top)) == top;
         // A script made it, unless it is a new instance that is kept in the same file.
@@ -142,14 +145,14 @@ class Keeping {
             if (!write(file, done, [&] { state_.files.write(file, scene.text()); })) return;
             forget_kept_by_path(without_moves(done));
             now_described(done);
-            gone_or_back_elsewhere(done);
+            update_other_scenes(done);
             names_are_kept(file, moves_in(done));
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
         }
     }
 
-    /// New instances are described in the file from now on, and so is what comes with them.
+    /// Marks new instances, and those made with them, as described by the file.
     void now_described(const Rows& rows) {
         for (const JournalRow* row : rows) {
             if (row->kind == Kind::restored && row->run == 0) {
@@ -177,7 +180,7 @@ class Keeping {
                     describe(document, *child, instance, handle);
     }
 
-    /// What a scene says now must not be undone by what was kept by path before.
+    /// Removes tweaks that were kept by path and would override the scene.
     void forget_kept_by_path(const Rows& rows) {
         take_out(rows, &KeptTweaks::forget_below);
         for (const JournalRow* row : rows)
@@ -204,7 +207,7 @@ class Keeping {
         state_.kept.write();
     }
 
-    void gone_or_back_elsewhere(const Rows& rows) {
+    void update_other_scenes(const Rows& rows) {
         OtherScenes others(state_, report_);
         for (const JournalRow* row : rows)
             if (row->kind == Kind::deleted)
@@ -214,7 +217,7 @@ class Keeping {
         others.write();
     }
 
-    /// What rows call the instances that the files call otherwise now.
+    /// Renames the instances in all other files and rows after the files got new names.
     InstanceMoves homes_changed(const std::vector<MoveStep>& moves, const fs::path& file) {
         const InstanceMoves all = whole_moves(moves);
         OtherScenes others(state_, report_);
@@ -226,14 +229,15 @@ class Keeping {
         state_.homes_changed([&](const std::string& home) { return all.now(home); });
         for (const auto& [row, home] : homes)
             if (row->kind == Kind::moved) row->instance = home;
-        paths_ = RowPaths(state_);  // the moves have their new homes
+        paths_ = RowPaths(state_);  // the moves have new home paths
         for (const auto& [row, home] : homes) row->instance = paths_.said(*row, home);
         return all;
     }
 
     // --- By path
 
-    /// What the file cannot hold must not keep the rest out of it: it is looked for by halves.
+    /// An invalid row must not prevent the others from being kept. It is found by splitting the
+    /// rows into halves.
     void keep_by_path(const Rows& rows) {
         const std::size_t told_before = report_.problems.size();
         Rows done;
@@ -255,7 +259,7 @@ class Keeping {
             done.insert(done.end(), into.begin(), into.end());
             if (!write(state_.kept.file(), done, [&] { state_.kept.write(); })) return;
             now_described(done);
-            gone_or_back_elsewhere(done);
+            update_other_scenes(done);
         } catch (const SceneError& error) {
             state_.kept.read_again();
             if (done.size() == 1) return rows_.refuse(*done.front(), paths_, error.reason());
@@ -266,7 +270,7 @@ class Keeping {
         }
     }
 
-    /// What is deleted, out of the file of kept tweaks.
+    /// Removes deleted instances from the file of kept tweaks.
     void take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(
                                         const std::vector<std::string>& paths)) {
         Rows deletions;
@@ -300,14 +304,15 @@ class Keeping {
         }
     }
 
-    /// A script makes something at that path that has another one now: it would be in the way.
+    /// Throws if a script makes an instance at that path, which was moved away now: both would need
+    /// the path.
     void require_free(const std::string& home) const {
         if (const std::string other = paths_.moved_from(without_marks(home)); !other.empty())
             throw Error(ErrorKind::rejected,
                         "a script gives this name to what is " + other + " now: change the script");
     }
 
-    /// The file cannot say which of two instances of the same home path is meant.
+    /// Throws for a marked path: the file cannot distinguish two instances with the same home path.
     std::string unmarked(std::string home) const {
         if (!is_marked(home)) return home;
         std::string path = without_marks(home);
@@ -326,7 +331,7 @@ class Keeping {
         return instance ? state_.tree.class_of(instance).property(property) : nullptr;
     }
 
-    /// Of instances that the file of kept tweaks makes.
+    /// For instances that the file of kept tweaks makes.
     void keep_moves_by_path(Rows rows) {
         const auto target = [&](const JournalRow& row) {
             return path_below(paths_.home_of_new_parent(row), split_path(row.now).second);
@@ -387,7 +392,7 @@ class Keeping {
         try {
             write_it();
         } catch (const SceneError&) {
-            throw;  // by what the rows say
+            throw;  // caused by the content of a row
         } catch (const Error& error) {
             report_.problems.emplace_back(error.what());
             return false;
@@ -408,7 +413,7 @@ class Keeping {
     RowReport rows_;
     RowPaths paths_;
     std::map<fs::path, Rows> scenes_;
-    /// By file, steps in it and property.
+    /// Key: file, steps, property.
     std::map<std::tuple<fs::path, std::string, std::string>, const JournalRow*> values_;
     Rows kept_rows_;
 };
@@ -448,9 +453,9 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
 TweakReport Tweaks::State::keep(std::string_view pattern) {
     TweakReport report;
     rest = 0;
-    barrier();  // whatever was edited just now counts as well
+    barrier();  // includes the latest edits
     try {
-        // What other runs of the game have kept meanwhile stays: the lock keeps others from writing
+        // Changes by other runs of the game must be preserved. The lock keeps others from writing
         // between reading and writing.
         const std::shared_ptr<void> locked = files.lock();
         refresh_earlier();
@@ -462,7 +467,7 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
     return report;
 }
 
-/// How many. Those whose path is none are meant by the pattern of everything alone.
+/// Returns the number of dropped rows. Rows without a valid path match only the pattern "**".
 std::size_t Tweaks::State::drop_left_aside(std::string_view text) {
     const TweakPattern pattern(text);
     return std::erase_if(left_aside, [&](JournalRow& row) {

@@ -15,7 +15,7 @@ std::map<fs::path, OtherScenes::Text>& OtherScenes::texts() {
             if (!file) continue;
             const std::string text = state_.files.read(*file);
             texts_->try_emplace(*file, Text{text, text});
-        } catch (const Error&) {  // told when something is to be kept in it
+        } catch (const Error&) {  // reported when something is kept in that file
         }
     return *texts_;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What scene files say of instances by their paths from the root: of those of other files and of
-// those that a script makes. A keep changes it where it changes these.
+// References in scene files by paths from the root, to instances of other files or of scripts. When
+// those instances change, the references are changed too.
 
 #include <filesystem>
 #include <map>
@@ -15,16 +15,16 @@ namespace fettle::property {
 
 class OtherScenes {
   public:
-    /// Reads the scene files that were loaded when one of them may have to be changed. What is
-    /// wrong with one is told.
+    /// Reads the loaded scene files when one of them may have to be changed. Reports files with
+    /// errors.
     OtherScenes(Tweaks::State& state, TweakReport& report) : state_(state), report_(report) {}
 
-    /// What names the deleted instance names nothing; the row remembers what it was.
+    /// Replaces references to the deleted instance by null; the row stores the old values.
     void forget(const JournalRow& deletion);
     void put_back(const JournalRow& restoration);
-    /// In all of them but one, which has the new names already.
+    /// Renames in all files except one, which has the new names already.
     void rename(const InstanceMoves& moves, const std::filesystem::path& except);
-    /// Those that have another text now.
+    /// Writes the files whose text has changed.
     void write();
 
   private:

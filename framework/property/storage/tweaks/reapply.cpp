@@ -1,4 +1,4 @@
-// Making tweaks of earlier runs again.
+// Applies tweaks of earlier runs again.
 
 #include <algorithm>
 #include <map>
@@ -18,7 +18,7 @@ namespace {
 using Kind = JournalRow::Kind;
 using RowState = JournalRow::State;
 
-/// Whatever it does is one edit, scripts' or not.
+/// All writes inside are one edit, also those by scripts.
 class EditScope {
   public:
     EditScope(Tree& tree, const std::string& name) : tree_(tree) { tree_.begin_edit(name); }
@@ -29,8 +29,8 @@ class EditScope {
     Tree& tree_;
 };
 
-/// Makes rows of earlier runs again. Each says where things were when all of it was done, so a row
-/// waits until the instance is there that is to be its parent, and until the name is free there.
+/// Applies rows of earlier runs. A row describes the state at the end of its run. So it waits until
+/// its parent exists and its name is free there.
 class Reapplying {
   public:
     Reapplying(Tweaks::State& state, TweakReport& report)
@@ -39,31 +39,31 @@ class Reapplying {
     void reapply(const Rows& rows) {
         for (JournalRow* row : rows)
             if (row->kind == Kind::deleted) waiting_.push_back(row);
-        // What is deleted below something else goes before that.
+        // Deletions below another deletion come first.
         std::stable_sort(waiting_.begin(), waiting_.end(),
                          [](const JournalRow* a, const JournalRow* b) {
                              return a->instance.size() > b->instance.size();
                          });
-        for (JournalRow* row : rows)  // what takes the place of something comes after it
+        for (JournalRow* row : rows)  // an instance may replace a deleted one
             if (row->kind != Kind::value && row->kind != Kind::deleted) waiting_.push_back(row);
         find_instances();
         while (!waiting_.empty() && (make_some() || make_room())) {
         }
-        for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // tells what is wrong
+        for (JournalRow* row : std::exchange(waiting_, {})) make(*row);  // reports the errors
         set_open_references();
         for (JournalRow* row : rows)
             if (row->kind == Kind::value) make(*row);
     }
-    /// With the instances they are about.
+    /// The applied rows and their instances.
     const std::vector<std::pair<JournalRow*, Handle>>& made() const { return made_; }
 
   private:
     Handle at(const std::string& home) const {
         if (const Handle instance = at_or_none(home)) return instance;
-        return instance_at(tree_, path_now(home));  // throws what is wrong
+        return instance_at(tree_, path_now(home));  // throws the error
     }
     Handle at_or_none(const std::string& home) const {
-        // Until it is made again, another instance may have its path.
+        // Before a marked instance is made again, its path may belong to another instance.
         const bool there = !is_marked(home) || std::ranges::any_of(new_homes_, [&](const auto& at) {
             return is_at_or_below(home, at);
         });
@@ -73,14 +73,14 @@ class Reapplying {
         return without_marks(state_.moves().now(home));
     }
 
-    /// What is to be moved or deleted has its home path until then.
+    /// Finds the instances to be moved or deleted while they are at their home paths.
     void find_instances() {
         for (JournalRow* row : waiting_)
             if (row->kind == Kind::moved || row->kind == Kind::deleted)
                 instances_[row] = at_or_none(row->instance);
     }
 
-    /// Home path of the parent, and the name in the end.
+    /// Home path of the future parent, and the final name.
     std::pair<std::string, std::string> place_of(const JournalRow& row) const {
         if (row.kind == Kind::moved)
             return {paths_.home_of_new_parent(row), split_path(row.now).second};
@@ -97,7 +97,7 @@ class Reapplying {
         return above && !tree_.child(above, name);
     }
 
-    /// New instances come when nothing else can be done: they may name what comes or goes.
+    /// New instances are made last, because they may refer to instances that are moved or made.
     bool make_some() {
         const Rows before = waiting_;
         for (const bool created : {false, true}) {
@@ -111,7 +111,7 @@ class Reapplying {
         return false;
     }
 
-    /// Where instances change places, one of them gets a free name in between.
+    /// If instances exchange their places, one of them gets a temporary name.
     bool make_room() {
         for (const JournalRow* row : waiting_) {
             const auto [parent, name] = place_of(*row);
@@ -171,8 +171,8 @@ class Reapplying {
         return made;
     }
 
-    /// It names by their paths what is there, and by its home path what has still to come; what is
-    /// below itself from its top.
+    /// The scene with valid references: the current path for instances that exist, the home path
+    /// for later ones, and paths from its own top for instances inside it.
     std::string scene_to_make(const JournalRow& row) const {
         return scene_with_paths(tree_, row.now, [&](const std::string& path) {
             if (path == row.instance) return std::optional<std::string>(".");
@@ -184,7 +184,7 @@ class Reapplying {
         });
     }
 
-    /// References of new instances to what came after them.
+    /// Sets references of new instances to instances that were made after them.
     void set_open_references() {
         for (const auto& [row, scene, open] : open_) try {
                 const Property* declared = tree_.find(open.instance, open.property);
@@ -233,7 +233,7 @@ class Reapplying {
         OpenReference reference;
     };
     std::vector<Open> open_;
-    std::vector<std::string> new_homes_;  // marked ones of what is there again
+    std::vector<std::string> new_homes_;  // marked home paths of instances that were made again
     int in_between_ = 0;
 };
 
@@ -256,13 +256,13 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
     return report;
 }
 
-/// The tweak of this run that says of the instance what the row says.
+/// The tweak of this run with the same content as the row.
 Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle instance) const {
     const auto found_in = [&](const auto& entries_by_instance) -> Entry* {
         const auto found = entries_by_instance.find(key(instance));
         return found == entries_by_instance.end() ? nullptr : found->second;
     };
-    // What happens to an instance that came with another one is a part of that one's tweak.
+    // Changes of an instance inside a new one are part of the tweak of the new one.
     if (Entry* above = tree.alive(instance) ? created_above(instance) : nullptr) return above;
     switch (row.kind) {
         case Kind::value: {
@@ -280,14 +280,14 @@ Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle i
     return nullptr;
 }
 
-/// A row of an earlier run that was made again is open once more when that was undone.
+/// A row whose repetition was undone becomes open again.
 void Tweaks::State::settle_reapplied() {
     std::erase_if(reapplied, [](const auto& each) {
         return each.second->row.state == RowState::kept || each.first->state == RowState::kept;
     });
     for (const auto& [row, entry] : reapplied) {
         const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
-                            entry->deletion == nullptr;  // else it is a part of another one
+                            entry->deletion == nullptr;  // otherwise it is a part of another tweak
         const RowState state = undone ? RowState::open : RowState::dropped;
         if (row->state != state) set_state(*row, state);
     }

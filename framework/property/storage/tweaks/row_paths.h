@@ -1,6 +1,6 @@
 #pragma once
-// The paths that rows of the journal say, the paths by which the game's files know the same
-// instances, and where these are in the tree now.
+// Paths of instances in three forms: as in rows of the journal, as in the game's files (home
+// paths), and as in the tree now.
 
 #include <cstdint>
 #include <map>
@@ -15,36 +15,35 @@ class RowPaths {
   public:
     explicit RowPaths(const Tweaks::State& state);
 
-    /// The home path of what a row calls `path`: of a moved or deleted instance rows say it at
-    /// once.
+    /// The home path of the instance that a row calls `path`. Rows about moves and deletions
+    /// contain it directly.
     std::string home(const JournalRow& row, const std::string& path) const;
-    /// The home path of what the row is about.
+    /// The home path of the instance that the row is about.
     std::string home(const JournalRow& row) const;
-    /// Where the parent of a moved instance is at home.
+    /// The home path of the new parent of a moved instance.
     std::string home_of_new_parent(const JournalRow& row) const;
-    /// Of the topmost instance of the scene that the row is to be kept in.
+    /// The home path of the topmost instance of the scene in which the row is to be kept.
     std::string home_of_top(const JournalRow& row) const;
-    /// What a row of the same run calls an instance.
+    /// The inverse of `home`: the path that rows of the same run use for the instance.
     std::string said(const JournalRow& row, const std::string& home) const;
-    /// Of what is at a path of the tree now.
+    /// The home path of the instance at a current path.
     std::string home_of_live(const std::string& path) const;
-    /// Where the instance of that home path is now, if that is another path; else "".
+    /// The current path of the instance with that home path if they differ; otherwise "".
     std::string moved_from(const std::string& home) const { return now_.moved_from(home); }
-    /// Where something is that has moved out of a deleted instance; "": nothing has.
+    /// The current path of an instance that was moved out of a deleted one; "" if there is none.
     std::string moved_out_of(const JournalRow& deletion) const;
-    /// Where what a row calls `path` is now.
+    /// The current path of the instance that a row calls `path`.
     std::string live(const JournalRow& row, const std::string& path) const;
-    /// The instance of that home path; null where there is none now.
+    /// The instance with that home path; null if it does not exist now.
     Handle instance(const std::string& home) const;
 
-    /// Whether the row is about something below the instance of that home path, or names it.
+    /// Whether the row is about an instance below the one with that home path, or names it.
     bool needs(const JournalRow& row, const std::string& home) const;
 
-    /// A value with its references as they are in the tree now. Throws Error for one that cannot be
-    /// kept.
+    /// The value with current paths in its references. Throws Error if it cannot be kept.
     Image live_image(const JournalRow& row) const;
-    /// The scene of a new instance with the home path in every reference, or what `written` makes
-    /// of that.
+    /// The scene of a new instance. References are home paths, or the result of `written` for
+    /// these.
     std::string home_scene(const JournalRow& row, const NewPath& written = {}) const;
 
   private:

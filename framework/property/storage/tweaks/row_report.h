@@ -1,5 +1,5 @@
 #pragma once
-// What is told of rows that cannot be kept, and of those that depend on them.
+// Reports of rows that cannot be kept, and of the rows that depend on them.
 
 #include <algorithm>
 #include <string>
@@ -18,7 +18,8 @@ class RowReport {
     explicit RowReport(TweakReport& report) : report_(report) {}
 
     void tell(const JournalRow& row, const std::string& reason) {
-        // What a file says of an instance begins at the top of its scene: "ball.mass: expected ..."
+        // Messages about scene files contain paths from the top of the scene: "ball.mass: expected
+        // ..."
         const std::string path = path_of(row), about = reason.substr(0, reason.find(": "));
         const bool same = about.size() < reason.size() && path.ends_with(about);
         report_.problems.push_back(path + (same ? reason.substr(about.size()) : ": " + reason));
@@ -33,14 +34,14 @@ class RowReport {
             keep_it();
             return true;
         } catch (const SceneError& error) {
-            tell(row, error.reason());  // the place is one in a text that nobody will see
+            tell(row, error.reason());  // the position refers to a temporary text
         } catch (const Error& error) {
             tell(row, error.what());
         }
         return false;
     }
-    /// Those of the rows that `keep_it` keeps; `begin` makes the text what it was before them. What
-    /// is below a new instance that cannot be kept, or names it, is not kept either.
+    /// Returns the rows that `keep_it` keeps; `begin` resets the text to the state before them. If
+    /// a new instance cannot be kept, the rows below it and those that name it are not kept either.
     template <class Begin, class Keep>
     Rows tried_together(const Rows& rows, const RowPaths& paths, Begin begin, Keep keep_it) {
         Rows done;
@@ -75,7 +76,7 @@ class RowReport {
         }
         return done;
     }
-    /// The value to be kept.
+    /// The value to be kept. A formula that is not saved is reported.
     Image told(const JournalRow& row, const RowPaths& paths) {
         Image image = paths.live_image(row);
         if (image.kind == Image::Kind::formula && !image.not_saved.empty())
@@ -84,7 +85,7 @@ class RowReport {
         return image;
     }
 
-    /// Forgets what was told since there were `count` problems.
+    /// `forget_since` removes the reports after the first `count` problems.
     std::size_t count() const { return report_.problems.size(); }
     void forget_since(std::size_t count) { report_.problems.resize(count); }
 

@@ -32,10 +32,10 @@ Stage stage_of(const JournalRow& row, const Rows& rows) {
                                                   other->instance != row.instance &&
                                                   is_at_or_below(row.instance, other->instance);
                                        })
-                       ? Stage::gone_below_it
-                       : Stage::gone;
+                       ? Stage::deleted_below_restored
+                       : Stage::deleted;
         case Kind::restored:
-            return Stage::back;
+            return Stage::restored;
         case Kind::created:
             return Stage::created;
         case Kind::moved:

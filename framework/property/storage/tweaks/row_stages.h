@@ -1,5 +1,5 @@
 #pragma once
-// In which order rows are kept.
+// The order in which rows are kept.
 
 #include <vector>
 
@@ -11,10 +11,10 @@ using Rows = std::vector<JournalRow*>;
 Rows without_moves(const Rows& rows);
 Rows moves_in(const Rows& rows);
 
-/// What takes the place of something comes after that has gone, values when their instances are
-/// there, names last. What is deleted below something that is back goes when that is there.
-enum class Stage { gone, back, gone_below_it, created, value, moved };
-/// Of one of the rows.
+/// Deletions come before instances that replace the deleted ones, values after their instances,
+/// names last. A deletion below a restored instance comes after the restoration.
+enum class Stage { deleted, restored, deleted_below_restored, created, value, moved };
+/// `rows`: all rows that are kept together.
 Stage stage_of(const JournalRow& row, const Rows& rows);
 Rows in_stages(const Rows& rows);
 

@@ -34,7 +34,8 @@ void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& t
 
 namespace {
 
-/// The scene may be loaded somewhere else the next time: what is in it is named from its top.
+/// References inside a scene begin at its top, because the scene may be loaded elsewhere the next
+/// time.
 NewPath from_top(const std::string& top) {
     return [top](const std::string& home) -> std::optional<std::string> {
         if (!is_at_or_below(home, top)) return std::nullopt;
@@ -64,8 +65,8 @@ bool SceneKeeping::loadable() const {
     }
 }
 
-/// A row may say anything: an earlier run, whose classes were other ones, has left it. What would
-/// make the scene one that cannot be loaded is not kept in it.
+/// A row may be invalid, for example from a run with other classes. A row that would make the scene
+/// unloadable is not kept.
 Rows SceneKeeping::keep(const Rows& rows) {
     const std::string before = text();
     const bool was_loadable = loadable();
@@ -77,7 +78,7 @@ Rows SceneKeeping::keep(const Rows& rows) {
     return edited(rows, true);
 }
 
-/// `each`: the scene is checked after each of them.
+/// `each`: the scene is checked after each row.
 Rows SceneKeeping::edited(const Rows& rows, bool each) {
     const Rows moves = moves_in(rows);
     const std::string at_first = text();
@@ -90,14 +91,14 @@ Rows SceneKeeping::edited(const Rows& rows, bool each) {
             });
         });
     if (moves.empty()) {
-        take_marks_away();
+        remove_marks();
         return done;
     }
     const std::string before = text();
     try {
         rename(moves, each);
         done.insert(done.end(), moves.begin(), moves.end());
-    } catch (const Error&) {  // one of them: which?
+    } catch (const Error&) {  // one of the rows has an error, so each is tried alone
         set_text(before);
         for (JournalRow* row : moves)
             if (report_.tried(*row, [&] { as_before_if_it_fails([&] { rename({row}, true); }); }))
@@ -147,7 +148,8 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
     }
 }
 
-/// What a scene may name: what is loaded with it. A tweak says the rest.
+/// References that the scene may contain: those to instances that are loaded with it. All others
+/// become null; a tweak contains them.
 NewPath SceneKeeping::named_in_file(const JournalRow& row) const {
     return [this, in_file = from_top(paths_.home_of_top(row))](const std::string& home) {
         const Handle target = paths_.instance(home);
@@ -157,7 +159,7 @@ NewPath SceneKeeping::named_in_file(const JournalRow& row) const {
     };
 }
 
-/// The new names, in every reference inside the scene as well.
+/// Renames instances, also in every reference inside the scene.
 void SceneKeeping::rename(const Rows& rows, bool check) {
     std::vector<MoveStep> moves;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -188,11 +190,11 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
     set_text(scene_with_paths(state_.tree, text(), [&](const std::string& path) {
         return std::optional(is_from_top(path) ? in_file.now(path) : homes.now(path));
     }));
-    take_marks_away();
+    remove_marks();
     if (check) check_scene(state_.tree, edit_.document());
 }
 
-/// Throws Error if another instance is at home there, and `moves` do not give it another name.
+/// Throws Error if another instance has that home path and `moves` do not give it another name.
 void SceneKeeping::require_left(const std::string& home, const Rows& moves) const {
     const std::string path = without_marks(home), other = paths_.moved_from(path);
     if (other.empty() ||
@@ -202,15 +204,16 @@ void SceneKeeping::require_left(const std::string& home, const Rows& moves) cons
                                          " now: choose another one");
 }
 
-/// What has moved away has its new name in the file, so the other may have the old one.
-void SceneKeeping::take_marks_away() {
+/// Removes the marks from paths: the moved instance has its new name in the file, so the new
+/// instance can have the old one.
+void SceneKeeping::remove_marks() {
     if (!may_hold_marks(text())) return;
     set_text(scene_with_paths(state_.tree, text(), [](const std::string& path) {
         return std::optional(without_marks(path));
     }));
 }
 
-/// Whether it is the file that names the topmost instance of the scene, and not a script.
+/// Throws unless the file, and not a script, names the topmost instance.
 void SceneKeeping::require_named_by_file(const JournalRow& row) const {
     const Document& document = edit_.document();
     const Document::Node* name = document.member(document.root(), "name");

@@ -1,5 +1,5 @@
 #pragma once
-// Rows that are kept in a scene file.
+// Keeping of rows in a scene file.
 
 #include <filesystem>
 #include <optional>
@@ -16,12 +16,13 @@ namespace fettle::property {
 inline constexpr const char* given_by_script =
     "a name or parent that a script gives cannot be kept: change the script";
 
-/// Throws Error for the scene of a new instance that could not be loaded in its place.
+/// Throws Error if the scene of a new instance could not be loaded in its place.
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row);
-/// Throws Error where something that has moved elsewhere would go with it, since its move is in no
-/// file.
+/// Throws Error if an instance was moved out of the deleted one: its move is in no file, so it
+/// would be deleted too.
 void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row);
-/// Remembers what a deletion took out of a file, a JSON object, besides what it took out of others.
+/// Stores the text that a deletion removed from a file, a JSON object, in addition to texts from
+/// other files.
 void taken_out(Tweaks::State& state, const JournalRow& row, const std::string& text);
 
 class SceneKeeping {
@@ -29,7 +30,7 @@ class SceneKeeping {
     /// Reads the file. Throws Error.
     SceneKeeping(Tweaks::State& state, const RowPaths& paths, RowReport& report,
                  const std::filesystem::path& file);
-    /// Those that are in the text now; the others are told.
+    /// Returns the rows that are in the text now; reports the others.
     Rows keep(const Rows& rows);
     const std::string& text() const { return edit_.text(); }
 
@@ -41,7 +42,7 @@ class SceneKeeping {
     void edit_scene(const JournalRow& row, const Rows& moves);
     void require_left(const std::string& home, const Rows& moves) const;
     NewPath named_in_file(const JournalRow& row) const;
-    void take_marks_away();
+    void remove_marks();
     void rename(const Rows& rows, bool check);
     void require_named_by_file(const JournalRow& row) const;
     void set_text(std::string text);

@@ -1,5 +1,5 @@
-// Tweaks of earlier runs in words, which a recording of a run holds: what may come of them in that
-// run is part of what came into it. And whether they are tweaks: they were in a file.
+// Tweaks of earlier runs as lists of words. A recording contains them, because they are part of the
+// input of a run. Also checks rows that were read from a file.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ using Kind = JournalRow::Kind;
 constexpr std::array kinds{std::pair{Kind::value, "value"}, std::pair{Kind::created, "created"},
                            std::pair{Kind::deleted, "deleted"}, std::pair{Kind::moved, "moved"},
                            std::pair{Kind::restored, "restored"}};
-/// Texts of a row, in their order.
+/// The text members of a row in the order of the words.
 constexpr std::array texts{&JournalRow::instance, &JournalRow::property, &JournalRow::was,
                            &JournalRow::now,      &JournalRow::was_text, &JournalRow::now_text,
                            &JournalRow::file,     &JournalRow::inside};
@@ -84,7 +84,8 @@ std::string shortened(const std::string& text, std::size_t longest) {
 }
 
 std::string problem_of(const JournalRow& row) {
-    // Bytes. Names may be long and stand deep inside of each other; the others are made to fit.
+    // Bytes. Paths may be long, because names may be long and deeply nested. The other texts are
+    // shortened.
     constexpr std::size_t longest_path = 5'000'000, longest = 10'000;
     if (row.instance.size() > longest_path || row.property.size() > longest_path)
         return "its path is too long: " + shortened(row.instance, 40);
@@ -112,7 +113,7 @@ std::string problem_of(const JournalRow& row) {
                 require_names(row.now, false);
                 return {};
         }
-        return row.instance + ": nobody knows what was done to it";
+        return row.instance + ": the kind of its edit is unknown";
     } catch (const Error& error) {
         return row.instance + ": " + error.what();
     }

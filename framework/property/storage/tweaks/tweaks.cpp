@@ -1,5 +1,5 @@
 // Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
-// created, deleted or moved; what happens to the same thing again changes its entry.
+// created, deleted or moved. Further edits of the same object change its entry.
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/storage/tweaks.h>
@@ -26,7 +26,7 @@ std::vector<std::string> names_in(const std::string& path) {
     return names;
 }
 
-/// Before the first file is read.
+/// Must be called before the first file is read.
 GameFiles& kept_below(GameFiles& files, const std::filesystem::path& folder) {
     files.stay_below(folder);
     return files;
@@ -60,7 +60,7 @@ bool TweakPattern::matches(const JournalRow& row) const {
     return pattern_.text() == "game";
 }
 
-// --- Beginning and ending
+// --- Construction
 
 Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
                      TweakOptions options)
@@ -83,7 +83,7 @@ Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal:
     tree.observe_edits(this);
 }
 
-/// Those that say what a tweak is. The others stay in the journal until they are dropped.
+/// Takes the valid rows of earlier runs. Invalid rows stay in the journal until they are dropped.
 void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
     std::string first;
     for (JournalRow& row : rows) {
@@ -141,7 +141,7 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
                        : nullptr;
         if (const auto moved = moved_entries.find(key(at));
             moved != moved_entries.end() && !moved->second->gone)
-            return nullptr;  // it was there before
+            return nullptr;  // it existed before
     }
     return nullptr;
 }
@@ -149,7 +149,8 @@ Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
 Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instance,
                                            const std::string& property, Handle handle) {
     Entry*& found = by_key[key_of(kind, instance, property)];
-    // One that a deletion has made void waits for its own instance, not for the next of that path.
+    // An entry that a deletion has made void belongs to the deleted instance, not to the next one
+    // of that path.
     if (found == nullptr || (found->deletion != nullptr && found->handle != handle)) {
         found = &add_entry(kind, instance, handle);
         found->row.property = property;
@@ -158,7 +159,8 @@ Tweaks::State::Entry& Tweaks::State::entry(Kind kind, const std::string& instanc
     return *found;
 }
 
-/// One that is not found by its path: there may be another of the same path.
+/// Adds an entry that cannot be found by its path, because several instances may have had that
+/// path.
 Tweaks::State::Entry& Tweaks::State::add_entry(Kind kind, const std::string& instance,
                                                Handle handle) {
     Entry& its = *entries.emplace_back(std::make_unique<Entry>());
@@ -201,14 +203,14 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
         name_deleted(its.was, before.value);
         tell_origin(its, instance);
     }
-    if (its.row.state == RowState::kept) its.was = its.now;  // the file says that since
+    if (its.row.state == RowState::kept) its.was = its.now;  // the file contains that value
     its.property = property.symbol;
     its.now = image_now(tree, instance, property.symbol, false);
     its.gone = false;
     touch(its);
 }
 
-/// Undo brings an instance back, and then what was edited before it was deleted.
+/// After an undo of a deletion, the values edited before it are current again.
 void Tweaks::State::edited_again(Handle instance, const Property& property) {
     if (tree.cause().writer != Writer::undo) return;
     for (const auto& each : entries)
@@ -217,7 +219,8 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
             each->now = image_now(tree, instance, property.symbol, false);
 }
 
-/// What is edited is not deleted: the game has gone back in time, or has loaded a save.
+/// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
+/// deletion is undone.
 void Tweaks::State::back_in_time(Handle instance) {
     for (Handle at = instance; at; at = tree.parent(at))
         if (const auto found = deleted.find(key(at));
@@ -225,7 +228,8 @@ void Tweaks::State::back_in_time(Handle instance) {
             (void)undelete(*found->second);
 }
 
-/// A reference to what a person has deleted before: when that is back, the value is this one.
+/// Stores a reference to a deleted instance. The reference is valid again when the instance is
+/// back.
 void Tweaks::State::name_deleted(Image& image, const Value& value) const {
     if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
     const auto found = deleted.find(key(value.reference()));
@@ -243,24 +247,24 @@ void Tweaks::State::born(Handle instance) {
 
 void Tweaks::State::dying(Handle instance) {
     if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
-    // What was created just now leaves no trace.
+    // An instance that was created since the last barrier leaves no entry.
     if (is_in_fresh.erase(key(instance)) != 0) {
-        if (is_in_fresh.empty()) fresh.clear();  // else those that went are passed over later
+        if (is_in_fresh.empty()) fresh.clear();  // otherwise deleted ones are skipped later
         if (!created.contains(key(instance))) return;
     }
     if (is_fresh(instance) && !created.contains(key(instance))) return;
-    // What is new below it comes back with it, and goes by itself when its making is undone.
+    // A new instance below it comes back with it, and is deleted when its creation is undone.
     bool holds_new = false;
     if (!fresh.empty())
         tree.each_below(instance, [&](Handle each) {
             holds_new = holds_new || is_in_fresh.contains(key(each));
         });
     if (holds_new) settle_fresh();
-    if (attached(instance)) bury(instance, tree.parent(instance), tree.path(instance));
+    if (attached(instance)) note_deletion(instance, tree.parent(instance), tree.path(instance));
 }
 
-/// Whatever was done to it is void, unless the deletion is undone.
-void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path) {
+/// Makes the tweaks of a deleted instance void until the deletion is undone.
+void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::string& path) {
     if (const auto made = created.find(key(instance));
         made != created.end() && made->second->row.state == RowState::open) {
         make_void(path, {}, *made->second);
@@ -275,7 +279,7 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
                                  : path_below(home_of(parent), split_path(path).second);
     if (const auto again = restorations.find(key(instance));
         again != restorations.end() && again->second->row.state == RowState::open &&
-        !again->second->gone) {  // the file still says that it is deleted
+        !again->second->gone) {  // the file still contains the deletion
         make_void(path, home, *deleted.at(key(instance)));
         again->second->gone = true;
         return touch(*again->second);
@@ -286,7 +290,8 @@ void Tweaks::State::bury(Handle instance, Handle parent, const std::string& path
 
 Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::string& path,
                                                   const std::string& home) {
-    // What an edit has made may be in the place of what a script makes, which is deleted, too.
+    // A new instance may replace one that a script makes, and the deletion of that one is a
+    // separate entry.
     const auto known = deleted.find(key(instance));
     Entry& deletion = known != deleted.end()            ? *known->second
                       : created.contains(key(instance)) ? add_entry(Kind::deleted, home, instance)
@@ -303,7 +308,7 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
     return deletion;
 }
 
-/// What came with an instance that an edit has made leaves the scene of that tweak.
+/// Removes an instance from the scene of the new instance that it was made with.
 bool Tweaks::State::taken_out_of_creation(const std::string& name, Handle parent) {
     Entry* above = created_above(parent);
     if (above == nullptr) return false;
@@ -321,7 +326,8 @@ bool Tweaks::State::taken_out_of_creation(const std::string& name, Handle parent
     return true;
 }
 
-/// Tweaks of what is at `path` or below it. `home`: of the instance there; "": the files know none.
+/// Makes the tweaks at `path` and below it void. `home`: home path of the instance; "" if no file
+/// describes it.
 void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
     const InstanceMoves all = restorations.empty() ? InstanceMoves() : moves();
     const auto path_now = [&](const JournalRow& row) -> std::string {
@@ -332,9 +338,9 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
         Entry& its = *entries[i];
         if (&its == &deletion || its.row.state != RowState::open || its.gone) continue;
         if (!is_at_or_below(path_now(its.row), path)) continue;
-        // The files have it elsewhere: there it goes by itself.
+        // Elsewhere in the files, so it needs a deletion of its own.
         const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
-        const bool in_its_place = its.row.now == path;  // another one, which was deleted before
+        const bool in_its_place = its.row.now == path;  // a different instance, deleted before
         if (its.row.kind == Kind::deleted && (elsewhere || in_its_place)) continue;
         its.gone = true;
         its.deletion = &deletion;
@@ -342,7 +348,7 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
         if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle))
             add_deletion(its.handle, its.row.now, its.row.instance).with = &deletion;
     }
-    // What is deleted at home already with something above it needs no deletion of its own.
+    // An instance whose home is below another deleted one needs no deletion of its own.
     for (const auto& each : entries)
         if (each->with == &deletion && !each->gone)
             each->gone = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
@@ -367,7 +373,7 @@ void Tweaks::State::revive(const Entry& deletion) {
     }
 }
 
-// --- What is told of them
+// --- Reports
 
 std::vector<Tweak> Tweaks::list() const {
     std::vector<Tweak> all;
@@ -407,13 +413,13 @@ std::vector<TweakWords> Tweaks::earlier_in_words() const {
     return all;
 }
 
-// --- The public face
+// --- Public functions
 
 Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
                std::function<void(const std::string&)> warn, TweakOptions options)
     : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
 Tweaks::~Tweaks() {
-    if (state_->tree_life.expired()) return;  // the paths of what was edited are gone
+    if (state_->tree_life.expired()) return;  // the paths of edited instances are unknown
     state_->rest = 0;
     if (state_->journal) state_->journal->be_patient();
     barrier();

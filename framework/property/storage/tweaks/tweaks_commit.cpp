@@ -1,4 +1,4 @@
-// Tweaks: from entries to rows of the journal, once a barrier.
+// Tweaks: from entries to rows of the journal, once per barrier.
 
 #include <algorithm>
 #include <tuple>
@@ -15,10 +15,10 @@ namespace fettle::property {
 
 namespace {
 
-// After a failure (a full disk), this many barriers pass before the next attempt, unless somebody
-// edits.
+// Number of barriers after a failed commit (full disk) before the next attempt. A new edit tries at
+// once.
 constexpr int barriers_of_rest = 60;
-// Bytes of what people read about a tweak: the text of a formula, a path.
+// Maximum bytes of the texts for people, such as the text of a formula.
 constexpr std::size_t longest_shown = 5000;
 
 }  // namespace
@@ -46,11 +46,11 @@ void Tweaks::State::barrier() {
 void Tweaks::State::settle_fresh(Handle moving) {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();
-    std::unordered_set<std::uint64_t> seen;  // one that went and came back is in the list twice
+    std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
     for (const Handle instance : born) {
         if (!tree.alive(instance) || !attached(instance)) continue;
         if (!seen.insert(key(instance)).second) continue;
-        // What was made below something new belongs to that.
+        // An instance below a new one is part of the tweak of the new one.
         bool inside = false;
         for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
             inside = is_in_fresh.contains(key(at));
@@ -64,8 +64,8 @@ void Tweaks::State::settle_one(Handle instance) {
     const std::string path = tree.path(instance);
     if (settle_undeleted(instance)) return;
     const auto known = created.find(key(instance));
-    // Where its deletion, or its creation, was undone and done again: what was made below it since
-    // has tweaks of its own again, and is no part of its scene.
+    // The deletion or creation was undone. Instances made below it since then have their own tweaks
+    // again and are not part of its scene.
     if (known != created.end()) revive(*known->second);
     std::vector<std::string> warnings;
     std::string text;
@@ -85,12 +85,12 @@ void Tweaks::State::settle_one(Handle instance) {
     created[key(instance)] = &its;
     its.row.file.clear();
     its.row.inside.clear();
-    origins.forget(tree, instance);  // it is kept as a whole, also one that came out of a file
+    origins.forget(tree, instance);  // its own tweak describes it completely
     tell_origin(its, tree.parent(instance));
     touch(its);
 }
 
-/// Without what other tweaks have put below it.
+/// The scene of a new instance, without instances below it that have their own tweaks.
 std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* warnings) const {
     SceneEdit edit(tree, scene_text_with_full_paths(tree, top, warnings), "journal");
     for (const auto& each : entries) {
@@ -100,7 +100,7 @@ std::string Tweaks::State::scene_of_new(Handle top, std::vector<std::string>* wa
             continue;
         try {
             (void)edit.remove(steps_below(each->handle, top));
-        } catch (const Error&) {  // it went with another one
+        } catch (const Error&) {  // removed together with another one
         }
     }
     return edit.text();
@@ -113,14 +113,14 @@ SceneSteps Tweaks::State::steps_below(Handle instance, Handle top) const {
     return steps;
 }
 
-/// Whether it is an instance whose deletion was undone, so that nothing new is to be said of it.
+/// Whether the deletion of the instance was undone, so that no new entry is needed.
 bool Tweaks::State::settle_undeleted(Handle instance) {
     const auto found = deleted.find(key(instance));
     if (found == deleted.end() || found->second->gone) return false;
     return undelete(*found->second);
 }
 
-/// False where it has to be told as a new instance.
+/// False if the instance needs an entry as a new instance.
 bool Tweaks::State::undelete(Entry& deletion) {
     const bool in_file = deletion.row.state == RowState::kept;
     revive(deletion);
@@ -140,7 +140,7 @@ bool Tweaks::State::undelete(Entry& deletion) {
     return !in_file;
 }
 
-/// The deletion was kept before it was undone: the file has to say again what it said before.
+/// The deletion was kept before it was undone, so the file has to get its former content back.
 void Tweaks::State::restored(Handle instance, Entry& deletion) {
     Entry& its = entry(Kind::restored, deletion.row.instance, {}, instance);
     try {
@@ -158,8 +158,8 @@ void Tweaks::State::restored(Handle instance, Entry& deletion) {
     touch(its);
 }
 
-/// Values edited below it since are written into its scene: taking the scene anew would also take
-/// what the simulation has made of it.
+/// Writes values edited since into the scene. A new scene of the instance would also contain
+/// changes by the simulation.
 void Tweaks::State::refresh_created(Entry& entry) {
     const auto inside = std::move(entry.inside);
     entry.inside.clear();
@@ -170,7 +170,7 @@ void Tweaks::State::refresh_created(Entry& entry) {
             edit.set(steps_below(instance, entry.handle), property.text(),
                      image_now(tree, instance, property, true));
             entry.scene = edit.text();
-        } catch (const Error&) {  // its shape has changed
+        } catch (const Error&) {  // the structure has changed
             try {
                 entry.scene = scene_of_new(entry.handle, nullptr);
             } catch (const Error& error) {
@@ -182,8 +182,8 @@ void Tweaks::State::refresh_created(Entry& entry) {
 
 // --- Rows ----------------------------------------------------------------------------------------
 
-/// What a person has deleted since is named by nothing; undo may bring it back, so the entry itself
-/// keeps a path of it.
+/// Replaces references to deleted instances by null. The entry itself keeps their paths, because
+/// undo may bring them back.
 template <class WithPaths>
 std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
     if (deleted.empty() && created.empty()) return text;
@@ -192,7 +192,7 @@ std::string Tweaks::State::without_deleted(const std::string& text, WithPaths wi
             if (is_of_deleted(path)) return std::string();
             return std::nullopt;
         });
-    } catch (const Error&) {  // what is wrong with it is told when it is kept
+    } catch (const Error&) {  // errors are reported on keeping
         return text;
     }
 }
@@ -206,7 +206,8 @@ void Tweaks::State::refresh(Entry& entry) {
         return;
     }
     if (entry.row.kind != Kind::value) return;
-    // Settled by now; any other value is what the person made it, whatever came of it since.
+    // A formula is settled now. Any other value stays as the person entered it, whatever changed it
+    // later.
     if (entry.now.kind == Image::Kind::formula && tree.alive(entry.handle))
         entry.now = image_now(tree, entry.handle, entry.property, true);
     entry.row.was = image_json(entry.was);
@@ -262,7 +263,7 @@ void Tweaks::State::commit() {
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
 }
 
-/// The run ends: there is no next barrier.
+/// Called at the end of the run: there is no next barrier.
 void Tweaks::State::tell_lost() const {
     if (!journal) return;
     const auto lost = std::count_if(dirty.begin(), dirty.end(),

@@ -1,4 +1,4 @@
-// Tweaks: instances that get another name or another parent.
+// Tweaks of instances that get another name or parent.
 
 #include <algorithm>
 
@@ -17,21 +17,21 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
     if (was) rename_mentions(old_path, is ? tree.path(instance) : path_of_deleted(instance));
     if (is_in_fresh.contains(key(instance))) return;
-    // What is inside of something new is a part of that, unless it has tweaks of its own.
+    // An instance inside a new one is part of its tweak, unless it has tweaks of its own.
     const bool known = created.contains(key(instance)) || moved_entries.contains(key(instance));
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
     if (into_new || out_of_new) settle_fresh(instance);
     if (!was && is) return born(instance);
     if (!was) return;
-    if (!is) return bury(instance, old_parent, old_path);
+    if (!is) return note_deletion(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_name, old_path)) return;
     Entry*& its = moved_entries[key(instance)];
     const bool first = its == nullptr;
     if (first) its = &add_entry(Kind::moved, old_path, instance);
     Entry& move = *its;
-    if (first) move.gone = true;                      // until it says where it was
-    if (first || move.row.state == RowState::kept) {  // its home is what the files say now
+    if (first) move.gone = true;                      // until its home path is set
+    if (first || move.row.state == RowState::kept) {  // the files contain its home path
         move.row.instance = path_below(home_of(old_parent), old_name);
         move.row.now = old_path;
         tell_origin(move, instance);
@@ -59,7 +59,7 @@ bool Tweaks::State::deleted_by_path(const std::string& home) const {
            });
 }
 
-/// After its deletion was undone: its instance may have got its earlier name again by then.
+/// Called when a deletion is undone: the instance may have another path now.
 void Tweaks::State::find_again(Entry& its) {
     if (!tree.alive(its.handle) || !attached(its.handle)) return;
     const std::string path = tree.path(its.handle);
@@ -93,7 +93,7 @@ std::string Tweaks::State::home_of(Handle instance) const {
     return home;
 }
 
-/// Whether the files give that path to another instance by now.
+/// Whether the files give that path to another instance now.
 bool Tweaks::State::is_home_of_another(const std::string& home, Handle instance) const {
     for (const auto& each : entries)
         if (each->row.kind == Kind::moved && each->row.state == RowState::open && !each->gone &&
@@ -103,14 +103,14 @@ bool Tweaks::State::is_home_of_another(const std::string& home, Handle instance)
     return there && there != instance && !created_above(there) && home_of(there) == home;
 }
 
-/// Of a new instance: its name now. False for a name that no file can hold.
+/// Updates the name in the scene of a new instance. False if no file can contain the name.
 bool Tweaks::State::rename_scene(Entry& made) const {
     try {
         SceneEdit edit(tree, made.scene, "journal");
         edit.rename({}, tree.name(made.handle));
         made.scene = edit.text();
         return true;
-    } catch (const Error&) {  // told when it is kept
+    } catch (const Error&) {  // reported on keeping
         return false;
     }
 }
@@ -151,7 +151,7 @@ void Tweaks::State::file_says(const JournalRow& row) {
     if (found != by_key.end()) found->second->was = read_image(row.now);
 }
 
-/// The entry is found by the other path from now on.
+/// Changes the key by which the entry is found.
 void Tweaks::State::rekey(Entry& its, const std::string& path) {
     const auto found = by_key.find(key_of(its.row.kind, its.row.instance, its.row.property));
     if (found == by_key.end() || found->second != &its) return;
@@ -159,8 +159,8 @@ void Tweaks::State::rekey(Entry& its, const std::string& path) {
     by_key[key_of(its.row.kind, path, its.row.property)] = &its;
 }
 
-/// What an edit has made is one tweak: it is made under the name and the parent that it has now.
-/// False where no edit has made it that can still be changed.
+/// A move of a new instance changes its creation, which is one tweak with the current name and
+/// parent. False if there is no open tweak that created the instance.
 bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
                                         const std::string& old_name, const std::string& old_path) {
     const auto known = created.find(key(instance));
@@ -179,10 +179,10 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     if (above == nullptr) return false;
     if (created_above(tree.parent(instance)) != above) {
         if (!taken_out_of_creation(old_name, old_parent)) return false;
-        born(instance);  // it is new by itself from now on
+        born(instance);  // it has its own tweak from now on
         return true;
     }
-    refresh_created(*above);  // what was edited so far has the old names
+    refresh_created(*above);  // earlier edits contain the old names
     try {
         if (tree.parent(instance) != old_parent)
             throw Error(ErrorKind::bad_structure, "it has another shape now");
@@ -203,13 +203,13 @@ bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
     return true;
 }
 
-/// Tweaks of what is at the instance or below it, and those that name it, say where it is now.
+/// Updates the paths of tweaks about the instance, and about instances below it.
 void Tweaks::State::repath(Handle instance, const std::string& old_path) {
     const NewPath now_at = moved_path(old_path, tree.path(instance));
     for (const auto& each : entries) {
         Entry& its = *each;
         if (its.row.state == RowState::kept && its.row.kind != Kind::value) continue;
-        if (its.row.kind == Kind::restored) continue;  // it says the home path
+        if (its.row.kind == Kind::restored) continue;  // it contains the home path
         const bool open = its.row.state == RowState::open && !its.gone;
         if (its.row.kind == Kind::moved || its.row.kind == Kind::deleted) {
             if (const auto now = now_at(its.row.now)) {
@@ -251,10 +251,10 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
                 rename_in(its.scene, [&](const std::string& scene) {
                     return scene_with_paths(tree, scene, now_at);
                 });
-        } catch (const Error&) {  // what is wrong with it is told when it is kept
+        } catch (const Error&) {  // errors are reported on keeping
         }
         if (renamed && open) touch(its);
-        // It was kept as a reference to nothing, while what it names was deleted.
+        // It was kept as null while the target of the reference was deleted.
         if (!renamed || its.row.state != RowState::kept || its.gone || !is_of_deleted(from))
             continue;
         if (its.row.kind == Kind::value) {
@@ -267,7 +267,8 @@ void Tweaks::State::rename_mentions(const std::string& from, const std::string& 
     for (const auto& [its, path] : values_named_again) name_again(*its, path);
 }
 
-/// New instances that were kept and name what is back have values that were kept without it.
+/// Adds tweaks for references to a restored instance: new instances were kept with null in their
+/// places.
 void Tweaks::State::name_again(const Entry& made, const std::string& path) {
     const NewPath none = [&](const std::string& named) -> std::optional<std::string> {
         if (is_at_or_below(named, path)) return std::string();

@@ -1,5 +1,5 @@
 #pragma once
-// What the journal of tweaks knows while a game runs, for the files that implement it.
+// State of the tweaks while a game runs; shared by the files that implement it.
 
 #include <memory>
 #include <string>
@@ -26,21 +26,21 @@ struct Tweaks::State : EditObserver {
     using Kind = JournalRow::Kind;
     using RowState = JournalRow::State;
 
-    /// A tweak of this run. Known by what it is about, so that editing a property twice is one
-    /// tweak, and undoing it is none.
+    /// A tweak of this run. It is identified by its object, so editing a property twice is one
+    /// tweak, and undoing the edit removes it.
     struct Entry {
         JournalRow row;
-        Image was, now;     // of a value
-        std::string scene;  // of a new instance, or of one that is back
+        Image was, now;     // for a value
+        std::string scene;  // for a new or restored instance
         Handle handle;
         Symbol property;
-        bool gone = false;          // a person deleted what it is about, or took it back
-        Entry* with = nullptr;      // a deletion: of which other one it is a part
-        Entry* deletion = nullptr;  // which deletion made it void
-        bool committed = false;     // the journal has it
+        bool gone = false;          // its object was deleted, or the edit was undone
+        Entry* with = nullptr;      // for a deletion: the other deletion that it is part of
+        Entry* deletion = nullptr;  // the deletion that made it void
+        bool committed = false;     // the journal contains it
         bool dirty = false;
-        std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited below it since
-        std::string taken_out;  // of a deletion that was kept: what it took out of the file
+        std::vector<std::pair<Handle, Symbol>> inside;  // of a creation: edited cells
+        std::string taken_out;  // for a kept deletion: the text removed from the file
     };
 
     static std::uint64_t key(Handle handle) {
@@ -57,7 +57,7 @@ struct Tweaks::State : EditObserver {
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();
 
-    // tweaks.cpp: what is edited
+    // tweaks.cpp: edits
     void edited(Handle instance, const Property& property, const CellState& before) override;
     void born(Handle instance) override;
     void dying(Handle instance) override;
@@ -70,7 +70,7 @@ struct Tweaks::State : EditObserver {
     Entry& add_entry(Kind kind, const std::string& instance, Handle handle);
     void touch(Entry& entry);
     void name_deleted(Image& image, const Value& value) const;
-    void bury(Handle instance, Handle parent, const std::string& path);
+    void note_deletion(Handle instance, Handle parent, const std::string& path);
     bool taken_out_of_creation(const std::string& name, Handle parent);
     void edited_again(Handle instance, const Property& property);
     void back_in_time(Handle instance);
@@ -88,18 +88,18 @@ struct Tweaks::State : EditObserver {
     std::string home_of(Handle instance) const;
     bool is_home_of_another(const std::string& home, Handle instance) const;
     bool is_home(const Entry& move) const;
-    /// Whether what has that home path is deleted in no scene, but by the file of kept tweaks.
+    /// Whether the kept-tweaks file, and no scene, deletes the instance with that home path.
     bool deleted_by_path(const std::string& home) const;
     void find_again(Entry& its);
     bool rename_scene(Entry& made) const;
-    /// Files call instances otherwise now.
+    /// Called after files got other names of instances.
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
-    /// A row of an earlier run was kept: this run's tweak of the same value begins there.
+    /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
     void file_says(const JournalRow& row);
     void tell_origin(Entry& entry, Handle instance) const;
 
-    // tweaks_commit.cpp: what becomes rows
+    // tweaks_commit.cpp: rows
     void barrier();
     void settle_fresh(Handle moving = {});
     void settle_one(Handle instance);
@@ -113,22 +113,23 @@ struct Tweaks::State : EditObserver {
     bool visible(const Entry& entry) const;
     template <class WithPaths>
     std::string without_deleted(const std::string& text, WithPaths with_paths) const;
-    /// In the texts of tweaks, of an instance that was deleted: another one may get its path.
+    /// The path of a deleted instance in the texts of tweaks. It is unique, because another
+    /// instance may get the old path.
     static std::string path_of_deleted(Handle instance) {
         return path_below("game", impossible_name(std::to_string(key(instance))));
     }
     static bool is_of_deleted(const std::string& path) { return path.starts_with(R"(game["\000)"); }
-    /// In what tweaks name, one path in the place of another.
+    /// Replaces a path in all references of tweaks.
     void rename_mentions(const std::string& from, const std::string& to);
     void name_again(const Entry& made, const std::string& path);
     void commit();
     void tell_lost() const;
 
-    /// Without links, where the file is one of the game's own: what was loaded from elsewhere is
+    /// The path without links if it is one of the game's own files. Files loaded from elsewhere are
     /// not changed.
     std::optional<std::filesystem::path> own_file(const std::filesystem::path& named) const;
 
-    // tweaks.cpp, keep.cpp: what is done to them
+    // tweaks.cpp, keep.cpp: operations on tweaks
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
     TweakReport keep(std::string_view pattern);
     TweakReport reapply(std::string_view pattern);
@@ -142,33 +143,33 @@ struct Tweaks::State : EditObserver {
 
     Tree& tree;
     std::weak_ptr<const Tree*> tree_life;
-    std::filesystem::path folder;  // of the game
+    std::filesystem::path folder;  // folder of the game
     Journal::Warn warn;
     GameFiles own_files;
     GameFiles& files;
-    std::unique_ptr<Journal> journal;  // none: what is done is done again
+    std::unique_ptr<Journal> journal;  // null in a replay
     KeptTweaks kept;
     SceneOrigins origins;
 
-    std::vector<std::unique_ptr<Entry>> entries;  // number 1 first
+    std::vector<std::unique_ptr<Entry>> entries;  // entry number n is at index n - 1
     std::unordered_map<std::string, Entry*> by_key;
     std::vector<Entry*> dirty;
-    std::vector<Handle> fresh;  // created since the last barrier, in order; some have gone again
+    std::vector<Handle> fresh;  // created since the last barrier, in order; some may be deleted
     std::unordered_set<std::uint64_t> is_in_fresh;
-    // By instance.
+    // By instance (`key`).
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
     std::vector<JournalRow> earlier;   // of earlier runs
-    std::vector<JournalRow*> changed;  // of those, to be put again
-    /// Rows of earlier runs that were made again, with the tweaks of this run that they became.
+    std::vector<JournalRow*> changed;  // rows of `earlier` to be written again
+    /// Rows of earlier runs that were applied again, and the tweaks of this run that they became.
     std::vector<std::pair<JournalRow*, Entry*>> reapplied;
-    std::vector<JournalRow> left_aside;  // of earlier runs: they say no tweak
-    std::vector<JournalRow> removed;     // of those, dropped
+    std::vector<JournalRow> left_aside;  // invalid rows of earlier runs
+    std::vector<JournalRow> removed;     // dropped rows of `left_aside`
     std::int64_t last_number = 0;
-    std::string last_failure;  // told once
-    int rest = 0;              // barriers until a failed commit is tried again
+    std::string last_failure;  // reported once
+    int rest = 0;              // barriers until a failed commit is repeated
 };
 
-/// Whether a tweak is meant by a pattern.
+/// Selects tweaks by a pattern.
 class TweakPattern {
   public:
     explicit TweakPattern(std::string_view text);
@@ -179,17 +180,16 @@ class TweakPattern {
     bool whole_instances_;
 };
 
-/// A row, for a recording of the run; and as that of another run, which cannot be written.
+/// The words of a row for a recording, and a row made of words, which belongs to another run and
+/// cannot be written.
 TweakWords words_of(const JournalRow& row);
-/// Throws Error for words that no row has.
+/// Throws Error for words that are no row.
 JournalRow row_of(const TweakWords& words);
 
-/// Why a row, of whoever's making, is not what a tweak is: a path that is none, a value that is
-/// none
-/// ...; "" when it is one.
+/// Why a row is no valid tweak, for example an invalid path or value; "" if it is valid.
 std::string problem_of(const JournalRow& row);
 
-/// The text, or its first bytes, whole characters of them, and "...".
+/// The text, or its first bytes followed by "..."; characters are not split.
 std::string shortened(const std::string& text, std::size_t longest);
 
 /// "world.ball.mass", or the path of the instance.

@@ -17,14 +17,14 @@ namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
 }
 
-/// A light handle (pointer and id): copy it freely. It may outlive its body and its world. All
-/// methods but `is_valid`, `id`, `index` and comparison throw `std::invalid_argument` when the
-/// handle is empty, or when the body or its world was destroyed. Setters throw
-/// `std::invalid_argument`, with a message that says what was expected, for values without meaning
-/// (NaN, a negative damping...), and `Locked` inside a function that the world is calling
-/// (callbacks.h); they change nothing then. Every setter takes effect in the next step and wakes
-/// the bodies it affects. The body that carries the bounds of a world can be read like any other;
-/// its only setter that works is `set_user_data`.
+/// A light handle (pointer and id) that can be copied freely. It may outlive its body and its
+/// world. All methods except `is_valid`, `id`, `index` and comparison throw `std::invalid_argument`
+/// if the handle is empty, or if the body or its world was destroyed. Setters throw
+/// `std::invalid_argument`, with a message that contains the expectation, for invalid values (NaN,
+/// a negative damping...), and `Locked` inside a function that the world is calling (callbacks.h);
+/// they change nothing then. Every setter takes effect in the next step and wakes the bodies that
+/// it affects. The body that carries the bounds of a world can be read like any other; its only
+/// working setter is `set_user_data`.
 class Body {
   public:
     Body() = default;
@@ -45,14 +45,14 @@ class Body {
     void set_position(const Vec2& position);
     float angle() const;  ///< rad, not wrapped
     void set_angle(float angle);
-    void set_pose(const Pose& pose);  ///< both in one teleport
-    /// Velocity of the center of mass, m/s; a step limits it to 10 000 m/s. A body that does not
-    /// move by itself, because it is static or infinitely heavy, has no velocity: setting one has
-    /// no effect.
+    void set_pose(const Pose& pose);  ///< sets both in one teleport
+    /// Velocity of the center of mass, m/s. A step limits it to 10 000 m/s. A body that does not
+    /// move by itself, because it is static or infinitely heavy, has no velocity, and setting one
+    /// has no effect.
     Vec2 velocity() const;
     void set_velocity(const Vec2& velocity);
-    /// Angular velocity, rad/s; a step limits it to 3 rad in each sub-step. No effect where
-    /// `set_velocity` has none.
+    /// Angular velocity, rad/s. A step limits it to 3 rad in each sub-step. It has no effect on
+    /// bodies on which `set_velocity` has none.
     float angular_velocity() const;
     void set_angular_velocity(float angular_velocity);
 
@@ -63,8 +63,8 @@ class Body {
     void apply_force(const Vec2& force);  ///< for the next step only
     void apply_force(const Vec2& force, const Vec2& world_point);
     void apply_torque(float torque);
-    Vec2 applied_force() const;    ///< N, the sum of what `apply_force` added for the next step
-    float applied_torque() const;  ///< N m, about the center of mass
+    Vec2 applied_force() const;               ///< N, sum of forces applied for the next step
+    float applied_torque() const;             ///< N m, about the center of mass
     void apply_impulse(const Vec2& impulse);  ///< N s: changes the velocity at once
     void apply_impulse(const Vec2& impulse, const Vec2& world_point);
     void apply_angular_impulse(float impulse);
@@ -89,9 +89,9 @@ class Body {
     bool locked_rotation() const;
     void set_locked_rotation(bool locked);
 
-    /// Mass, kg: the override if there is one, else the sum over the shapes. A dynamic body whose
-    /// shapes have no mass has mass 1 and does not turn. Static and kinematic bodies return the
-    /// mass that they would have as dynamic bodies.
+    /// Mass, kg: the override if there is one, otherwise the sum over the shapes. A dynamic body
+    /// whose shapes have no mass has mass 1 and does not rotate. Static and kinematic bodies return
+    /// the mass that they would have as dynamic bodies.
     float mass() const;
     void set_mass(
         std::optional<float> mass);  ///< none: from the shapes; infinity: does not move; else > 0
@@ -104,10 +104,10 @@ class Body {
     std::optional<Vec2> center_override() const;
     Vec2 world_center() const;
     float area() const;         ///< m², sum over the shapes
-    Aabb aabb() const;          ///< of all shapes; the origin when there is none
+    Aabb aabb() const;          ///< of all shapes; the origin if there are none
     uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
 
-    /// Pose before the last step, for drawing between steps. A teleport changes it, too, so that
+    /// Pose before the last step, for drawing between steps. A teleport changes it too, so that
     /// nothing is drawn on the way.
     Pose previous_pose() const;
     /// Pose at `fraction` (0: previous, 1: current) of the last step.
@@ -126,7 +126,7 @@ class Body {
 
     bool is_touching() const;  ///< any contact, sleeping or not; sensors do not count
     std::vector<Contact> contacts()
-        const;  ///< touching contacts of the last step, sleeping ones too
+        const;  ///< touching contacts of the last step, sleeping ones included
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);

@@ -5,29 +5,30 @@
 
 #include <functional>
 
-// Functions of the user that the library calls: `PairFilter` and `ContactCallback` inside a step,
-// between the narrow phase and the solver, in the order of the contacts; a filter also inside an
-// edit after which it must be called again; `QueryFilter::accept` (query.h) inside a query;
+// User functions that the library calls. `PairFilter` and `ContactCallback` are called inside a
+// step, between the narrow phase and the solver, in the order of the contacts; a filter is also
+// called inside an edit that requires it. `QueryFilter::accept` (query.h) is called inside a query,
 // `RefreshCallback` inside a read. All run on the caller's thread, one after the other. One of the
-// shapes that they get may be of the world's border.
+// shapes that they get may belong to the world's border.
 //
 // **What such a function may do with the world that calls it:** call all `const` methods (read
 // bodies, shapes, joints and contacts, make queries) and write the members of the `ContactEdit`
-// that it gets; these hold for the step. In a step, positions and velocities are those before it.
+// that it gets; these are valid for the step. In a step, positions and velocities are those before
+// it.
 //
 // **What it may not do:** call methods that edit, step, restore, assign or clear the world, or that
 // replace a callback. They throw `Locked`, with a message that names both calls, and change
-// nothing. Inside a step the state is incomplete: `World::save`, `World::validate` and copying
-// throw `Locked` there, too. Note the change and make it after the step or the query. Other worlds
-// are free: one may be edited, stepped and copied while another calls.
+// nothing. Inside a step the state is incomplete, so `World::save`, `World::validate` and copying
+// throw `Locked` there, too. Instead, store the change and make it after the step or the query.
+// Other worlds are not affected: one may be edited, stepped and copied while another calls.
 //
-// **A function that throws** leaves a valid world. A query ends at once, and has changed nothing. A
-// step or an edit goes on to its end as if the function did not exist for that pair or that contact
-// (a filter that throws counts as true), calls the function for the others, and then throws the
-// first exception: the step is complete.
+// **A function that throws** leaves a valid world. A query ends at once and has changed nothing. A
+// step or an edit continues to its end as if the function did not exist for that pair or that
+// contact (a filter that throws counts as true), calls the function for the others, and then throws
+// the first exception; the step is complete.
 //
-// **A function that destroys the World that calls it:** the call goes on to its end, calls no more
-// callbacks and throws `Locked`. From then on handles report that their world was destroyed.
+// **A function that destroys the World that calls it:** the call continues to its end, calls no
+// more callbacks and throws `Locked`. From then on handles report that their world was destroyed.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -50,16 +51,16 @@ struct ContactEdit {
 
 /// True if two shapes whose filters agree may collide.
 using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
-/// Is called for every contact in every step. A chain or a concave polygon may touch another shape
+/// Called for every contact in every step. A chain or a concave polygon may touch another shape
 /// with several of its convex parts, each with a manifold of its own. Surfaces may differ from
-/// place to place: the mixing callback is called for each of the parts, with its point. Whether and
-/// how two shapes act on each other is one decision: before-solve is called once for both shapes,
-/// after the mixing. It gets the point, normal, speed, separation and surface of the deepest part
-/// and the sum of the impulses of all parts. A value that it sets holds for all parts; where it
-/// sets none, each part keeps its mixed value.
+/// place to place, so the mixing callback is called for each part, with its point. Whether and how
+/// two shapes act on each other is one decision, so before-solve is called once for both shapes,
+/// after the mixing. It gets the point, normal, speed, separation and surface of the deepest part,
+/// and the sum of the impulses of all parts. A value that it sets is used for all parts; otherwise
+/// each part keeps its mixed value.
 using ContactCallback = std::function<void(ContactEdit&)>;
 
-/// What a read brings up to date: all edited data, or the derived data of one body or shape.
+/// The data that a read updates: all edited data, or the derived data of one body or shape.
 struct Refresh {
     enum class Of : uint8_t { everything, body, shape };
     Of of = Of::everything;

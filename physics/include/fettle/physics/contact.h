@@ -15,8 +15,7 @@ struct ContactPoint {
     float normal_impulse =
         0.0f;  ///< N s in one sub-step; multiply by the sub-step rate for newtons
     float tangent_impulse = 0.0f;  ///< N s in one sub-step
-    uint16_t feature = 0;          ///< which vertex and edge meet: unchanged while the same ones
-                                   ///< meet
+    uint16_t feature = 0;          ///< identifies the vertex and edge between steps
 };
 
 /// A contact between two shapes as it was in the last step. The normal points from a to b. One of

@@ -3,7 +3,7 @@
 #include <fettle/physics/export.h>
 #include <fettle/physics/joint.h>
 
-// Joints that hold, drive or couple two bodies as a whole.
+// Joints that hold, drive or couple two bodies.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -21,16 +21,15 @@ class WeldJoint : public Joint {
     void set_hertz(float hertz);
     float damping_ratio() const;
     void set_damping_ratio(float ratio);
-    float angular_hertz() const;  ///< stiffness of the angle; infinity (the default): rigid; 0: not
-                                  ///< held
+    float angular_hertz() const;  ///< of the angle; infinity (the default): rigid; 0: free
     void set_angular_hertz(float hertz);
     float angular_damping_ratio() const;
     void set_angular_damping_ratio(float ratio);
 };
 
 /// Drives b relative to a, with a limited force and torque: to a velocity, or with `hertz` to an
-/// offset and an angle. With velocity 0 and without stiffness it is the friction of a top-down
-/// game.
+/// offset and an angle. With velocity 0 and without stiffness it acts as friction, as needed in a
+/// top-down game.
 class MotorJoint : public Joint {
   public:
     using Joint::Joint;
@@ -47,14 +46,13 @@ class MotorJoint : public Joint {
     void set_linear_offset(const Vec2& offset);
     float angular_offset() const;  ///< rad, of b relative to a
     void set_angular_offset(float angle);
-    float hertz() const;  ///< stiffness towards the offsets; 0 (the default): only velocities are
-                          ///< driven
+    float hertz() const;  ///< stiffness to the offsets; 0 (the default): velocities only
     void set_hertz(float hertz);
     float damping_ratio() const;  ///< 1 by default
     void set_damping_ratio(float ratio);
 };
 
-/// A rope from a over two wheels of the world to b. It only pulls.
+/// A rope from a over two wheels of the world to b. It can only pull.
 class PulleyJoint : public Joint {
   public:
     using Joint::Joint;
@@ -63,23 +61,22 @@ class PulleyJoint : public Joint {
     void set_ground_a(const Vec2& point);
     Vec2 ground_b() const;
     void set_ground_b(const Vec2& point);
-    float ratio() const;  ///< weight of the part of the rope at b: b is so much slower and stronger
-                          ///< than a
+    float ratio() const;  ///< force on b divided by the force on a; b moves slower by this factor
     void set_ratio(float ratio);  ///< positive
     float length() const;         ///< m, of the part at a plus `ratio` times the part at b
     void set_length(float length);
-    float length_now() const;  ///< m, that the rope needs to reach both bodies: `length` when taut
+    float length_now() const;  ///< m, length of the rope between both bodies; `length` when taut
     float length_a() const;    ///< m, from the wheel to anchor a now
     float length_b() const;
     float tension() const;  ///< N, in the last step
 };
 
-/// Turns b with a.
+/// Rotates b with a.
 class GearJoint : public Joint {
   public:
     using Joint::Joint;
 
-    /// How far b turns when a turns once: -r_a/r_b for meshed wheels, r_a/r_b for a belt.
+    /// Rotation of b divided by the rotation of a: -r_a/r_b for meshed wheels, r_a/r_b for a belt.
     float ratio() const;
     void set_ratio(float ratio);
     float phase() const;  ///< rad: angle of b minus `ratio` times the angle of a
@@ -87,7 +84,7 @@ class GearJoint : public Joint {
     float phase_now() const;  ///< rad, the phase of the current angles
 };
 
-/// Lets b turn against a one way only.
+/// Lets b rotate relative to a in one direction only.
 class RatchetJoint : public Joint {
   public:
     using Joint::Joint;
@@ -97,9 +94,9 @@ class RatchetJoint : public Joint {
     void set_reference_angle(float angle);
     float tooth() const;  ///< rad between teeth; 0 (the default): the ratchet holds at any angle
     void set_tooth(float angle);
-    bool backwards() const;  ///< true: b turns freely clockwise, not counter-clockwise
+    bool backwards() const;  ///< true: b rotates freely clockwise, not counter-clockwise
     void set_backwards(bool backwards);
-    float caught_angle() const;  ///< rad: b does not turn back beyond this angle
+    float caught_angle() const;  ///< rad: b does not rotate back beyond this angle
 };
 
 }  // namespace fettle::physics

@@ -8,26 +8,26 @@
 #include <vector>
 
 // Definitions of the objects that a world creates: plain aggregates for designated initializers,
-// with the defaults of the library. Every value in here can be changed later on the object.
+// with the defaults of the library. All values can be changed later on the objects.
 
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// How a contact computes its value from the values of its two surfaces.
+/// Rule by which a contact computes its value from the values of its two surfaces.
 enum class MixRule : uint8_t { average, minimum, maximum, multiply, geometric };
 
 /// How contacts and joints are solved; docs/design/solvers.md compares the three.
 enum class Solver : uint8_t {
     soft_step,   ///< sequential impulses with warm start on small steps, soft contacts
-    sequential,  ///< one pass over the contacts in order of severity, near ones included, no warm
+    sequential,  ///< one pass over the contacts in order of severity, near ones included; no warm
                  ///< start
     direct       ///< each island as one complementarity problem
 };
 
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};    ///< m/s²
-    int substeps = 4;                 ///< solver sub-steps a step, 1 … 64
+    int substeps = 4;                 ///< solver sub-steps per step, 1 … 64
     std::optional<Aabb> bounds = {};  ///< walls that keep dynamic bodies inside; none: open world
     float bounds_friction = 0.6f;     ///< friction of these walls
     float bounds_restitution = 0.0f;  ///< restitution of these walls
@@ -37,16 +37,14 @@ struct WorldDef {
     float hit_threshold = 1.0f;          ///< m/s; slower impacts make no hit event
     float sleep_speed = 0.05f;    ///< m/s; an island slower than this for `sleep_delay` sleeps
     float sleep_delay = 0.5f;     ///< s
-    float contact_hertz = 60.0f;  ///< frequency of a contact under load; a contact without load has
-                                  ///< ¾ of it. The solver uses at most a quarter of the sub-step
-                                  ///< rate
+    float contact_hertz = 60.0f;  ///< frequency of a contact under load; ¾ of it without load. The
+                                  ///< solver uses at most a quarter of the sub-step rate
     float contact_damping = 10.0f;  ///< damping ratio of contacts
-    float push_speed = 3.0f;        ///< m/s; the highest speed at which overlapping shapes are
-                                    ///< pushed apart
+    float push_speed = 3.0f;        ///< m/s; limit for pushing overlapping shapes apart
     MixRule friction_mix = MixRule::geometric;
     MixRule restitution_mix = MixRule::maximum;
     Solver solver = Solver::soft_step;
-    bool persist_events = false;  ///< report every touch that goes on, in every step
+    bool persist_events = false;  ///< report every continuing touch in every step
 };
 
 struct BodyDef {
@@ -61,8 +59,7 @@ struct BodyDef {
     float linear_damping = 0.0f;        ///< 1/s
     float angular_damping = 0.0f;       ///< 1/s
     std::optional<float> mass = {};     ///< kg; none: from the shapes; infinity: does not move
-    std::optional<float> inertia = {};  ///< kg m² about the center of mass; none: from the shapes;
-                                        ///< infinity: does not turn
+    std::optional<float> inertia = {};  ///< kg m²; none: from the shapes; infinity: does not rotate
     std::optional<Vec2> center = {};  ///< center of mass in body coordinates; none: from the shapes
     bool awake = true;
     bool can_sleep = true;
@@ -86,8 +83,7 @@ struct ShapeDef {
     bool sensor = false;  ///< reports overlaps, applies no force
     bool hit_events = false;       ///< report impacts above `WorldDef::hit_threshold`
     uint64_t category = 1;         ///< categories of this shape, one bit each
-    uint64_t mask = ~uint64_t{0};  ///< categories that it collides with: the filters of both shapes
-                                   ///< must agree
+    uint64_t mask = ~uint64_t{0};  ///< categories it collides with; both shapes must agree
     int32_t group = 0;  ///< same non-zero group: positive always collides, negative never
     uint64_t user_data = 0;
 };
@@ -100,45 +96,45 @@ struct Circle {
 };
 
 struct Box {
-    float width = 1.0f;  ///< full width, rounding included
+    float width = 1.0f;  ///< full width, including rounding
     float height = 1.0f;
     Vec2 center = Vec2::Zero();
     float angle = 0.0f;
-    float rounding = 0.0f;  ///< corner radius; more than half the smaller side counts as half
+    float rounding = 0.0f;  ///< corner radius; at most half of the smaller side is used
 };
 
-/// If both ends are at the same point, the segment gets the shortest possible length.
+/// If both ends are at the same point, the segment gets the minimal length.
 struct Segment {
     Vec2 from = {-0.5f, 0.0f};
     Vec2 to = {0.5f, 0.0f};
     float rounding = 0.0f;  ///< radius: a capsule when positive
 };
 
-/// The shape is the convex hull of these points: in any order, duplicates and inner points are
-/// dropped.
+/// The shape is the convex hull of these points. They may be in any order; duplicates and inner
+/// points are dropped.
 struct Polygon {
     std::vector<Vec2> vertices = {};
     float rounding = 0.0f;  ///< radius added on all sides
 };
 
-/// Collides exactly, not as a polygon.
+/// Collides as an exact ellipse, not as a polygon.
 struct Ellipse {
-    float radius_x = 0.5f;  ///< half its width before it is turned
+    float radius_x = 0.5f;  ///< half of its width before rotation
     float radius_y = 0.25f;
     Vec2 center = Vec2::Zero();
     float angle = 0.0f;
 };
 
-/// A polygon that may be concave, clockwise or counter-clockwise: its outline must not touch
-/// itself. It is one shape, and collides as convex pieces.
+/// A polygon that may be concave, clockwise or counter-clockwise. Its outline must not touch
+/// itself. It is one shape and collides as convex pieces.
 struct Concave {
     std::vector<Vec2> vertices = {};
 };
 
 /// A line of segments on which bodies slide without catching at its points. It is one-sided: solid
-/// for bodies on its left, seen from one point to the next. Points from left to right make a
-/// ground; a closed counter-clockwise chain holds what is inside, a clockwise one is an island.
-/// Bodies pass through it from behind. Consecutive points at the same place count once.
+/// for bodies on its left, in the order of the points. Points from left to right make a ground; a
+/// closed counter-clockwise chain holds the bodies inside, a clockwise one is an island. Bodies
+/// pass through it from behind. Consecutive points at the same place count once.
 struct Chain {
     std::vector<Vec2> points = {};
     bool closed = false;  ///< true: a segment goes from the last point to the first
@@ -146,7 +142,7 @@ struct Chain {
 
 using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, Chain>;
 
-/// What all types of joints have in common; the other settings are set on the joint.
+/// Settings of all types of joints; other settings are set on the joint.
 struct JointDef {
     BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};
@@ -161,8 +157,7 @@ struct JointDef {
 struct MouseJointDef {
     BodyId body = {};
     Vec2 target = Vec2::Zero();       ///< world, m
-    std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point of the body that is at
-                                      ///< `target` now
+    std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point at `target`
     float hertz = 5.0f;               ///< stiffness
     float damping_ratio = 0.7f;
     float max_force = infinity;  ///< N

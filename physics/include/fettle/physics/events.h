@@ -5,8 +5,8 @@
 
 #include <vector>
 
-// What happened in the last step and in the edits before it. Ids of destroyed objects are dangling
-// on purpose: they still compare, so a listener knows which object was destroyed.
+// Events of the last step and of the edits before it. Ids of destroyed objects are dangling on
+// purpose: they can still be compared, so a listener knows which object was destroyed.
 
 FETTLE_PHYSICS_BEGIN
 
@@ -20,7 +20,7 @@ struct ContactBeginEvent {
     Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
     Vec2 normal = Vec2::Zero();  ///< from a to b
     float speed = 0.0f;          ///< m/s, approach speed along the normal before the step
-    float impulse = 0.0f;        ///< N s, the impulse that ends the approach and makes the bounce
+    float impulse = 0.0f;        ///< N s, the impulse that stops the approach and causes the bounce
     float friction = 0.0f;       ///< mixed
     float restitution = 0.0f;    ///< mixed
 };
@@ -32,7 +32,7 @@ struct ContactEndEvent {
     BodyId body_b;
 };
 
-/// A touch that goes on; only with `WorldDef::persist_events`.
+/// A continuing touch; only with `WorldDef::persist_events`.
 struct ContactPersistEvent {
     ShapeId shape_a;
     ShapeId shape_b;

@@ -24,8 +24,8 @@ struct FieldId {
     explicit operator bool() const { return generation != 0; }
 };
 
-/// Moving air: presses on every edge that faces it by ½·density·(speed across the edge)². Plates
-/// fly, wheels turn.
+/// Moving air: presses on every edge that faces the wind by ½·density·(speed across the edge)². It
+/// can lift plates and rotate wheels.
 struct WindField {
     Vec2 velocity = {5.0f, 0.0f};  ///< m/s
     float density = 1.2f;          ///< kg/m²
@@ -38,8 +38,8 @@ struct DragField {
     float quadratic = 0.0f;    ///< N s²/m² per m²
 };
 
-/// A liquid below a straight surface. Lifts a shape by the weight of the displaced liquid, exactly,
-/// at the centroid of the submerged part; gravity is that of the world.
+/// A liquid below a straight surface. Lifts a shape by the exact weight of the displaced liquid, at
+/// the centroid of the submerged part; gravity is that of the world.
 struct BuoyancyField {
     float level = 0.0f;          ///< m: points with normal·p < level are submerged
     Vec2 normal = {0.0f, 1.0f};  ///< upward normal of the surface, of any length but 0
@@ -53,21 +53,20 @@ struct AttractorField {
     Vec2 center = Vec2::Zero();  ///< world, m
     float strength = 10.0f;      ///< m/s² at a distance of 1 m; negative repels
     int falloff = 2;             ///< 0 … 3
-    float core = 0.5f;           ///< m: at a smaller distance the pull is proportional to the
-                                 ///< distance
+    float core = 0.5f;           ///< m: nearer, the pull is proportional to the distance
 };
 
 struct FieldDef {
     std::variant<WindField, DragField, BuoyancyField, AttractorField> force = {};
-    /// Where the field acts, m: on shapes that overlap the region (liquids), or on bodies with
-    /// their center of mass in it. None: everywhere.
+    /// Region in which the field acts, m: on shapes that overlap it (liquids), or on bodies with
+    /// their center of mass in it (other fields). None: everywhere.
     std::optional<Aabb> region = {};
     uint64_t mask = ~uint64_t{0};  ///< the field acts on shapes of these categories
     bool enabled = true;
     uint64_t user_data = 0;
 };
 
-/// A light handle to a field of force. Errors as for `Body`. A field pushes awake bodies only;
+/// A light handle to a field of force. Errors as for `Body`. A field acts only on awake bodies;
 /// setting it wakes all.
 class Field {
   public:
@@ -82,8 +81,7 @@ class Field {
     void destroy();
 
     const FieldDef& definition() const;
-    void set(const FieldDef& definition);  ///< all settings at once; values without meaning are
-                                           ///< refused
+    void set(const FieldDef& definition);  ///< all settings at once; invalid values are refused
 
   private:
     detail::WorldData& live() const;

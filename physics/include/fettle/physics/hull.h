@@ -20,9 +20,9 @@ enum class HullStatus : uint8_t {
 /// The message for a user, e.g. "all vertices lie on one line".
 const char* describe(HullStatus status);
 
-/// Convex hull, counter-clockwise, starting at the lowest of the leftmost points. Input in any
-/// order; duplicates, points inside and points on an edge are dropped. `hull` is only written when
-/// the status is `ok`.
+/// Convex hull, counter-clockwise, starting at the lowest of the leftmost points. The input may be
+/// in any order; duplicates, points inside and points on an edge are dropped. `hull` is written
+/// only if the status is `ok`.
 HullStatus convex_hull(std::span<const Vec2> points, std::vector<Vec2>& hull);
 
 }  // namespace fettle::physics

@@ -6,8 +6,8 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// How many 32-bit numbers the solver computes at a time on this machine: 16 with AVX-512, 8 with
-/// AVX2, else 4. The results are the same bits with each width.
+/// Number of 32-bit values that the solver computes at a time on this machine: 16 with AVX-512, 8
+/// with AVX2, otherwise 4. Results are equal bit for bit for all widths.
 int simd_width();
 
 }  // namespace fettle::physics

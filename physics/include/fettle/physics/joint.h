@@ -13,7 +13,7 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 
 /// A light handle to a joint between two bodies, or between one body and the world. Errors as for
 /// `Body`. Every setter wakes both bodies and takes effect in the next step. Destroying a body
-/// destroys its joints. As an argument and as a result, `Body()` stands for the world.
+/// destroys its joints. As an argument or a result, `Body()` means the world.
 class Joint {
   public:
     Joint() = default;
@@ -41,9 +41,9 @@ class Joint {
     void set_enabled(bool enabled);  ///< a disabled joint does nothing at all
     bool collide() const;
     void set_collide(bool collide);  ///< whether the two bodies collide with each other
-    /// Force limit, N: a joint whose mean force over a step is higher breaks. It then does nothing,
-    /// as if disabled, and `Events::joint_broke` reports it; infinity (the default): it never
-    /// breaks.
+    /// Force limit, N: if the mean force over a step is higher, the joint breaks. Then it has no
+    /// effect, as if disabled, and `Events::joint_broke` reports it. Infinity (the default): it
+    /// never breaks.
     float break_force() const;
     void set_break_force(float force);
     float break_torque() const;  ///< N m
@@ -51,8 +51,7 @@ class Joint {
     bool broken() const;
     void set_broken(bool broken);  ///< false repairs the joint
     Vec2 force() const;            ///< N, on body b in the last step
-    float torque() const;          ///< N m, on body b in the last step, without the torque of the
-                                   ///< force
+    float torque() const;          ///< N m, on body b; excludes the torque of the force
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);
@@ -61,12 +60,11 @@ class Joint {
     detail::WorldData& live() const;
     template <class Data>
     Data& own() const;
-    /// Settings for an edit: wakes the bodies. `of` and `function`: type and method that the user
+    /// Settings for an edit; wakes the bodies. `of` and `function`: type and method that the user
     /// called, for messages.
     template <class Data>
     Data& edit(const char* of, const char* function) const;
-    float per_substep(float impulse) const;  ///< converts an impulse of a sub-step to a force or a
-                                             ///< torque
+    float per_substep(float impulse) const;  ///< impulse of a sub-step to force or torque
 
   private:
     detail::WorldData& edited(const char* function) const;
@@ -82,8 +80,7 @@ class MouseJoint : public Joint {
     using Joint::Joint;
 
     Body body() const { return body_b(); }
-    void set_body(const Body& body);  ///< keeps the anchor's body coordinates; must not be the
-                                      ///< world
+    void set_body(const Body& body);  ///< keeps the anchor; must not be the world
     Vec2 anchor() const { return anchor_b(); }
     void set_anchor(const Vec2& anchor);
     Vec2 target() const { return anchor_a(); }  ///< world, m
@@ -114,20 +111,19 @@ class DistanceJoint : public Joint {
     float distance() const;  ///< m, between the anchors now
 };
 
-/// Holds two points together: the bodies turn about this point.
+/// Holds two points together; the bodies rotate about this point.
 class RevoluteJoint : public Joint {
   public:
     using Joint::Joint;
 
-    /// Angle of b relative to a, rad, minus the reference angle; not wrapped. Limits and spring use
-    /// this angle.
+    /// Angle of b relative to a, rad, minus the reference angle; not wrapped. Limits and spring
+    /// refer to this angle.
     float angle() const;
     float reference_angle() const;
     void set_reference_angle(float angle);
     float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);
-    float upper_angle() const;  ///< rad; infinity (the default): no limit. Where the limits cross,
-                                ///< this one is used
+    float upper_angle() const;  ///< rad; infinity (the default): no limit. Wins over `lower`
     void set_upper_angle(float angle);
     float motor_speed() const;  ///< rad/s, of b relative to a
     void set_motor_speed(float speed);

@@ -10,14 +10,14 @@ FETTLE_PHYSICS_BEGIN
 namespace fettle::physics {
 
 /// For a host that keeps data for every object of a world, such as an instance of a property tree.
-/// `World::set_owner` sets the owner of a world. From then on only the host creates and destroys
+/// `World::set_owner` sets the owner of a world. From then on only the host may create and destroy
 /// objects in it: while no `Acting` lives, these calls throw `Locked` and change nothing:
 ///
 /// - `create_...`, `clear`, `restore`, `take` (of both worlds) and assignment to the world;
 /// - `Body::add`, `Shape::attach`, `Shape::detach`, and `destroy` of everything;
 /// - `set_user_data`, in which the host keeps the link from an object to its data.
 ///
-/// All other calls are free. An owner must outlive its worlds, unless they get another owner
+/// All other calls are allowed. An owner must outlive its worlds, unless they get another owner
 /// before.
 class Owner {
   public:
@@ -26,7 +26,7 @@ class Owner {
     Owner(const Owner&) = delete;
     Owner& operator=(const Owner&) = delete;
 
-    /// While it lives, calls count as calls of the owner.
+    /// While it lives, calls count as calls by the owner.
     class Acting {
       public:
         explicit Acting(Owner& owner) : owner_(owner) { ++owner_.acting_; }
@@ -39,8 +39,8 @@ class Owner {
     };
 
     /// `call` is called at the end of a step, an edit or a query of a world in which user functions
-    /// may be called: the owner can then destroy what it could not destroy inside these functions.
-    /// It must not throw.
+    /// may be called. The owner can then destroy the objects that it could not destroy inside these
+    /// functions. It must not throw.
     void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
     void tell_unlocked() const {
         if (unlocked_) unlocked_();

@@ -12,11 +12,10 @@ namespace fettle::physics {
 /// The shapes that a query finds.
 struct QueryFilter {
     uint64_t category =
-        ~uint64_t{0};  ///< what the query is: a shape's mask must accept one of these bits
-    uint64_t mask =
-        ~uint64_t{0};   ///< what it looks for: one of a shape's category bits must be in here
-    int32_t group = 0;  ///< a shape of the same non-zero group: positive is found, negative is not
-    bool sensors = false;  ///< find sensors, too
+        ~uint64_t{0};  ///< categories of the query: a shape's mask must contain one of these bits
+    uint64_t mask = ~uint64_t{0};  ///< categories to find: a shape must have one of these bits
+    int32_t group = 0;             ///< same non-zero group: positive is found, negative is not
+    bool sensors = false;          ///< find sensors, too
     /// Called for each shape that passes the rest of the filter; empty: all pass. It may read the
     /// world and make other queries of it, but must not edit it: callbacks.h.
     std::function<bool(const Shape&)> accept = {};
@@ -25,8 +24,8 @@ struct QueryFilter {
 struct RayHit {
     Shape shape;
     Vec2 point = Vec2::Zero();
-    /// Normal of the surface, outward; against the motion where a cast shape overlaps the shape
-    /// from the start.
+    /// Outward normal of the surface. Opposite to the motion if a cast shape overlaps the shape at
+    /// the start.
     Vec2 normal = Vec2::Zero();
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };

@@ -65,15 +65,15 @@ class Shape {
     /// without rounding. Concave and chain: the points that were set. Circle and ellipse: empty.
     /// Valid until the next edit of any shape.
     std::span<const Vec2> vertices() const;
-    /// Polygon: the hull of `points` becomes the shape. Concave, chain: these points. On failure
-    /// nothing changes and the message of `std::invalid_argument` says why.
+    /// Polygon: the shape becomes the hull of `points`. Concave, chain: these points. After a
+    /// failure nothing has changed, and the message of `std::invalid_argument` contains the reason.
     void set_vertices(std::span<const Vec2> points);
-    /// As `set_vertices` with a status instead of an exception; polygons only.
+    /// Like `set_vertices` with a status instead of an exception; polygons only.
     HullStatus try_set_vertices(std::span<const Vec2> points);
     void add_vertex(const Vec2& point);  ///< polygon; body coordinates
     bool closed() const;                 ///< chain
     void set_closed(bool closed);
-    /// Concave: its convex pieces, counter-clockwise, of at most sixteen vertices, body
+    /// Concave: its convex pieces, counter-clockwise, with at most sixteen vertices each, body
     /// coordinates. Chain: its segments. Other types: empty.
     std::vector<std::vector<Vec2>> pieces() const;
 

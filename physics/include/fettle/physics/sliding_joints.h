@@ -4,13 +4,13 @@
 #include <fettle/physics/joint.h>
 
 // Joints between a point of body b and a line on body a. `axis` is the direction of the line in the
-// coordinates of a, of any length but 0; the line goes through anchor a.
+// coordinates of a, with any length except 0; the line passes through anchor a.
 
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
-/// Lets b slide along an axis of a without turning: a drawer, a piston, a lift.
+/// Lets b slide along an axis of a without rotating: a drawer, a piston, a lift.
 class PrismaticJoint : public Joint {
   public:
     using Joint::Joint;
@@ -21,15 +21,14 @@ class PrismaticJoint : public Joint {
     float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
     float upper_translation()
-        const;  ///< m; infinity (the default): no limit. Where the limits cross, this one is used
+        const;  ///< m; infinity (the default): no limit. If the limits cross, this one is used
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< m/s, of b relative to a along the axis
     void set_motor_speed(float speed);
     float max_motor_force() const;  ///< N; 0 (the default): no motor
     void set_max_motor_force(float force);
     float motor_force() const;  ///< N, force of the motor in the last step
-    float hertz() const;        ///< of a spring towards `target_translation`; 0 (the default): no
-                                ///< spring
+    float hertz() const;        ///< spring to `target_translation`; 0 (the default): none
     void set_hertz(float hertz);
     float damping_ratio() const;
     void set_damping_ratio(float ratio);
@@ -40,7 +39,7 @@ class PrismaticJoint : public Joint {
     void set_reference_angle(float angle);
 };
 
-/// A pin of b in a straight slot of a: it slides as in a prismatic joint, and turns freely.
+/// A pin of b in a straight slot of a: it slides like a prismatic joint, and rotates freely.
 class PinSlotJoint : public Joint {
   public:
     using Joint::Joint;

@@ -39,7 +39,7 @@ struct StepStatistics {
 struct MemoryShare {
     const char* purpose = "";
     std::size_t used = 0;      ///< bytes in use
-    std::size_t reserved = 0;  ///< with the room for more
+    std::size_t reserved = 0;  ///< including reserved room
 };
 
 }  // namespace fettle::physics

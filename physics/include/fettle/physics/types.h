@@ -15,9 +15,9 @@ namespace fettle::physics {
 using Vec2 = Eigen::Vector2f;
 
 /// A handle: a slot and the generation of the object in it. A default-constructed id is empty. An
-/// id is valid in its world and in copies of that world: no two worlds of a process use the same
-/// generations, so an id of another world is detected, and so is the id of a destroyed object. It
-/// never refers to a later object in the same slot.
+/// id is valid in its world and in copies of that world. No two worlds of a process use the same
+/// generations, so an id of another world is detected, and so is the id of a destroyed object. An
+/// id never refers to a later object in the same slot.
 struct BodyId {
     uint32_t index = 0;
     uint32_t generation = 0;  ///< 0: empty
@@ -53,8 +53,7 @@ enum class ShapeType : uint8_t {
     ellipse,
     concave,
     chain,
-    border  ///< one of the four half-planes of `World::bounds`; only ever seen in contacts, events
-            ///< and rays
+    border  ///< half-plane of `World::bounds`; only in contacts, events and rays
 };
 
 enum class JointType : uint8_t {
@@ -87,9 +86,9 @@ struct Pose {
     float angle = 0.0f;
 };
 
-/// What changes for a body in each step. All states are one array, addressed by `BodyId::index`; a
-/// slot does not move while its body lives: sleeping and waking do not reorder the array. Read it
-/// freely; write through `Body`.
+/// State of a body that changes in each step. All states are in one array with the index
+/// `BodyId::index`. A slot does not move while its body lives: sleeping and waking do not reorder
+/// the array. It can be read freely; writing requires `Body`.
 struct BodyState {
     Vec2 position = Vec2::Zero();   ///< of the body's origin, m
     float angle = 0.0f;             ///< rad, not wrapped

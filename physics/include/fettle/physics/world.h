@@ -29,7 +29,7 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
 struct WorldInside;  ///< defined in the tests of the library
 
-/// Data that is read too often for function calls: arrays addressed by `BodyId::index`.
+/// Data that are read too often for function calls: arrays with the index `BodyId::index`.
 struct Columns {
     std::vector<BodyState> states;
     std::vector<Pose> previous;
@@ -51,12 +51,12 @@ struct Columns {
 
 /// Result of writing a number or a velocity by slot. `same`: the value was there already. `done`:
 /// the value is written. `refused`: nothing is written, and the setter of `Body` must be called
-/// instead, because the body sleeps, does not move by itself, has a mass or shapes that were edited
-/// since the last step, or because the world is locked (callbacks.h). Writing calls no callback and
+/// instead. Reasons: the body sleeps, does not move by itself, has a mass or shapes that were
+/// edited since the last step, or the world is locked (callbacks.h). Writing calls no callback and
 /// allocates nothing.
 enum class Written : uint8_t { same, done, refused };
 
-/// Numbers of a body that hosts write by slot, named as the setters of `Body`. These setters
+/// Numbers of a body that hosts write by slot, named like the setters of `Body`. These setters
 /// document the ranges; writing by slot does not check them.
 enum class BodyNumber : uint8_t {
     angular_velocity,
@@ -67,15 +67,15 @@ enum class BodyNumber : uint8_t {
 };
 
 /// A world of rigid bodies. It owns all its objects; `Body`, `Shape`, `Joint` and `Field` are
-/// handles into it, which throw when they outlive it. It does not move: `World b = std::move(a)`
-/// copies.
+/// handles to them, which throw if they outlive the world. A world cannot be moved: `World b =
+/// std::move(a)` copies.
 ///
-/// Different worlds are independent, in several threads, too. Only one thread at a time may use a
+/// Different worlds are independent, also in several threads. Only one thread at a time may use a
 /// world; but several threads may call `const` methods at once while no other method of the world
 /// or of its objects runs, if nothing was edited since the last step or since `refresh({})`.
 ///
-/// Methods that are not `const` throw `Locked` inside a function that the world is calling, and so
-/// do copying, saving and `validate` inside a step: callbacks.h says what such a function may do.
+/// Methods that are not `const` throw `Locked` inside a function that the world is calling. So do
+/// copying, saving and `validate` inside a step: callbacks.h describes what such a function may do.
 ///
 ///     World world;
 ///     Body ground = world.create_body({.type = BodyType::static_body});
@@ -87,24 +87,24 @@ enum class BodyNumber : uint8_t {
 class World {
   public:
     explicit World(const WorldDef& def = {});
-    /// Inside a function that the world is calling: the step or the query goes on to its end and
+    /// Inside a function that the world is calling: the step or the query continues to its end and
     /// then throws `Locked`, and handles report that their world was destroyed.
     ~World();
-    /// A copy is a snapshot: same ids, same future, bit for bit; objects that either world creates
-    /// from then on have different ids. Handles keep pointing into their original world. Assigning
-    /// a copy restores: handles that were valid at the time of the copy are valid again, and
-    /// handles to later objects stay invalid for ever.
+    /// A copy is a snapshot with the same ids and the same future, bit for bit. Objects that either
+    /// world creates from then on have different ids. Handles keep referring to their original
+    /// world. Assigning a copy restores: handles that were valid at the time of the copy are valid
+    /// again, and handles to later objects stay invalid for ever.
     World(const World& other);
     World& operator=(const World& other);
 
     /// Appends the complete state of the world to `out`, in the byte order and layout of this
     /// build, with a checksum.
     void save(std::vector<std::byte>& out) const;
-    /// Restores the state that `save` wrote, in place, as an assignment. Throws
+    /// Restores the state that `save` wrote, in place, like an assignment. Throws
     /// std::invalid_argument and changes nothing if a byte was changed, removed or added, or if
     /// another version wrote the state.
     void restore(std::span<const std::byte> bytes);
-    /// Takes the state of `other`, in place, as `restore`; `other` is an empty world afterwards.
+    /// Takes the state of `other`, in place, like `restore`; `other` is an empty world afterwards.
     void take(World&& other);
 
     /// Advances by `dt` seconds; does nothing unless dt > 0. Throws only the exceptions of
@@ -148,26 +148,26 @@ class World {
     bool persist_events() const;
     void set_persist_events(bool enabled);
     void wake_all();
-    /// The greatest number of values that are computed at a time: 4, 8 or 16, limited by
-    /// `simd_width`. Smaller widths are slower and give the same bits: for comparisons. Throws for
-    /// any other number.
+    /// The largest number of values that are computed at a time: 4, 8 or 16, limited by
+    /// `simd_width`. Smaller widths are slower and give equal bits; they are for comparisons.
+    /// Throws for any other number.
     void limit_simd_width(int most);
 
-    /// How many threads share the work of a step, with the calling thread: 1 … 64. It is no part of
-    /// the state, and changes no result. The setter throws std::runtime_error if the system
-    /// provides fewer, and leaves the number as it was. If it is higher than the number of
+    /// Number of threads that share the work of a step, including the calling thread: 1 … 64. It is
+    /// not part of the state and changes no result. The setter throws std::runtime_error if the
+    /// system provides fewer, and leaves the number unchanged. If it is higher than the number of
     /// processors, only as many threads work as there are processors. Callbacks run on the thread
     /// of the caller.
     int threads() const;
     void set_threads(int threads);
 
-    // Callbacks; an empty one is not called and costs nothing. They are no part of a snapshot:
+    // Callbacks; an empty one is not called and costs nothing. They are not part of a snapshot:
     // copying, saving and restoring do not change the callbacks of the world, and a new copy has
-    // none. callbacks.h says what they may do.
+    // none. callbacks.h describes what they may do.
 
-    /// Called for every pair of shapes that comes near, in a step, and again after an edit of a
-    /// shape's filter. Setting it calls it for all pairs again; for sleeping pairs it is called
-    /// when they wake, as are the next two callbacks.
+    /// Called for every pair of shapes that come near to each other, in a step, and again after an
+    /// edit of a shape's filter. Setting it calls it again for all pairs. For sleeping pairs it is
+    /// called when they wake, as are the next two callbacks.
     void set_filter(PairFilter filter);
     /// Mixes the surfaces of every contact in every step, after the mix rules. May set friction,
     /// restitution and surface speed. Called for each touching part of an outline.
@@ -176,24 +176,23 @@ class World {
     /// contact for the step.
     void set_before_solve(ContactCallback callback);
 
-    /// Called before a read brings edited data up to date. The moment of this update affects all
-    /// later results, to the last bit: to repeat edits exactly, repeat the same updates between
-    /// them with `refresh`. Reads within a step or within the callback do not call it.
+    /// Called before a read updates edited data. The moment of this update affects all later
+    /// results, to the last bit: to repeat edits exactly, repeat the same updates between them with
+    /// `refresh`. Reads inside a step or inside the callback do not call it.
     void on_refresh(RefreshCallback callback);
-    /// Updates what a read would update; does nothing if nothing is out of date or the slot is
-    /// free.
+    /// Makes the update that a read would make; does nothing if nothing is out of date or the slot
+    /// is free.
     void refresh(const Refresh& wanted);
 
-    /// Sets the only owner that may create and destroy objects in the world; null: every caller
-    /// may. Like callbacks, it is no part of the state: copying, saving and restoring do not change
-    /// it, a copy has none.
+    /// Sets the owner, which alone may create and destroy objects in the world; null: every caller
+    /// may. Like callbacks, it is not part of the state: copying, saving and restoring do not
+    /// change it, and a copy has none.
     void set_owner(const Owner* owner);
 
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
     MouseJoint create_mouse_joint(const MouseJointDef& def);
-    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod with the current
-                                                                 ///< distance as its length
+    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod of the current length
     RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the current angle counts as 0
     PrismaticJoint create_prismatic_joint(const JointDef& def);  ///< holds the current angle
     WheelJoint create_wheel_joint(const JointDef& def);
@@ -215,26 +214,26 @@ class World {
     bool is_valid(JointId id) const { return columns_->is_valid(id); }
     Body body(BodyId id) const { return {self(), id}; }
     Shape shape(ShapeId id) const { return {self(), id}; }
-    /// The joint as its own type, or as any joint: `joint<WheelJoint>(id)`.
+    /// The joint as its own type, or as a general joint: `joint<WheelJoint>(id)`.
     template <class Any = Joint>
     Any joint(JointId id) const {
         return {self(), id};
     }
 
-    // Unchecked access for hosts that keep slots: `index` must be that of a live body. A reference
+    // Unchecked access for hosts that store slots: `index` must be that of a live body. A reference
     // is valid until the next body is created.
     const BodyState& state(uint32_t index) const { return columns_->states[index]; }
     float mass(uint32_t index) const;
     Vec2 velocity(uint32_t index) const;
-    /// Returns false and does nothing when the body does not move by itself.
+    /// Returns false and does nothing if the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
     template <BodyNumber number>
     Written write(uint32_t index, float value);
     Written write_velocity(uint32_t index, const Vec2& velocity);
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
     std::span<const BodyState> states() const { return columns_->states; }
-    /// Generation of the object in a slot, 0 for a free slot. Slots 0 … `body_slots()`-1; slot 0 is
-    /// the world's own.
+    /// Generation of the object in a slot, 0 for a free slot. Slots 0 … `body_slots()`-1; slot 0
+    /// belongs to the world.
     uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
     uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
     uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
@@ -257,11 +256,11 @@ class World {
     /// Heap memory of the world, by purpose, without callbacks and threads. Memory that a step can
     /// rebuild is freed when most bodies have fallen asleep.
     std::vector<MemoryShare> memory() const;
-    /// Hash of position, angle and velocities of all bodies, in slot order: equal for equal
-    /// histories.
+    /// Hash of position, angle and velocities of all bodies, in slot order. Equal histories have
+    /// equal hashes.
     uint64_t hash() const;
 
-    // Queries see every edit made before them. The order of the found shapes is repeatable. An
+    // Queries include every edit made before them. The order of the found shapes is repeatable. An
     // exception of `QueryFilter::accept` ends the query at once; the world does not change.
     std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_aabb(
@@ -270,8 +269,8 @@ class World {
                                    const QueryFilter& filter = {}) const;
     std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
                                      const QueryFilter& filter = {}) const;  ///< nearest first
-    /// Shapes that overlap `shape`, which may be of another world; shapes of its own body do not
-    /// count.
+    /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are
+    /// ignored.
     std::vector<Shape> query_overlap(const Shape& shape, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_overlap(const Geometry& geometry, const Pose& pose = {},
                                      const QueryFilter& filter = {}) const;
@@ -281,15 +280,15 @@ class World {
                                      const QueryFilter& filter = {}) const;
     std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
                                      const QueryFilter& filter = {}) const;
-    /// The shape nearest to a point, no farther than `reach` (m). The border does not count.
+    /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
     std::optional<PointHit> closest(const Vec2& point, float reach = infinity,
                                     const QueryFilter& filter = {}) const;
     /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
     /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
     void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
 
-    /// Checks that the broad phase, contacts, islands and lists agree with each other; returns a
-    /// description of the first disagreement, or nothing. For tests and debugging: slow.
+    /// Checks that the broad phase, contacts, islands and lists are consistent. Returns a
+    /// description of the first error, or nullopt. For tests and debugging: slow.
     std::optional<std::string> validate() const;
 
   private:
@@ -300,9 +299,9 @@ class World {
     friend struct detail::WorldInside;
     void begin();
     World* self() const { return const_cast<World*>(this); }  ///< handles are not const
-    /// For edits: throws Locked while nothing may be edited.
+    /// For edits: throws Locked while the world must not be edited.
     detail::WorldData& edit(const char* function) const;
-    /// For creating and destroying objects: throws Locked if the world has an owner, too.
+    /// For creating and destroying objects: also throws Locked if the world has an owner.
     detail::WorldData& populate(const char* function) const;
 
     std::unique_ptr<detail::WorldData> data_;

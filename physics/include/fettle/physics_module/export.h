@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_physics_module shows of itself: what its public headers declare between
-// these two marks, and nothing else. Everything is compiled with hidden visibility; a static
-// library needs no marks and has FETTLE_PHYSICS_MODULE_STATIC defined.
+// Exported symbols of a shared libfettle_physics_module: only declarations between these two marks
+// in its public headers. Everything is compiled with hidden visibility. A static library needs no
+// marks and defines FETTLE_PHYSICS_MODULE_STATIC.
 
 #ifdef FETTLE_PHYSICS_MODULE_STATIC
 #define FETTLE_PHYSICS_MODULE_BEGIN

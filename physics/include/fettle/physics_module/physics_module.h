@@ -1,7 +1,7 @@
 #pragma once
-// Physics in the property tree: worlds, bodies, shapes and joints are instances whose properties
-// are read from and written to the memory the physics library computes with.
-// docs/design/hosting-physics.md tells how.
+// Physics in the property tree: worlds, bodies, shapes and joints are instances. Their properties
+// are read from and written to the memory of the physics library. docs/design/hosting-physics.md
+// describes how.
 
 #include <memory>
 
@@ -28,14 +28,14 @@ class PhysicsModule : public module::Module {
     std::string_view name() const override { return "physics"; }
     /// Throws std::logic_error if the module was attached before, and Error(bad_name) if the tree
     /// already has a class, a child `world` of the root or a part of snapshots with a name that the
-    /// module needs: then nothing has changed, and the module is not attached.
+    /// module needs. Then nothing has changed, and the module is not attached.
     void attach(property::Tree& tree) override;
     /// Throws std::invalid_argument unless `dt` (s) is at least 0 and in the range of a float.
     void step(double dt) override;
     /// Throws std::invalid_argument for another tree than the one it was attached to.
     void report(property::Tree& tree) override;
-    /// Hash of the only world below the root, or of all of them, combined in the order of their
-    /// numbers; the number of a deleted world is used again.
+    /// Hash of the only world below the root. If there are several, their hashes are combined in
+    /// the order of their numbers; the number of a deleted world is used again.
     std::uint64_t hash() const override;
     void refresh(std::uint64_t what) override;
 
@@ -44,25 +44,25 @@ class PhysicsModule : public module::Module {
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
 
-    // Objects of the library that instances stand for, for C++ code that works without the tree. A
+    // Objects of the library that instances represent, for C++ code that works without the tree. A
     // result is valid until the instance is deleted or moved to another world, or a snapshot is
     // restored. Throws property::Error for a deleted instance or one of another class.
     //
-    // Only the tree creates and destroys objects in these worlds: creating and destroying bodies,
-    // shapes, joints and fields, attaching a shape to another body, `clear`, `restore`, `take`,
-    // assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). All other
-    // methods may be called except `World::set_owner`, which the module uses, and, while a handler
-    // listens, the setters of the world's callbacks. An instance that is deleted inside a function
-    // that its world calls is removed from the tree at once, and from the world at the end of that
-    // step or query.
+    // Only the tree creates and destroys objects in these worlds. So creating and destroying
+    // bodies, shapes, joints and fields, attaching a shape to another body, `clear`, `restore`,
+    // `take`, assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). All
+    // other methods may be called except `World::set_owner`, which the module uses, and, while a
+    // handler listens, the setters of the world's callbacks. An instance that is deleted inside a
+    // function that its world calls is removed from the tree at once, and from the world at the end
+    // of that step or query.
 
-    /// The world of a World instance; for any other the nearest above it, and where there is none
-    /// the one of all that is in no world.
+    /// The world of a World instance. For any other instance, the nearest world above it; if there
+    /// is none, the world that contains all objects without a world.
     physics::World& world(property::Handle instance);
     physics::Body body(property::Handle instance);
     physics::Shape shape(property::Handle instance);
 
-    /// And back; the null handle for what no instance stands for (a world's border).
+    /// The instance of an object; the null handle if it has none (a world's border).
     property::Handle handle(const physics::Body& body) const;
     property::Handle handle(const physics::Shape& shape) const;
 

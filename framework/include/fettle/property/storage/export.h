@@ -1,7 +1,7 @@
 #pragma once
-// What a shared libfettle_storage shows of itself: what its public headers declare between these
-// two marks, and nothing else. Everything is compiled with hidden visibility; a static library
-// needs no marks and has FETTLE_STORAGE_STATIC defined.
+// Exported symbols of a shared libfettle_storage: only declarations between these two marks in its
+// public headers. Everything is compiled with hidden visibility. A static library needs no marks
+// and defines FETTLE_STORAGE_STATIC.
 
 #ifdef FETTLE_STORAGE_STATIC
 #define FETTLE_STORAGE_BEGIN

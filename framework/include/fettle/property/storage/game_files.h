@@ -1,7 +1,7 @@
 #pragma once
 // The files that a game itself reads and writes while it runs: scripts, scenes, kept tweaks. A
-// recording gets their content at the start of the run from here; a replay puts that content back,
-// and the files that it writes stay in memory.
+// recording gets their content at the start of the run from this class. A replay puts that content
+// back, and files that it writes stay in memory.
 
 #include <cstddef>
 #include <cstdint>
@@ -41,14 +41,14 @@ class GameFiles {
     /// Writes the whole file or nothing, and waits for the disk. Throws FileError; the old file is
     /// then unchanged.
     void write(const std::filesystem::path& file, std::string_view content);
-    /// As `write`, for the text of a scene, which may replace only another scene: FileError for a
+    /// Like `write`, for the text of a scene, which may replace only another scene. FileError for a
     /// file of another kind, a hidden file, and names that Fettle uses itself (`main.lua`,
     /// `modules.json`, `game.json`, `*.tweaks.json`, names that end in .lua, .so or .sqlite).
     void write_scene(const std::filesystem::path& file, std::string_view text);
 
-    /// While it lives, no other process that uses this lock changes files of this game: for reading
-    /// a file, changing it and writing it again. Throws FileError if another process holds the lock
-    /// for more than five seconds. Null if nothing is written, or no folder is set.
+    /// While the result lives, no other process with this lock changes files of this game. Needed
+    /// for reading a file, changing it and writing it again. Throws FileError if another process
+    /// holds the lock for more than five seconds. Null if nothing is written, or no folder is set.
     [[nodiscard]] std::shared_ptr<void> lock();
 
     /// The state in which the run found a file.
@@ -59,11 +59,12 @@ class GameFiles {
         bool overwritten = false;
         std::optional<std::string> content{};  // of an overwritten file that existed
     };
-    /// Reports every file once when it is first read or checked, and before it is first written:
-    /// those so far at once. Only after `take_note`, which must be called before anything is read.
+    /// Reports every file once when it is first read or checked, and before it is first written.
+    /// Earlier ones are reported at once. Requires a call of `take_note` before anything is read.
     void tell(std::function<void(const Finding&)> listener);
     void take_note() { notes_ = true; }
-    /// Other code of the game reads that file, e.g. the loader of its module.
+    /// Must be called when other code of the game reads that file, for example the loader of its
+    /// module.
     void looks_at(const std::filesystem::path& file);
 
     /// From now on nothing is written to the disk: written files stay in memory, and reads find

@@ -38,21 +38,21 @@ class GameSaves {
     GameSaves(const GameSaves&) = delete;
     GameSaves& operator=(const GameSaves&) = delete;
 
-    /// Saves at the next barrier. A slot that is saved several times before it is saved once, as in
-    /// the last call. The save is read back as by `load` before it is written. Throws
-    /// Error(bad_name) for a name that no slot can have, Error(rejected) after `most_requests`
-    /// calls between two barriers.
+    /// Saves at the next barrier. If a slot is saved several times before it, only the last call
+    /// counts. The save is read back as by `load` before it is written. Throws Error(bad_name) for
+    /// a name that no slot can have, Error(rejected) after `most_requests` calls between two
+    /// barriers.
     void save(const std::string& slot);
     static constexpr std::size_t most_requests = 1000;
-    /// Restores at the next barrier the last save of that slot: from a `save` that still waits for
-    /// that barrier or for its picture, else from the file, which is read at once and checked as
-    /// far as possible before the barrier. Throws as `Saves::load` does, and Error(damaged,
-    /// unknown_name, rejected) for a state that this game, at the time of the call, cannot restore;
-    /// the game then goes on unchanged.
+    /// Restores the last save of that slot at the next barrier: from a `save` that still waits for
+    /// that barrier or for its picture, otherwise from the file. The file is read at once and
+    /// checked as far as possible before the barrier. Throws as `Saves::load` does, and
+    /// Error(damaged, unknown_name, rejected) for a state that this game cannot restore at the time
+    /// of the call; the game then continues unchanged.
     void load(const std::string& slot);
     /// Removes the file and a save that still waits. Throws as `Saves::remove` does.
     void remove(const std::string& slot);
-    /// As `Saves::list`; a save that this game cannot restore has a problem, too.
+    /// Like `Saves::list`; in addition, a save that this game cannot restore has a problem.
     std::vector<SaveInfo> list() const;
     const Saves& slots() const { return saves_; }
 
@@ -75,18 +75,17 @@ class GameSaves {
     void warn_once(const std::string& what);
     Tree& tree() const;
 
-    Tree& tree_;  // use `tree`, which checks that it lives
+    Tree& tree_;  // use `tree`, which checks that the tree lives
     std::weak_ptr<const Tree*> life_;
     Saves saves_;
     Options options_;
-    std::size_t requests_ = 0;                      // since the last barrier that carried out one
+    std::size_t requests_ = 0;                      // since the last barrier that executed one
     std::map<std::string, std::size_t> requested_;  // the last request of each slot
     std::map<std::size_t, std::string>
-        loaded_;                    // those that are loaded before the next of its slot
-    std::vector<Waiting> waiting_;  // for a picture
-    std::map<std::string, std::vector<std::byte>> unwritten_;  // written to no file yet, by slot
-    std::set<std::string> told_;                               // formulas that are not saved and
-                                                               // were reported
+        loaded_;                    // requests that are loaded before the next save of the slot
+    std::vector<Waiting> waiting_;  // saves without their picture
+    std::map<std::string, std::vector<std::byte>> unwritten_;  // saves without a file, by slot
+    std::set<std::string> told_;                               // reported formulas
     /// A request may reach its barrier after this object is destroyed.
     std::shared_ptr<GameSaves*> alive_;
 };

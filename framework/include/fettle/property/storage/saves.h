@@ -1,6 +1,6 @@
 #pragma once
-// Saved games: one file for each slot, written completely or not at all, and refused with a reason
-// if it is damaged, newer or of another game.
+// Saved games: one file for each slot. It is written completely or not at all, and refused with a
+// reason if it is damaged, newer or of another game.
 
 #include <cstddef>
 #include <cstdint>
@@ -63,16 +63,17 @@ class Saves {
     /// 16 MiB.
     void save(const std::string& slot, std::uint64_t step, std::span<const std::byte> state,
               const Thumbnail& thumbnail = {}) const;
-    /// Throws FileError with the reason why it cannot be used, Error(unknown_name) with the nearest
-    /// spelling when there is no such slot.
+    /// Throws FileError with the reason if the file cannot be used, Error(unknown_name) with the
+    /// nearest spelling if there is no such slot.
     SavedGame load(const std::string& slot) const;
-    /// By name; those that cannot be loaded tell why. `problem_of` may know more of a save that is
-    /// whole: why the game cannot restore it; "" where it can.
+    /// Sorted by name; saves that cannot be loaded contain the reason. `problem_of` can check
+    /// further, for saves without damage, whether the game can restore them: it returns the reason,
+    /// or "".
     using Check = std::function<std::string(const SavedGame&)>;
     std::vector<SaveInfo> list(const Check& problem_of = {}) const;
-    /// Whether there is a file of that slot, sound or not. Throws Error(bad_name).
+    /// Whether there is a file of that slot, valid or not. Throws Error(bad_name).
     bool exists(const std::string& slot) const;
-    /// Throws as `load` does for a slot there is not, FileError when it cannot be removed.
+    /// Throws as `load` does if there is no such slot, FileError if the file cannot be removed.
     void remove(const std::string& slot) const;
 
     const std::filesystem::path& folder() const { return folder_; }

@@ -45,13 +45,13 @@ class SceneError : public Error {
           column_(column),
           reason_(reason) {}
     const std::string& file() const { return file_; }
-    /// The message without the place.
+    /// The message without the position.
     const std::string& reason() const { return reason_; }
     /// The same error with a path in front of the reason.
     SceneError about(const std::string& path) const {
         return {kind(), file_, line_, column_, path + ": " + reason_};
     }
-    /// From 1; columns count characters, not bytes.
+    /// Count from 1; columns count characters, not bytes.
     std::size_t line() const { return line_; }
     std::size_t column() const { return column_; }
 
@@ -84,9 +84,8 @@ void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file
 /// Position of an instance in its scene file.
 struct SceneInstance {
     Handle instance{};
-    std::size_t parent = 0;  // index of its parent in the list; of the topmost instance, its own
-                             // index
-    std::size_t place = 0;   // among its parent's children in the file, from 0
+    std::size_t parent = 0;  // index of its parent; for the topmost one, its own
+    std::size_t place = 0;   // index among its parent's children in the file
 };
 
 /// Builds the instances of a scene file below `parent` (null: detached) and returns the topmost

@@ -1,6 +1,6 @@
 #pragma once
 // Tweaks: the edits of people while a game runs. Each is written to the journal when it is made and
-// survives a crash of the process; it can be kept (written into the scene file of its value),
+// survives a crash of the process. It can be kept (written into the scene file of its value),
 // applied again in a later run, or dropped. docs/design/storage.md has the details.
 
 #include <cstdint>
@@ -31,8 +31,7 @@ std::filesystem::path user_folder(const std::filesystem::path& game);
 std::string game_title(const std::filesystem::path& game);
 
 struct Tweak {
-    std::string path;      // "world.ball.mass"; or path of an instance that was created, deleted or
-                           // moved
+    std::string path;      // "world.ball.mass", or path of an instance
     std::string was, now;  // as printed, with units; "is ..." for a formula
     std::uint64_t step = 0;
     std::int64_t time = 0;   // s since 1970
@@ -50,7 +49,7 @@ struct TweakReport {
     std::vector<std::string> problems{};  // one line for each tweak with a problem
 };
 
-/// A tweak of an earlier run as words, which identify it in all runs.
+/// A tweak of an earlier run as words, which identify it in every run.
 using TweakWords = std::vector<std::string>;
 
 struct TweakOptions {
@@ -96,14 +95,16 @@ class Tweaks {
     /// Drops tweaks; values do not change.
     TweakReport drop(std::string_view pattern);
 
-    /// Call after a scene was loaded from that file: `instances` as from `load_scene`; whether a
-    /// script, and not the file, has named the topmost one.
+    /// Must be called after a scene was loaded from that file. `instances`: the list from
+    /// `load_scene`. `named_by_script`: a script, not the file, gave the name of the topmost
+    /// instance.
     void scene_loaded(const std::filesystem::path& file,
                       const std::vector<SceneInstance>& instances, bool named_by_script = false);
-    /// An instance got its place in the tree: sets the kept values of it and of the instances below
-    /// it.
+    /// Must be called when an instance got its place in the tree: sets the kept values of it and of
+    /// the instances below it.
     void placed(Handle instance);
-    /// The game is loaded: kept values replace the values that its script has set since.
+    /// Must be called when the game is loaded: kept values replace the values that its script has
+    /// set.
     void game_loaded();
 
     /// Whether they are the tweaks of that tree, and it lives.

@@ -1,4 +1,4 @@
-#include "untold.h"
+#include "undelivered_begins.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 namespace fettle::property {
 namespace {
 
-// Ends come with the next step; these many are of worlds that are not stepped.
+// An end event follows within a step or so. So many can only gather in worlds that are not stepped.
 constexpr std::size_t most = 4096;
 
 }  // namespace
@@ -19,9 +19,11 @@ bool names_deleted(const Tree& tree, const Value& value) {
     return value.is(Type::reference) && value.reference() && !tree.alive(value.reference());
 }
 
-void UntoldBeginnings::note(const Tree& tree, const Occurrence& beginning) {
+void UndeliveredBegins::note(const Tree& tree, const Occurrence& beginning) {
     if (list_.size() >= most) {
-        std::erase_if(list_, [&](const Untold& untold) { return !tree.alive(untold.instance); });
+        std::erase_if(list_, [&](const Undelivered& undelivered) {
+            return !tree.alive(undelivered.instance);
+        });
         if (list_.size() >= most) list_.erase(list_.begin(), list_.begin() + most / 2);
     }
     const std::vector<Value>& values = beginning.record.values;
@@ -31,10 +33,10 @@ void UntoldBeginnings::note(const Tree& tree, const Occurrence& beginning) {
         {beginning.instance, beginning.event, {values.begin(), values.begin() + count}});
 }
 
-bool UntoldBeginnings::take(const Occurrence& end) {
-    const auto found = std::ranges::find_if(list_, [&](const Untold& untold) {
-        return untold.instance == end.instance && untold.event == end.event->begin &&
-               untold.names == end.record.values;
+bool UndeliveredBegins::take(const Occurrence& end) {
+    const auto found = std::ranges::find_if(list_, [&](const Undelivered& undelivered) {
+        return undelivered.instance == end.instance && undelivered.event == end.event->begin &&
+               undelivered.names == end.record.values;
     });
     if (found == list_.end()) return false;
     list_.erase(found);

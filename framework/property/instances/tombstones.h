@@ -1,5 +1,5 @@
 #pragma once
-// What is still known of instances that were deleted.
+// Tombstones: data of deleted instances, kept for error messages.
 
 #include <algorithm>
 #include <deque>
@@ -18,16 +18,16 @@ struct Tombstone {
     Cause cause;
 };
 
-class Graves {
+class Tombstones {
   public:
-    /// The latest deletions; older ones are forgotten.
+    /// Only the latest deletions are kept.
     static constexpr std::size_t most = 8192;
 
     void add(Tombstone gone) {
         latest_.push_back(std::move(gone));
         if (latest_.size() > most) latest_.pop_front();
     }
-    /// nullptr where the instance lives, or was deleted too long ago.
+    /// nullptr if the instance lives or was deleted too long ago.
     const Tombstone* find(Handle handle) const {
         const auto found = std::find_if(latest_.rbegin(), latest_.rend(),
                                         [&](const Tombstone& t) { return t.handle == handle; });
