@@ -7,8 +7,12 @@
 
 #include <fettle/property/error.h>
 
-#include "classes.h"
-#include "hosting.h"
+#include <bodies/body_class.h>
+#include <fields/field_classes.h>
+#include <hosting/hosting.h>
+#include <joints/joint_classes.h>
+#include <shapes/shape_classes.h>
+#include <worlds/world_class.h>
 
 namespace fettle::physics_module {
 namespace {

@@ -56,10 +56,11 @@ TEST_CASE("a room that includes a room above it is named with file and line") {
 TEST_CASE("property and physics do not know each other") {
     CHECK(of(forbidden_includes, "framework/property/tree.cpp", "#include <fettle/physics/world.h>")
               .size() == 1);
-    CHECK(of(forbidden_includes, "physics/module/bodies.cpp",
+    CHECK(of(forbidden_includes, "physics/module/bodies/body_class.cpp",
              "#include <fettle/physics/world.h>\n#include <fettle/property/tree.h>\n")
               .empty());
-    CHECK(of(forbidden_includes, "physics/module/bodies.cpp", "#include <fettle/script/runtime.h>")
+    CHECK(of(forbidden_includes, "physics/module/bodies/body_class.cpp",
+             "#include <fettle/script/runtime.h>")
               .size() == 1);
 }
 

@@ -1,0 +1,182 @@
+// Drawing: shapes between the last two poses of their bodies, and optional marks on top.
+
+#include <array>
+#include <cmath>
+
+#include <bindings/bindings.h>
+#include <drawing/drawing.h>
+#include <drawing/forms.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using property::Color;
+using property::Overlay;
+using property::Paint;
+using property::Painter;
+using property::Vec2;
+
+/// Opacity of the fill of a sensor, low so that shapes inside stay visible.
+constexpr float sensor_opacity = 0.25f;
+
+bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
+    return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
+}
+
+/// The box of the shape is for the current pose of its body; at an interpolated pose the shape
+/// reaches back by this.
+Vec2 way(const physics::World& world, std::uint32_t body) {
+    const auto& before = world.previous(body).position;
+    const auto& now = world.state(body).position;
+    return widen(physics::Vec2((now - before).cwiseAbs()));
+}
+
+/// Where a point of the last step that two bodies share is drawn: it moves with the body that
+/// moves; if both move, it is in the middle.
+Vec2 shared_point(physics::World& world, const physics::Contact& contact,
+                  const physics::Vec2& point, double alpha) {
+    Vec2 sum(0, 0);
+    int moving = 0;
+    for (const physics::BodyId id : {contact.body_a, contact.body_b}) {
+        if (!world.is_valid(id) || world.body(id).type() == physics::BodyType::static_body)
+            continue;
+        sum += Frame(world, id.index, alpha).point(world.body(id).local_point(point));
+        ++moving;
+    }
+    return moving == 0 ? widen(point) : Vec2(sum / moving);
+}
+
+void draw_contacts(physics::World& world, Painter& painter, double alpha) {
+    const Color dot{1.0f, 0.85f, 0.2f, 1.0f}, arrow{0.3f, 0.95f, 0.45f, 1.0f};
+    for (const physics::Contact& contact : world.contacts()) {
+        for (int k = 0; k < contact.point_count; ++k) {
+            const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
+            const Vec2 at = shared_point(world, contact, p.point, alpha);
+            if (!painter.sees(at, at)) continue;
+            painter.point(at, dot, 6);
+            // The weight of a kilogram is 10 N: drawn as a tenth of a metre.
+            const double length = std::min(
+                2.0, 0.01 * static_cast<double>(contact.normal_force) / contact.point_count);
+            painter.line(at, at + length * widen(contact.normal), arrow, 1.5f);
+        }
+    }
+}
+
+void draw_boxes(physics::World& world, Painter& painter, double alpha) {
+    const Paint paint{{0, 0, 0, 0}, {0.85f, 0.45f, 0.85f, 0.8f}, 1.0f};
+    for (const physics::Shape& shape : world.shapes()) {
+        const physics::Body body = shape.body();
+        if (!body) continue;
+        const auto [a, b] = extent_of(shape, Frame(world, body.index(), alpha));
+        if (!painter.sees(a, b)) continue;
+        const std::array<Vec2, 4> corners = {a, Vec2(b.x(), a.y()), b, Vec2(a.x(), b.y())};
+        painter.polygon(corners, 0, paint);
+    }
+}
+
+void draw_motion(physics::World& world, Painter& painter, double alpha) {
+    const Color center{0.95f, 0.95f, 0.95f, 1.0f}, velocity{0.35f, 0.8f, 1.0f, 1.0f};
+    for (const physics::Body& body : world.bodies()) {
+        const Frame frame(world, body.index(), alpha);
+        const Vec2 at = frame.point(body.center());
+        if (!painter.sees(at, at)) continue;
+        if (painter.shows(Overlay::velocities) && body.awake())
+            painter.line(at, at + 0.1 * widen(body.velocity()), velocity, 1.5f);
+        if (painter.shows(Overlay::centers)) painter.point(at, center, 5);
+    }
+}
+
+/// A point in a body's coordinates, interpolated between the last two steps; in world coordinates
+/// if there is no body.
+Vec2 anchor_point(const physics::World& world, const physics::Body& body,
+                  const physics::Vec2& anchor, double alpha) {
+    return body ? Frame(world, body.index(), alpha).point(anchor) : widen(anchor);
+}
+
+/// Draws the line along which the joint acts, and lines to the centers of its bodies.
+void draw_joint(const physics::World& world, const physics::Joint& joint, Painter& painter,
+                double alpha) {
+    const Color color = joint.broken()    ? Color{0.95f, 0.35f, 0.35f, 0.7f}
+                        : joint.enabled() ? Color{0.6f, 0.95f, 0.75f, 1.0f}
+                                          : Color{0.6f, 0.6f, 0.6f, 0.7f};
+    const physics::Body a = joint.body_a(), b = joint.body_b();
+    const Vec2 from = anchor_point(world, a, joint.anchor_a(), alpha);
+    const Vec2 to = anchor_point(world, b, joint.anchor_b(), alpha);
+    const Vec2 reach(1, 1);
+    if (!painter.sees(from.cwiseMin(to) - reach, from.cwiseMax(to) + reach)) return;
+    const auto type = joint.type();
+    if (type == physics::JointType::pulley) {
+        const physics::PulleyJoint pulley(&joint.world(), joint.id());
+        const Vec2 over_a = widen(pulley.ground_a()), over_b = widen(pulley.ground_b());
+        painter.line(from, over_a, color, 1.5f);
+        painter.line(over_a, over_b, color, 1.5f);
+        painter.line(over_b, to, color, 1.5f);
+        return;
+    }
+    painter.line(from, to, color, 1.5f);
+    if (type != physics::JointType::mouse && type != physics::JointType::distance) {
+        const Color faint{color.r, color.g, color.b, 0.5f * color.a};
+        if (a) painter.line(anchor_point(world, a, a.center(), alpha), from, faint, 1);
+        if (b) painter.line(anchor_point(world, b, b.center(), alpha), to, faint, 1);
+    }
+    painter.point(from, color, 5);
+    painter.point(to, color, 5);
+}
+
+void draw_joints(physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Joint& joint : world.joints()) draw_joint(world, joint, painter, alpha);
+}
+
+/// Marks sleeping islands.
+void draw_islands(physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Body& body : world.bodies()) {
+        if (body.awake() || body.type() == physics::BodyType::static_body) continue;
+        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
+        if (painter.sees(at, at)) painter.text(at, "z", 0.4, {1, 1, 1, 0.8f});
+    }
+}
+
+void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
+    for (const physics::Body& body : world.bodies()) {
+        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
+        const Handle self = unpack(body.user_data());
+        if (painter.sees(at, at) && tree.alive(self))
+            painter.text(at, tree.get(self, "name").text(), 0.35, {1, 1, 1, 1});
+    }
+}
+
+}  // namespace
+
+void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& painter,
+                double alpha) {
+    Hosting& hosting = *static_cast<ShapeKind*>(context)->hosting;
+    HostedWorld& in = hosting.hosted(row);
+    if (!in.looks.get(slot_of(row)).visible) return;
+    const physics::Shape shape = hosting.shape(row);
+    const physics::Body owner = shape.body();
+    const Vec2 reach = owner ? way(in.world, owner.index()) : Vec2(0, 0);
+    if (!sees(painter, shape.aabb(), reach)) return;
+    Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
+    if (shape.sensor()) paint.fill.a *= sensor_opacity;
+    const Frame frame = owner ? Frame(in.world, owner.index(), alpha) : Frame();
+    const bool alone = !owner || owner.shape_count() < 2;
+    if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
+    draw_form(shape, frame, paint, painter);
+    if (!alone) painter.part_of(0);
+    // With several shapes, their positions show the rotation.
+    if (alone) draw_mark(shape, frame, paint, painter);
+}
+
+void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row row,
+                         Painter& painter, double alpha) {
+    physics::World& world = static_cast<Hosting*>(context)->world(row);
+    if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter, alpha);
+    if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
+    if (painter.shows(Overlay::islands)) draw_islands(world, painter, alpha);
+    if (painter.shows(Overlay::velocities) || painter.shows(Overlay::centers))
+        draw_motion(world, painter, alpha);
+    if (painter.shows(Overlay::contacts)) draw_contacts(world, painter, alpha);
+    if (painter.shows(Overlay::names)) draw_names(tree, world, painter, alpha);
+}
+
+}  // namespace fettle::physics_module

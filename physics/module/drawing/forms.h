@@ -1,0 +1,54 @@
+#pragma once
+// Drawing of shapes.
+
+#include <cmath>
+
+#include <fettle/physics/world.h>
+#include <fettle/property/painter.h>
+
+#include <bindings/conversion.h>
+
+namespace fettle::physics_module {
+
+/// Converts from a body's coordinates to the world, interpolated between the last two steps.
+class Frame {
+  public:
+    Frame() = default;
+    Frame(const physics::World& world, std::uint32_t body, double alpha) {
+        const physics::Pose& from = world.previous(body);
+        const physics::BodyState& to = world.state(body);
+        position_ = widen(from.position) + alpha * (widen(to.position) - widen(from.position));
+        const double start = from.angle, turn = static_cast<double>(to.angle) - start;
+        angle_ = start + alpha * turn;
+        cosine_ = std::cos(angle_);
+        sine_ = std::sin(angle_);
+    }
+    property::Vec2 point(const physics::Vec2& local) const {
+        const double x = local.x(), y = local.y();
+        return {position_.x() + cosine_ * x - sine_ * y, position_.y() + sine_ * x + cosine_ * y};
+    }
+    double angle() const { return angle_; }
+    const property::Vec2& position() const { return position_; }
+
+  private:
+    property::Vec2 position_{0, 0};
+    double angle_ = 0, cosine_ = 1, sine_ = 0;
+};
+
+/// A box in the world, in double precision.
+struct Extent {
+    property::Vec2 lower, upper;
+};
+
+/// The box around a shape in this frame.
+Extent extent_of(const physics::Shape& shape, const Frame& frame);
+
+/// Draws a shape of any geometry.
+void draw_form(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
+               property::Painter& painter);
+
+/// Draws the mark that shows the rotation of a round shape.
+void draw_mark(const physics::Shape& shape, const Frame& frame, const property::Paint& paint,
+               property::Painter& painter);
+
+}  // namespace fettle::physics_module

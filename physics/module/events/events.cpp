@@ -1,0 +1,191 @@
+// Events: what happened in a step, reported to handlers. An event without handlers costs nothing:
+// no record of it is made.
+
+#include <algorithm>
+
+#include <bindings/bindings.h>
+#include <events/events.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using property::Event;
+using property::Field;
+
+/// At the beginning of a touch both shapes exist; at its end one of them may have been deleted.
+enum class Told { begin, end };
+
+/// Fields of an event that both bodies get, each from its side.
+std::vector<Field> pair_fields(Told told) {
+    return {
+        {"other", Type::reference, "",
+         told == Told::begin
+             ? "The other body; the world itself for its bounds."
+             : "The other body; the world itself for its bounds. It may have been deleted: then it "
+               "still tells alive(), name, class and is_a()."},
+        {"shape", Type::reference, "", "The shape of this body.", "Shape"},
+        {.name = "other_shape",
+         .type = Type::reference,
+         .doc = "The shape of the other; nil for the bounds.",
+         .reference_class = "Shape",
+         .nullable = true},
+    };
+}
+
+/// `impulse`: description of the event's impulse.
+std::vector<Field> contact_fields(const std::string& impulse) {
+    std::vector<Field> fields = pair_fields(Told::begin);
+    const std::vector<Field> rest = {
+        {"point", Type::vec2, "m", "Where, in the world."},
+        {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
+        {"impulse", Type::number, "N s", impulse},
+        {"speed", Type::number, "m/s", "How fast they approached each other."},
+        {.name = "friction", .doc = "Mixed from both surfaces.", .range = not_negative},
+        {.name = "restitution", .doc = "Mixed from both surfaces.", .range = fraction},
+    };
+    fields.insert(fields.end(), rest.begin(), rest.end());
+    return fields;
+}
+
+std::vector<Field> questioned_fields() {
+    std::vector<Field> fields = contact_fields(
+        "With which they pressed on each other in the step before; 0 when they just met.");
+    fields.push_back({"enabled", Type::boolean, "", "Whether it acts in this step."});
+    return fields;
+}
+
+Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uint32_t generation) {
+    const auto at = departed.find(generation);
+    return at == departed.end() ? Handle{} : at->second;
+}
+
+/// Adds the data of an impact for one of the two parties; `side`: -1 for the second.
+void add_meeting(std::vector<Value>& to, const auto& e, float side) {
+    to.insert(to.end(),
+              {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
+               to_value(e.speed), to_value(e.friction), to_value(e.restitution)});
+}
+
+}  // namespace
+
+std::vector<Event> contact_events(std::string_view of) {
+    const std::string self(of);
+    return {
+        {.name = "contact_begin",
+         .fields = contact_fields("With which they met."),
+         .doc = "The " + self + " began to touch another."},
+        {.name = "contact_persist",
+         .fields = contact_fields("With which they pressed on each other in this step."),
+         .doc = "The " + self + " still touches another: every step after the first."},
+        {.name = "before_solve",
+         .fields = questioned_fields(),
+         .doc = "Asked in the step, before a contact of the " + self +
+                " acts: its friction and restitution may be changed, and enabled false lets both "
+                "pass through each other in this step. Once for two shapes, however many parts of "
+                "them touch. The handler cannot write anything else."},
+        {.name = "contact_end",
+         .fields = pair_fields(Told::end),
+         .doc = "The " + self + " stopped touching another."},
+        {.name = "contact_hit",
+         .fields = contact_fields(
+             "With which they would have met in the point that was hit fastest alone."),
+         .doc = "The " + self + " was hit faster than the world's hit_threshold."},
+        {.name = "sensor_begin",
+         .fields = pair_fields(Told::begin),
+         .doc = "The " + self + " came into a sensor, or as a sensor was come into."},
+        {.name = "sensor_end",
+         .fields = pair_fields(Told::end),
+         .doc = "The " + self + " left a sensor, or as a sensor was left."},
+    };
+}
+
+void Hosting::note_pair_events(const property::Class& defined, const Event* PairEvent::*of) {
+    for (const auto& [event, name] :
+         {std::pair(&contact_begin, "contact_begin"),
+          std::pair(&contact_persist, "contact_persist"), std::pair(&before_solve, "before_solve"),
+          std::pair(&contact_end, "contact_end"), std::pair(&contact_hit, "contact_hit"),
+          std::pair(&sensor_begin, "sensor_begin"), std::pair(&sensor_end, "sensor_end")})
+        event->*of = defined.event(name);
+}
+
+Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
+                              physics::ShapeId shape) const {
+    physics::World& world = hosted.world;
+    Party party;
+    if (body.index == 0)
+        party.body = hosted.self;  // the bounds
+    else
+        party.body = world.is_valid(body) ? unpack(world.body(body).user_data())
+                                          : found(hosted.departed_bodies, body.generation);
+    party.shape = world.is_valid(shape) ? unpack(world.shape(shape).user_data())
+                                        : found(hosted.departed_shapes, shape.generation);
+    return party;
+}
+
+/// `add_rest`: adds the values of the event other than its parties to the values of a record.
+template <class AddRest>
+void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
+                   const AddRest& add_rest) {
+    const auto emit = [&](Handle to, const Event& which) {
+        if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
+        std::vector<Value> values;
+        values.reserve(which.fields.size());
+        values.insert(values.end(), {other.body, self.shape, other.shape});
+        add_rest(values);
+        tree.emit(to, which, std::move(values));
+    };
+    if (tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
+        emit(self.body, *event.of_body);
+    emit(self.shape, *event.of_shape);
+}
+
+void Hosting::report(HostedWorld& hosted) {
+    const physics::Events& events = hosted.world.events();
+    const auto pair = [&](const PairEvent& event, const auto& list, const auto& add_rest) {
+        if (!event.heard()) return;
+        for (const auto& e : list) {
+            const Party a = party(hosted, e.body_a, e.shape_a);
+            const Party b = party(hosted, e.body_b, e.shape_b);
+            tell(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
+            tell(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
+        }
+    };
+    const auto sensed = [&](const PairEvent& event, const auto& list) {
+        if (!event.heard()) return;
+        for (const physics::SensorEvent& e : list) {
+            const Party sensor = party(hosted, e.sensor_body, e.sensor);
+            const Party visitor = party(hosted, e.visitor_body, e.visitor);
+            tell(event, sensor, visitor, [](std::vector<Value>&) {});
+            tell(event, visitor, sensor, [](std::vector<Value>&) {});
+        }
+    };
+    const auto nothing = [](std::vector<Value>&, const auto&, float) {};
+    const auto all = [](std::vector<Value>& to, const auto& e, float side) {
+        add_meeting(to, e, side);
+    };
+    pair(contact_end, events.contact_end, nothing);
+    pair(contact_begin, events.contact_begin, all);
+    pair(contact_persist, events.contact_persist, all);
+    pair(contact_hit, events.contact_hit, all);
+    sensed(sensor_end, events.sensor_end);
+    sensed(sensor_begin, events.sensor_begin);
+    const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
+        if (event.listeners == 0) return;
+        for (const physics::BodyId id : bodies)
+            if (const Handle self = party(hosted, id, {}).body;
+                tree.alive(self) && tree.listens(self, event))
+                tree.emit(self, event, {});
+    };
+    each(*woke, events.woke);
+    each(*slept, events.slept);
+    for (const physics::JointBreakEvent& e : events.joint_broke) {
+        // The instance of a broken joint must be marked as broken even if there is no handler.
+        const Handle self = joints.broke(e.joint, hosted.world);
+        if (self && tree.listens(self, *broke))
+            tree.emit(self, *broke, {to_value(e.force), to_value(e.torque)});
+    }
+    hosted.departed_bodies.clear();
+    hosted.departed_shapes.clear();
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,153 @@
+// Events whose handlers answer inside a step: before a contact is solved, how surfaces mix, whether
+// two shapes collide. The library has a callback only while there is a handler.
+
+#include <utility>
+
+#include <fettle/property/question.h>
+
+#include <bindings/bindings.h>
+#include <events/events.h>
+
+namespace fettle::physics_module {
+
+using property::Event;
+using property::Field;
+
+std::vector<Event> world_events() {
+    const std::vector<Field> shapes = {
+        {"shape", Type::reference, "", "One of the two; nil for the bounds of the world."},
+        {"other_shape", Type::reference, "", "The other."},
+        {"body", Type::reference, "", "That of the one; the world itself for its bounds."},
+        {"other", Type::reference, "", "That of the other."},
+    };
+    std::vector<Field> mix = shapes, filter = shapes;
+    const std::vector<Field> surface = {
+        {"point", Type::vec2, "m", "Where, in the world."},
+        {"normal", Type::vec2, "", "From the one to the other."},
+        {"impulse", Type::number, "N s", "With which they pressed on each other."},
+        {"speed", Type::number, "m/s", "How fast they approach each other."},
+        {.name = "friction", .doc = "As the rule mixed it; may be changed.", .range = not_negative},
+        {.name = "restitution", .doc = "As the rule mixed it; may be changed.", .range = fraction},
+        {"surface_speed", Type::number, "m/s", "Of both together; may be changed."},
+    };
+    mix.insert(mix.end(), surface.begin(), surface.end());
+    filter.push_back({"collide", Type::boolean, "", "Whether they do; may be changed."});
+    return {
+        {.name = "mix_surfaces",
+         .fields = std::move(mix),
+         .doc = "Asked in the step for every contact: what friction and restitution two surfaces "
+                "have together. The handler cannot write anything else."},
+        {.name = "filter_pair",
+         .fields = std::move(filter),
+         .doc = "Asked in the step when two shapes come near each other whose filters agree: "
+                "whether they collide. The handler cannot write anything else."},
+    };
+}
+
+/// The library finds hits and lasting touches, and calls callbacks, only if they are switched on.
+/// Switching them wakes no body.
+void Hosting::follow_listeners() {
+    Wanted wanted;
+    wanted.hits = contact_hit.heard();
+    wanted.persisting = contact_persist.heard();
+    wanted.before_solve = before_solve.heard();
+    wanted.mixing = mix_surfaces->listeners != 0;
+    wanted.filter = filter_pair->listeners != 0;
+    if (wanted == wanted_) return;
+    const Wanted before = std::exchange(wanted_, wanted);
+    for (const auto& hosted : worlds_)
+        if (hosted != nullptr) listen(*hosted, before);
+}
+
+void Hosting::listen(HostedWorld& hosted, const Wanted& before) {
+    HostedWorld* const of = &hosted;
+    physics::World& world = hosted.world;
+    if (wanted_.hits != before.hits)
+        for (physics::Shape& shape : world.shapes()) shape.set_hit_events(wanted_.hits);
+    world.set_persist_events(wanted_.persisting);
+    if (wanted_.before_solve != before.before_solve) {
+        world.set_before_solve(!wanted_.before_solve ? physics::ContactCallback()
+                                                     : [this, of](physics::ContactEdit& contact) {
+                                                           ask_before_solve(*of, contact);
+                                                       });
+    }
+    if (wanted_.mixing != before.mixing) {
+        world.set_mixing(!wanted_.mixing ? physics::ContactCallback()
+                                         : [this, of](physics::ContactEdit& contact) {
+                                               ask_mixing(*of, contact);
+                                           });
+    }
+    if (wanted_.filter != before.filter) {
+        world.set_filter(!wanted_.filter
+                             ? physics::PairFilter()
+                             : [this, of](const physics::Shape& a, const physics::Shape& b) {
+                                   return ask_filter(*of, a, b);
+                               });
+    }
+}
+
+void Hosting::ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contact) {
+    const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
+    const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
+    const auto ask_side = [&](const Party& self, const Party& other, float side) {
+        const auto ask_one = [&](Handle to, const Event& event) {
+            if (event.listeners == 0 || !to || !tree.listens(to, event)) return;
+            std::vector<Value> values = {
+                other.body,
+                self.shape,
+                other.shape,
+                to_value(contact.point),
+                to_value(physics::Vec2(side * contact.normal)),
+                to_value(contact.impulse),
+                to_value(contact.speed),
+                to_value(contact.friction),
+                to_value(contact.restitution),
+                to_value(contact.enabled),
+            };
+            property::ask(tree, to, event, values, 7);
+            contact.friction = from_value<float>(values[7]);
+            contact.restitution = from_value<float>(values[8]);
+            contact.enabled = from_value<bool>(values[9]);
+        };
+        if (self.body && tree.alive(self.body) && tree.class_of(self.body).is_a(*body_class))
+            ask_one(self.body, *before_solve.of_body);
+        ask_one(self.shape, *before_solve.of_shape);
+    };
+    ask_side(a, b, 1.0f);
+    ask_side(b, a, -1.0f);
+}
+
+void Hosting::ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact) {
+    if (!tree.listens(hosted.self, *mix_surfaces)) return;
+    const Party a = party(hosted, contact.shape_a.body().id(), contact.shape_a.id());
+    const Party b = party(hosted, contact.shape_b.body().id(), contact.shape_b.id());
+    std::vector<Value> values = {
+        a.shape,
+        b.shape,
+        a.body,
+        b.body,
+        to_value(contact.point),
+        to_value(contact.normal),
+        to_value(contact.impulse),
+        to_value(contact.speed),
+        to_value(contact.friction),
+        to_value(contact.restitution),
+        to_value(contact.surface_speed),
+    };
+    property::ask(tree, hosted.self, *mix_surfaces, values, 8);
+    contact.friction = from_value<float>(values[8]);
+    contact.restitution = from_value<float>(values[9]);
+    contact.surface_speed = from_value<float>(values[10]);
+}
+
+bool Hosting::ask_filter(HostedWorld& hosted, const physics::Shape& one,
+                         const physics::Shape& other) {
+    if (!hosted.self || !tree.listens(hosted.self, *filter_pair)) return true;
+    const Party a = party(hosted, one.body().id(), one.id());
+    const Party b = party(hosted, other.body().id(), other.id());
+    std::vector<Value> values = {a.shape, b.shape, a.body, b.body, true};
+    property::ask(tree, hosted.self, *filter_pair, values, 4);
+    return from_value<bool>(values[4]);
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,67 @@
+#include <hosting/hosting.h>
+
+#include <stdexcept>
+
+namespace fettle::physics_module {
+namespace {
+
+/// World, kind and slot in one number, for the log of a timeline.
+constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh& wanted) {
+    return std::uint64_t{world} << 40 | static_cast<std::uint64_t>(wanted.of) << 32 | wanted.slot;
+}
+
+}  // namespace
+
+Hosting::Hosting(property::Tree& in, property::SnapshotPart& part)
+    : tree(in), joints(*this), part_(part) {
+    worlds_[limbo] = make_world(limbo);
+    const physics::Geometry geometries[] = {
+        physics::Circle{},
+        physics::Box{},
+        physics::Segment{},
+        physics::Segment{.from = {-0.25f, 0.0f}, .to = {0.25f, 0.0f}, .rounding = 0.25f},
+        physics::Polygon{.vertices = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.0f, 0.5f}}},
+        physics::Ellipse{},
+        physics::Concave{{{-0.5f, -0.5f},
+                          {0.5f, -0.5f},
+                          {0.5f, 0.0f},
+                          {0.0f, 0.0f},
+                          {0.0f, 0.5f},
+                          {-0.5f, 0.5f}}},
+        physics::Chain{.points = {{-0.5f, 0.0f}, {0.5f, 0.0f}}}};
+    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {this, geometries[i]};
+    owner_.on_unlocked([this] { destroy_postponed(); });
+    type_names = {"static", "kinematic", "dynamic"};
+}
+
+std::uint32_t Hosting::world_above(Handle instance) const {
+    for (Handle at = tree.parent(instance); at; at = tree.parent(at))
+        if (tree.class_of(at).is_a(*world_class)) return world_number(tree.row(at));
+    return limbo;
+}
+
+Handle Hosting::body_above(Handle instance) const {
+    for (Handle at = tree.parent(instance); at; at = tree.parent(at))
+        if (tree.class_of(at).is_a(*body_class)) return at;
+    return {};
+}
+
+// --- Updates by reads
+
+std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
+    auto made = std::make_unique<HostedWorld>();
+    made->world.set_owner(&owner_);
+    made->world.on_refresh([this, number](const physics::Refresh& wanted) {
+        if (doing_ == 0) tree.refreshing(part_, refresh_code(number, wanted));
+    });
+    return made;
+}
+
+void Hosting::refresh(std::uint64_t what) {
+    const std::uint64_t number = what >> 40;
+    if (number >= most_worlds || worlds_[number] == nullptr) return;
+    worlds_[number]->world.refresh({.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
+                                    .slot = static_cast<std::uint32_t>(what)});
+}
+
+}  // namespace fettle::physics_module

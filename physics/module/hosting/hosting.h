@@ -1,0 +1,272 @@
+#pragma once
+// Data of the module: the worlds that it hosts and the joints in the tree. A row of the tree is the
+// number of a world and the slot of a body or a shape there, so that reading a property reads an
+// array of the physics library.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <fettle/physics/world.h>
+#include <fettle/property/error.h>
+#include <fettle/property/snapshot.h>
+#include <fettle/property/tree.h>
+
+#include <hosting/joints.h>
+#include <hosting/looks.h>
+
+namespace fettle::physics_module {
+
+using property::Handle;
+using property::Row;
+
+inline constexpr unsigned slot_bits = 24;
+inline constexpr std::uint32_t most_slots = 1u << slot_bits;
+inline constexpr std::uint32_t most_worlds = 1u << (32 - slot_bits);
+/// The world of all objects that are in no World: never stepped.
+inline constexpr std::uint32_t limbo = 0;
+inline constexpr std::uint32_t first_world = limbo + 1;
+
+constexpr std::uint32_t world_number(Row row) {
+    return row >> slot_bits;
+}
+constexpr std::uint32_t slot_of(Row row) {
+    return row & (most_slots - 1);
+}
+constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
+    return world << slot_bits | slot;
+}
+
+/// Throws if a row cannot hold its numbers, and destroys the new object, which no instance refers
+/// to yet.
+Row row_of(std::uint32_t world, auto made) {
+    if (made.index() < most_slots) return make_row(world, made.index());
+    made.destroy();
+    throw property::Error(
+        property::ErrorKind::rejected,
+        "a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
+}
+
+// The user data of the physics library are 64 bits: enough for a handle.
+constexpr std::uint64_t pack(Handle handle) {
+    return std::uint64_t{handle.generation} << 32 | handle.index;
+}
+constexpr Handle unpack(std::uint64_t data) {
+    return {static_cast<std::uint32_t>(data), static_cast<std::uint32_t>(data >> 32)};
+}
+
+struct HostedWorld {
+    physics::World world;
+    Handle self;          // null: limbo
+    bool placed = false;  // it is below the root and is stepped
+    bool unreported = false;
+    SlotValues<Look> looks;                                  // by shape slot
+    SlotValues<std::optional<property::Color>> body_colors;  // by body slot
+    // Limbo: velocities that were set, by body slot. Shapes that are added later move the center of
+    // mass, but do not change the velocity that it will have in a world.
+    SlotValues<std::optional<physics::Vec2>> velocities;
+    // The instance of an object that was destroyed while it touched another one: needed for the
+    // event of the end. By generation.
+    std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
+};
+
+/// Defaults of a class of shapes.
+struct ShapeKind {
+    Hosting* hosting = nullptr;
+    physics::Geometry geometry;
+};
+
+/// Two events of the same name: bodies and shapes emit both.
+struct PairEvent {
+    const property::Event* of_body = nullptr;
+    const property::Event* of_shape = nullptr;
+    bool heard() const { return of_body->listeners != 0 || of_shape->listeners != 0; }
+};
+
+class Hosting {
+  public:
+    /// `part`: the module as a part of snapshots.
+    Hosting(property::Tree& tree, property::SnapshotPart& part);
+
+    // --- From rows to objects
+    struct Place {
+        HostedWorld& in;
+        std::uint32_t slot;
+    };
+    // Most games have one world. If the row is only compared, the processor goes on to the data of
+    // that world while the row is still being fetched.
+    Place at(Row row) {
+        const std::uint32_t slot = row - make_row(first_world, 0);
+        if (slot < most_slots) [[likely]]
+            return {*worlds_[first_world], slot};
+        return {*worlds_[world_number(row)], slot_of(row)};
+    }
+    HostedWorld& hosted(Row row) { return at(row).in; }
+    physics::World& world(Row row) { return hosted(row).world; }
+    const physics::BodyState& state(Row row) {
+        const auto [in, slot] = at(row);
+        return in.world.state(slot);
+    }
+    physics::Body body(Row row) {
+        const auto [in, slot] = at(row);
+        return in.world.body({slot, in.world.body_generation(slot)});
+    }
+    physics::Shape shape(Row row) {
+        const auto [in, slot] = at(row);
+        return in.world.shape({slot, in.world.shape_generation(slot)});
+    }
+    physics::Field field(Row row);
+    /// Velocity of the center of mass.
+    physics::Vec2 velocity(Row row) {
+        const auto [in, slot] = at(row);
+        if (world_number(row) == limbo)
+            if (const auto written = in.velocities.get(slot)) in.world.set_velocity(slot, *written);
+        return in.world.velocity(slot);
+    }
+    /// False when the body does not move by itself.
+    bool set_velocity(Row row, const physics::Vec2& velocity) {
+        const auto [in, slot] = at(row);
+        const bool moves = in.world.set_velocity(slot, velocity);
+        if (world_number(row) == limbo) in.velocities.set(slot, velocity);
+        return moves;
+    }
+    HostedWorld* world_at(std::uint32_t number) { return worlds_[number].get(); }
+    const HostedWorld* world_at(std::uint32_t number) const { return worlds_[number].get(); }
+
+    /// The instance in an object's user data; null if it was deleted.
+    Handle instance_of(std::uint64_t user_data) const {
+        const Handle instance = unpack(user_data);
+        return tree.alive(instance) ? instance : Handle{};
+    }
+
+    // --- Up the tree
+    /// Number of the nearest world above an instance; limbo when there is none.
+    std::uint32_t world_above(Handle instance) const;
+    /// The nearest body above; null when there is none.
+    Handle body_above(Handle instance) const;
+
+    // --- Creating, moving, deleting (placing.cpp, migration.cpp)
+    Row create_world(Handle self);
+    Row place_world(Handle self, Row row);
+    void destroy_world(Row row);
+    Row create_body(Handle self);
+    Row place_body(Handle self, Row row);
+    void destroy_body(Row row);
+    Row create_shape(Handle self, const physics::Geometry& geometry);
+    Row place_shape(Handle self, Row row);
+    void destroy_shape(Row row);
+    Row create_field(Handle self, const physics::FieldDef& def);
+    Row place_field(Handle self, Row row);
+    void destroy_field(Row row);
+    /// False if the world can be changed now. While it calls a function, no object of it is
+    /// destroyed: then `destroy_postponed` calls `destroy` later.
+    bool postpone(std::uint32_t world, std::function<void()> destroy);
+    void destroy_postponed();  ///< calls those that are possible now
+    /// Throws Error(rejected) while the world of `row` calls a function.
+    void require_unlocked(Row row);
+
+    // --- Events (room events)
+    void follow_listeners();
+    void report(HostedWorld& hosted);
+
+    // --- Snapshots (room saving; `refresh`: hosting.cpp)
+    void save(property::ByteWriter& to) const;
+    std::function<void()> restore(property::ByteReader& from);
+    void refresh(std::uint64_t what);
+    /// While one lives, reads count as parts of an edit, and are repeated with it.
+    class Doing {
+      public:
+        explicit Doing(Hosting& hosting) : doing_(hosting.doing_) { ++doing_; }
+        ~Doing() { --doing_; }
+        Doing(const Doing&) = delete;
+
+      private:
+        int& doing_;
+    };
+
+    /// As `Doing`, for creating and destroying objects in the worlds, which only the module may do.
+    class Placing {
+      public:
+        explicit Placing(Hosting& hosting) : doing_(hosting), acting_(hosting.owner_) {}
+
+      private:
+        Doing doing_;
+        physics::Owner::Acting acting_;
+    };
+
+    // --- Looks (looks.cpp)
+    property::Color fill_of(Row shape);
+    property::Color border_of(Row shape);
+
+    /// For each class, the function that creates its instances; the index of the variant's
+    /// alternative is the kind.
+    using Kinds =
+        std::vector<std::pair<Row (*)(void* context, property::Tree&, Handle), std::size_t>>;
+    Kinds field_kinds, joint_kinds;
+
+    property::Tree& tree;
+    Joints joints;
+    std::array<ShapeKind, 8> kinds;
+
+    const property::Class* world_class = nullptr;
+    const property::Class* body_class = nullptr;
+    const property::Class* shape_class = nullptr;
+    const property::Class* statistics_class = nullptr;
+    std::array<property::Value, 3> type_names;  // by physics::BodyType
+
+    PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
+    PairEvent before_solve;
+    /// Notes the events of the class of bodies, or of shapes.
+    void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
+    const property::Event* mix_surfaces = nullptr;  // an event of worlds, as the next two
+    const property::Event* filter_pair = nullptr;
+    const property::Event* woke = nullptr;
+    const property::Event* slept = nullptr;
+    const property::Event* broke = nullptr;
+
+  private:
+    std::unique_ptr<HostedWorld> make_world(std::uint32_t number);
+    Row migrate_body(Row row, std::uint32_t to);
+    /// Creates the shape at `from` in another world, as part of `owner` (none: detached).
+    Row migrate_shape(Row from, std::uint32_t to, const physics::Body& owner);
+    physics::Shape copy_shape(const physics::Shape& shape, std::uint32_t to);
+    Row leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh);
+    void note_departure(Row shape);
+
+    struct Party {
+        Handle body, shape;
+    };
+    Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
+    template <class AddRest>
+    void tell(const PairEvent& event, const Party& self, const Party& other,
+              const AddRest& add_rest);
+
+    property::SnapshotPart& part_;
+    physics::Owner owner_{
+        "this world belongs to a property tree, which makes and ends what is in it: create or "
+        "destroy the instance instead"};
+    std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
+    int doing_ = 0;
+    struct Postponed {
+        std::uint32_t world;
+        std::function<void()> destroy;
+    };
+    std::vector<Postponed> postponed_;
+    /// Which events and callbacks have handlers.
+    struct Wanted {
+        bool hits = false, persisting = false, before_solve = false, mixing = false, filter = false;
+        bool operator==(const Wanted&) const = default;
+    };
+    void listen(HostedWorld& hosted, const Wanted& before);
+    void ask_before_solve(HostedWorld& hosted, physics::ContactEdit& contact);
+    void ask_mixing(HostedWorld& hosted, physics::ContactEdit& contact);
+    bool ask_filter(HostedWorld& hosted, const physics::Shape& a, const physics::Shape& b);
+    Wanted wanted_;
+};
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,129 @@
+// Migration: bodies and shapes move between worlds with all their data. A world owns its objects,
+// so moving means creating the object there and destroying it here; the rows change, the handles do
+// not.
+
+#include <algorithm>
+
+#include <hosting/hosting.h>
+
+namespace fettle::physics_module {
+namespace {
+
+/// A simulation may move or turn a body a little farther than a setter accepts.
+float settable(float x) {
+    constexpr float most = 1e8f;  // m or rad
+    return std::clamp(x, -most, most);
+}
+
+physics::BodyDef description(const physics::Body& body) {
+    physics::BodyDef def;
+    def.type = body.type();
+    def.position = body.position().unaryExpr(&settable);
+    def.angle = settable(body.angle());
+    def.velocity = body.velocity();
+    def.angular_velocity = body.angular_velocity();
+    def.force = body.force();
+    def.torque = body.torque();
+    def.gravity_scale = body.gravity_scale();
+    def.linear_damping = body.linear_damping();
+    def.angular_damping = body.angular_damping();
+    def.mass = body.mass_override();
+    def.inertia = body.inertia_override();
+    def.can_sleep = body.can_sleep();
+    def.bullet = body.bullet();
+    def.locked_x = body.locked_x();
+    def.locked_y = body.locked_y();
+    def.locked_rotation = body.locked_rotation();
+    def.user_data = body.user_data();
+    return def;
+}
+
+physics::ShapeDef description(const physics::Shape& shape) {
+    physics::ShapeDef def;
+    def.density = shape.density();
+    def.friction = shape.friction();
+    def.restitution = shape.restitution();
+    def.rolling_resistance = shape.rolling_resistance();
+    def.surface_speed = shape.surface_speed();
+    def.sensor = shape.sensor();
+    def.hit_events = shape.hit_events();
+    def.category = shape.category();
+    def.mask = shape.mask();
+    def.group = shape.group();
+    def.user_data = shape.user_data();
+    return def;
+}
+
+}  // namespace
+
+Row Hosting::migrate_body(Row from, std::uint32_t to) {
+    require_unlocked(from);
+    physics::Body old = body(from);
+    HostedWorld& target = *worlds_[to];
+    physics::BodyDef def = description(old);
+    def.velocity = velocity(from);
+    const bool awake = old.awake();
+
+    // First the parts that may be refused, so that nothing has changed if one is.
+    const std::vector<physics::Shape> shapes = old.shapes();
+    std::vector<physics::Shape> copies;
+    physics::Body fresh = target.world.create_body(def);
+    const Row row = row_of(to, fresh);
+    try {
+        for (const physics::Shape& shape : shapes) {
+            copies.push_back(copy_shape(shape, to));
+            copies.back().attach(fresh);
+        }
+    } catch (...) {
+        for (physics::Shape& copy : copies) copy.destroy();
+        fresh.destroy();
+        throw;
+    }
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Handle instance = unpack(shapes[i].user_data());
+        const Row left = make_row(world_number(from), shapes[i].index());
+        tree.set_row(instance, leave_shape(left, to, copies[i]));
+    }
+    if (const auto center = old.center_override()) fresh.set_center(center);
+    // Computes the new center of mass now, since the velocity is that of the center.
+    fresh.mass();
+    fresh.set_angular_velocity(def.angular_velocity);
+    set_velocity(row, def.velocity);
+    if (!awake) fresh.set_awake(false);
+    // Forces that wait for the next step act in the first step of the new world.
+    if (const physics::Vec2 force = old.applied_force(); !force.isZero(0)) fresh.apply_force(force);
+    if (const float torque = old.applied_torque(); torque != 0) fresh.apply_torque(torque);
+    hosted(from).velocities.forget(slot_of(from));
+    const auto color = hosted(from).body_colors.take(slot_of(from));
+    if (color) target.body_colors.set(fresh.index(), color);
+    old.destroy();
+    joints.loosen();
+    return row;
+}
+
+Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owner) {
+    require_unlocked(from);
+    physics::Shape fresh = copy_shape(shape(from), to);
+    if (owner) fresh.attach(owner);
+    return leave_shape(from, to, fresh);
+}
+
+/// A copy of the shape in another world, on no body.
+physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
+    physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
+    (void)row_of(to, made);
+    return made;
+}
+
+/// `fresh` replaces the shape at `from`, which is destroyed.
+Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
+    note_departure(from);
+    if (!hosted(from).looks.empty()) {
+        const Look look = hosted(from).looks.take(slot_of(from));
+        if (look.fill || look.border || !look.visible) worlds_[to]->looks.set(fresh.index(), look);
+    }
+    shape(from).destroy();
+    return make_row(to, fresh.index());
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,173 @@
+// Placing: instances are created, moved and deleted, and their objects in the library follow.
+//
+// A body is in the world of the nearest World above it, a shape on the nearest Body. An instance
+// without these is in limbo, a world that is never stepped: it can be read and edited, too.
+
+#include <algorithm>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include <hosting/hosting.h>
+
+namespace fettle::physics_module {
+// --- Worlds
+
+Row Hosting::create_world(Handle self) {
+    const Doing placing(*this);
+    std::uint32_t number = first_world;
+    while (number < most_worlds && worlds_[number] != nullptr) ++number;
+    if (number == most_worlds)
+        throw property::Error(
+            property::ErrorKind::rejected,
+            "there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
+    worlds_[number] = make_world(number);
+    worlds_[number]->self = self;
+    listen(*worlds_[number], {});
+    const Row row = make_row(number, 0);
+    tree.set_row(tree.create(*statistics_class, self, "step"), row);
+    return row;
+}
+
+Row Hosting::place_world(Handle self, Row row) {
+    const Doing placing(*this);
+    hosted(row).placed = tree.is_below(self, tree.root());
+    return row;
+}
+
+void Hosting::destroy_world(Row row) {
+    const Doing placing(*this);
+    if (world_number(row) == limbo) return;
+    worlds_[world_number(row)].reset();
+    std::erase_if(postponed_, [&](const auto& one) { return one.world == world_number(row); });
+}
+
+// --- Bodies
+
+Row Hosting::create_body(Handle self) {
+    const Placing placing(*this);
+    const std::uint32_t number = world_above(self);
+    const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
+    return row_of(number, made);
+}
+
+Row Hosting::place_body(Handle self, Row row) {
+    const Placing placing(*this);
+    const std::uint32_t number = world_above(self);
+    return number == world_number(row) ? row : migrate_body(row, number);
+}
+
+void Hosting::destroy_body(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_body(row); })) return;
+    const Placing placing(*this);
+    HostedWorld& in = hosted(row);
+    const physics::Body gone = body(row);
+    if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
+    in.body_colors.forget(slot_of(row));
+    in.velocities.forget(slot_of(row));
+    physics::Body(gone).destroy();
+    joints.loosen();
+}
+
+// --- Shapes
+
+Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
+    const Placing placing(*this);
+    const Handle owner = body_above(self);
+    const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
+    HostedWorld& in = hosted(owner_row);
+    const physics::ShapeDef def{.hit_events = wanted_.hits, .user_data = pack(self)};
+    physics::Shape made = in.world.create_shape(geometry, def);
+    if (owner) made.attach(body(owner_row));
+    return row_of(world_number(owner_row), made);
+}
+
+Row Hosting::place_shape(Handle self, Row row) {
+    const Placing placing(*this);
+    const Handle owner = body_above(self);
+    if (!owner) {
+        if (world_number(row) != limbo) return migrate_shape(row, limbo, {});
+        shape(row).detach();
+        return row;
+    }
+    const Row owner_row = tree.row(owner);
+    if (world_number(row) != world_number(owner_row))
+        return migrate_shape(row, world_number(owner_row), body(owner_row));
+    physics::Shape placed = shape(row);
+    if (placed.body() != body(owner_row)) placed.attach(body(owner_row));
+    return row;
+}
+
+void Hosting::destroy_shape(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_shape(row); })) return;
+    const Placing placing(*this);
+    note_departure(row);
+    hosted(row).looks.forget(slot_of(row));
+    shape(row).destroy();
+}
+
+/// An object that is deleted during a touch must still have a name in the event of its end.
+void Hosting::note_departure(Row row) {
+    const physics::Shape going = shape(row);
+    if (!going.is_touching()) return;
+    HostedWorld& in = hosted(row);
+    in.departed_shapes[going.id().generation] = unpack(going.user_data());
+    const physics::Body owner = going.body();
+    if (owner) in.departed_bodies[owner.id().generation] = unpack(owner.user_data());
+}
+
+// --- Fields
+
+/// Worlds have few fields: a search is as good as an index.
+physics::Field Hosting::field(Row row) {
+    for (const physics::Field& field : world(row).fields())
+        if (field.id().index == slot_of(row)) return field;
+    return {};
+}
+
+Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
+    const Placing placing(*this);
+    const std::uint32_t number = world_above(self);
+    return make_row(number, worlds_[number]->world.create_field(def).id().index);
+}
+
+Row Hosting::place_field(Handle self, Row row) {
+    const Placing placing(*this);
+    const std::uint32_t number = world_above(self);
+    if (number == world_number(row)) return row;
+    require_unlocked(row);
+    const Row placed = create_field(self, field(row).definition());
+    field(row).destroy();
+    return placed;
+}
+
+void Hosting::destroy_field(Row row) {
+    if (postpone(world_number(row), [this, row] { destroy_field(row); })) return;
+    const Placing placing(*this);
+    field(row).destroy();
+}
+
+// --- Deletions while a world calls a function
+
+bool Hosting::postpone(std::uint32_t world, std::function<void()> destroy) {
+    if (!worlds_[world]->world.locked()) return false;
+    postponed_.push_back({world, std::move(destroy)});
+    return true;
+}
+
+void Hosting::destroy_postponed() {
+    const auto locked = [this](const Postponed& one) { return worlds_[one.world]->world.locked(); };
+    const auto first_ready = std::stable_partition(postponed_.begin(), postponed_.end(), locked);
+    const std::vector<Postponed> ready(first_ready, postponed_.end());
+    postponed_.erase(first_ready, postponed_.end());
+    for (const Postponed& one : ready) one.destroy();
+}
+
+void Hosting::require_unlocked(Row row) {
+    if (world(row).locked())
+        throw property::Error(property::ErrorKind::rejected,
+                              "a physics world calls a function: what is in it moves to another "
+                              "world when its step or query is over");
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,202 @@
+// Shape: what all shapes have in common.
+
+#include <algorithm>
+#include <limits>
+
+#include <bindings/bindings.h>
+#include <drawing/drawing.h>
+#include <events/events.h>
+#include <shapes/shape_classes.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::Shape;
+
+Value world_vertices(Hosting& hosting, Row row) {
+    property::List corners;
+    for (const physics::Vec2& v : hosting.shape(row).world_vertices()) corners.push_back(widen(v));
+    return corners;
+}
+
+Look look_of(Hosting& hosting, Row row) {
+    return hosting.hosted(row).looks.get(slot_of(row));
+}
+void set_look(Hosting& hosting, Row row, const Look& look) {
+    hosting.hosted(row).looks.set(slot_of(row), look);
+}
+
+/// A color that is computed unless it is set.
+template <std::optional<property::Color> Look::*Given, property::Color (Hosting::*Effective)(Row)>
+Binding paint(Hosting& hosting) {
+    Binding binding = accessor(
+        hosting, [](Hosting& h, Row row) { return (h.*Effective)(row); },
+        [](Hosting& h, Row row, const Value& value) {
+            Look look = look_of(h, row);
+            look.*Given = value.color();
+            set_look(h, row, look);
+        });
+    binding.reset = [](void* context, Row row) {
+        auto& h = *static_cast<Hosting*>(context);
+        Look look = look_of(h, row);
+        if (!(look.*Given)) return;
+        look.*Given = std::nullopt;
+        set_look(h, row, look);
+    };
+    binding.overridden = [](void* context, Row row) {
+        return (look_of(*static_cast<Hosting*>(context), row).*Given).has_value();
+    };
+    return binding;
+}
+
+Binding visible(Hosting& hosting) {
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return look_of(h, row).visible; },
+        [](Hosting& h, Row row, const Value& value) {
+            Look look = look_of(h, row);
+            look.visible = value.boolean();
+            set_look(h, row, look);
+        });
+}
+
+std::vector<Property> surface(Hosting& hosting) {
+    const physics::ShapeDef defaults;
+    return {
+        amount("density", defaults.density, "kg/m\xC2\xB2", "Mass per area.",
+               bound<&Shape::density, &Shape::set_density>(hosting)),
+        amount("friction", defaults.friction, "",
+               "Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the "
+               "geometric mean of theirs, or what the world's friction_mix says.",
+               bound<&Shape::friction, &Shape::set_friction>(hosting)),
+        within(fraction,
+               number("restitution", defaults.restitution, "",
+                      "How much of the approaching speed comes back. Two shapes in contact use the "
+                      "greater of theirs, or what the world's restitution_mix says.",
+                      bound<&Shape::restitution, &Shape::set_restitution>(hosting))),
+        amount("rolling_resistance", defaults.rolling_resistance, "",
+               "Brakes rolling: lever of the resisting torque as a share of the radius.",
+               bound<&Shape::rolling_resistance, &Shape::set_rolling_resistance>(hosting)),
+        number("surface_speed", defaults.surface_speed, "m/s",
+               "A conveyor belt: how fast the surface runs, counter-clockwise round the shape.",
+               bound<&Shape::surface_speed, &Shape::set_surface_speed>(hosting)),
+        flag("sensor", defaults.sensor, "Tells what overlaps it, and pushes nothing.",
+             bound<&Shape::sensor, &Shape::set_sensor>(hosting)),
+    };
+}
+
+std::vector<Property> filter(Hosting& hosting) {
+    return {
+        {.name = "category",
+         .type = Type::integer,
+         .default_value = 1,
+         .doc = "What it is, as bits. Two shapes collide when each one's mask has a bit of the "
+                "other's category.",
+         .binding = bound<&Shape::category, &Shape::set_category>(hosting)},
+        {.name = "mask",
+         .type = Type::integer,
+         .default_value = -1,
+         .doc = "What it collides with, as bits of categories; -1 is everything.",
+         .binding = bound<&Shape::mask, &Shape::set_mask>(hosting)},
+        {.name = "group",
+         .type = Type::integer,
+         .range = {.min = std::numeric_limits<std::int32_t>::min(),
+                   .max = std::numeric_limits<std::int32_t>::max()},
+         .doc = "Shapes of one group, when it is not 0, always collide (above 0) or never do "
+                "(below), whatever their masks.",
+         .binding = bound<&Shape::group, &Shape::set_group>(hosting)},
+    };
+}
+
+std::vector<Property> looks(Hosting& hosting) {
+    const property::Color fill = default_fill(physics::BodyType::dynamic_body);
+    return {
+        {.name = "color",
+         .type = Type::color,
+         .default_value = fill,
+         .doc = "Fills it. Without one of its own it has its body's, or goes by the body's type.",
+         .binding = paint<&Look::fill, &Hosting::fill_of>(hosting)},
+        {.name = "border",
+         .type = Type::color,
+         .default_value = default_border(fill),
+         .doc = "Of its outline; darker than its color unless one is given.",
+         .binding = paint<&Look::border, &Hosting::border_of>(hosting)},
+        flag("visible", true, "Whether it is drawn; it collides all the same.", visible(hosting)),
+    };
+}
+
+std::vector<Property> derived(Hosting& hosting) {
+    const std::vector<std::string> form = {"radius",   "center",   "width",    "height", "angle",
+                                           "from",     "rounding", "vertices", "to",     "radius_x",
+                                           "radius_y", "points",   "closed"};
+    std::vector<std::string> placed = form;
+    placed.insert(placed.end(), {"parent.position", "parent.angle"});
+    return {
+        {.name = "area",
+         .unit = "m\xC2\xB2",
+         .doc = "Of the shape, rounding included.",
+         .binding = read_only<&Shape::area>(hosting),
+         .read_only = true,
+         .transient = true,
+         .derives_from = form,
+         .single_precision = true},
+        {.name = "aabb",
+         .type = Type::list,
+         .unit = "m",
+         .doc = "Lower left and upper right corner of the box round it, in the world.",
+         .binding = read_only<&Shape::aabb>(hosting),
+         .read_only = true,
+         .transient = true,
+         .simulated = true,
+         .element = Type::vec2,
+         .derives_from = placed,
+         .single_precision = true},
+        {.name = "world_vertices",
+         .type = Type::list,
+         .unit = "m",
+         .doc = "Its corners or points in the world, without rounding; a circle or an ellipse has "
+                "none.",
+         .binding = accessor(hosting, [](Hosting& h, Row row) { return world_vertices(h, row); }),
+         .read_only = true,
+         .transient = true,
+         .simulated = true,
+         .element = Type::vec2,
+         .derives_from = placed,
+         .single_precision = true},
+    };
+}
+
+}  // namespace
+
+void define_shape(Hosting& hosting) {
+    property::ClassDescriptor shape;
+    shape.snapshots = property::Snapshots::natively;
+    shape.name = "Shape";
+    shape.doc = "A part of a body: where it is solid, how heavy and how slippery it is there.";
+    shape.creatable = false;
+    for (const auto& group : {surface(hosting), filter(hosting), looks(hosting), derived(hosting)})
+        shape.properties.insert(shape.properties.end(), group.begin(), group.end());
+    shape.events = contact_events("shape");
+    shape.lifecycle = shape_lifecycle(hosting.kinds.front());
+    const property::Class& defined = hosting.tree.define(std::move(shape));
+    hosting.shape_class = &defined;
+    hosting.note_pair_events(defined, &PairEvent::of_shape);
+}
+
+property::Lifecycle shape_lifecycle(ShapeKind& kind) {
+    property::Lifecycle lifecycle;
+    lifecycle.context = &kind;
+    lifecycle.create = [](void* context, property::Tree&, Handle self) {
+        const auto& made = *static_cast<ShapeKind*>(context);
+        return made.hosting->create_shape(self, made.geometry);
+    };
+    lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
+        return static_cast<ShapeKind*>(context)->hosting->place_shape(self, row);
+    };
+    lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
+        static_cast<ShapeKind*>(context)->hosting->destroy_shape(row);
+    };
+    lifecycle.draw = draw_shape;
+    return lifecycle;
+}
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <fettle/property/class.h>
+
+namespace fettle::physics_module {
+
+class Hosting;
+struct ShapeKind;
+
+void define_shapes(Hosting& hosting);  // Shape and all classes that derive from it
+void define_shape(Hosting& hosting);
+property::Lifecycle shape_lifecycle(ShapeKind& kind);
+
+}  // namespace fettle::physics_module

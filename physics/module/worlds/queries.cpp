@@ -1,0 +1,356 @@
+// Methods of World: queries.
+
+#include <algorithm>
+
+#include <fettle/property/acceptance.h>
+
+#include <bindings/bindings.h>
+#include <worlds/world_class.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using property::Field;
+using property::Method;
+using property::Record;
+using property::Result;
+using Arguments = std::span<const Value>;
+
+const Field ray_from{"from", Type::vec2, "m", "Where the ray starts."};
+const Field ray_to{"to", Type::vec2, "m", "Where it ends."};
+const Field mask{"mask", Type::integer, "", "Categories to look for, as bits; all when left out."};
+
+Field shape_field(std::string name, std::string doc) {
+    return {.name = std::move(name),
+            .type = Type::reference,
+            .doc = std::move(doc),
+            .reference_class = "Shape",
+            .nullable = true};
+}
+
+const std::vector<Field> hit_fields = {
+    shape_field("shape", "What was hit; nil for the bounds of the world."),
+    {"body", Type::reference, "", "Its body; the world itself for its bounds."},
+    {"point", Type::vec2, "m", "Where, in the world."},
+    {"normal", Type::vec2, "",
+     "Of the surface there, outward; its length is 1. Against the motion where a shape that is "
+     "cast overlaps it from the beginning."},
+    {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
+};
+const std::vector<Field> found_contact_fields = {
+    {"body_a", Type::reference, "", "One of the two bodies.", "Body"},
+    {"body_b", Type::reference, "", "The other; the world itself for its bounds."},
+    shape_field("shape_a", "The shape of body_a."),
+    shape_field("shape_b", "The shape of body_b; nil for the bounds."),
+    {"point", Type::vec2, "m", "Where, in the world."},
+    {"normal", Type::vec2, "", "From a to b; its length is 1."},
+    {"separation", Type::number, "m", "Below 0: how deep they overlap."},
+    {"force", Type::number, "N", "That presses them apart."},
+};
+
+const Field group{"group", Type::integer, "",
+                  "Shapes of this group are seen if it is positive, and not if it is negative."};
+const std::vector<Field> near_fields = {
+    {"shape", Type::reference, "", "The one that is nearest."},
+    {"body", Type::reference, "", "Its body."},
+    {"point", Type::vec2, "m",
+     "On its surface, in the world; inside of the shape, the point asked for."},
+    {"normal", Type::vec2, "", "Of the surface there, outward; the zero vector inside of it."},
+    {"distance", Type::number, "m", "0 inside."},
+};
+const std::vector<Field> separation_fields = {
+    {"distance", Type::number, "m", "0 where they overlap."},
+    {"point_a", Type::vec2, "m", "Of the first, nearest to the second."},
+    {"point_b", Type::vec2, "m", "Of the second, nearest to the first."},
+    {"normal", Type::vec2, "", "From the first to the second; the zero vector where they overlap."},
+};
+
+const Field accept{
+    "accept", Type::nil, "",
+    "A function that is handed a shape, or nil for the bounds of the world, and says "
+    "whether it counts. It may read everything and search on, and change nothing."};
+
+physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
+                            const Value& function = {}) {
+    physics::QueryFilter filter;
+    if (!function.is_nil())
+        filter.accept = [](const physics::Shape& shape) {
+            return property::Acceptance::accepts(unpack(shape.user_data()));
+        };
+    if (!categories.is_nil()) filter.mask = from_value<std::uint64_t>(categories);
+    if (!of_group.is_nil()) filter.group = static_cast<std::int32_t>(of_group.integer());
+    return filter;
+}
+
+class Instances {
+  public:
+    explicit Instances(HostedWorld& hosted) : hosted_(hosted) {}
+    Handle of(const physics::Shape& shape) const { return unpack(shape.user_data()); }
+    Handle of(const physics::Body& body) const {
+        const Handle handle = unpack(body.user_data());
+        return handle ? handle : hosted_.self;
+    }
+    Handle of(physics::ShapeId id) const { return of(hosted_.world.shape(id)); }
+    Handle of(physics::BodyId id) const { return of(hosted_.world.body(id)); }
+
+  private:
+    HostedWorld& hosted_;
+};
+
+Record hit_record(const Instances& instances, const physics::RayHit& hit) {
+    return {&hit_fields,
+            {instances.of(hit.shape), instances.of(hit.shape.body()), to_value(hit.point),
+             to_value(hit.normal), to_value(hit.fraction)}};
+}
+
+Result raycast(HostedWorld& hosted, Arguments a) {
+    const auto hit =
+        hosted.world.cast_ray(vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3], a[4]));
+    if (!hit) return Value();
+    return hit_record(Instances(hosted), *hit);
+}
+
+Result raycast_all(HostedWorld& hosted, Arguments a) {
+    std::vector<Record> records;
+    for (const physics::RayHit& hit : hosted.world.cast_ray_all(
+             vec2_argument(a[0]), vec2_argument(a[1]), filter(a[2], a[3], a[4])))
+        records.push_back(hit_record(Instances(hosted), hit));
+    return records;
+}
+
+/// The smallest shape: a small shape in front of a large one is meant. Sensors count, so that they
+/// can be selected, too.
+Result at(HostedWorld& hosted, Arguments a) {
+    physics::QueryFilter all = filter(a[1], a[2], a[3]);
+    all.sensors = true;
+    const auto found = hosted.world.query_point(vec2_argument(a[0]), all);
+    const auto least = std::min_element(
+        found.begin(), found.end(),
+        [](const physics::Shape& x, const physics::Shape& y) { return x.area() < y.area(); });
+    return found.empty() ? Value() : Value(Instances(hosted).of(least->body()));
+}
+
+/// The bodies of the shapes, each once.
+Value bodies_of(const Instances& instances, const std::vector<physics::Shape>& shapes) {
+    property::List bodies;
+    for (const physics::Shape& shape : shapes) {
+        const Value body(instances.of(shape.body()));
+        if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) bodies.push_back(body);
+    }
+    return Value(std::move(bodies));
+}
+
+Result overlap_box(HostedWorld& hosted, Arguments a) {
+    const physics::Vec2 p = vec2_argument(a[0]), q = vec2_argument(a[1]);
+    physics::QueryFilter all = filter(a[2], a[3], a[4]);
+    all.sensors = true;
+    return bodies_of(Instances(hosted),
+                     hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all));
+}
+
+/// The shapes for a reference to a shape or to a body.
+std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, const char* what) {
+    const Handle instance = value.reference();
+    const property::Class& is = hosting.tree.class_of(instance);
+    const Row row = hosting.tree.row(instance);
+    if (is.is_a(*hosting.shape_class)) return {hosting.shape(row)};
+    if (is.is_a(*hosting.body_class)) return hosting.body(row).shapes();
+    throw std::invalid_argument(std::string(what) + ": expected a shape or a body, got a " +
+                                is.name());
+}
+
+Result overlap(Hosting& hosting, HostedWorld& hosted, Arguments a) {
+    std::vector<physics::Shape> found;
+    physics::QueryFilter seen = filter(a[1], a[2], a[3]);
+    seen.sensors = true;
+    for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
+        const auto some = hosted.world.query_overlap(shape, seen);
+        found.insert(found.end(), some.begin(), some.end());
+    }
+    return bodies_of(Instances(hosted), found);
+}
+
+Result shapecast(Hosting& hosting, HostedWorld& hosted, Arguments a) {
+    std::optional<physics::RayHit> first;
+    for (const physics::Shape& shape : shapes_of(hosting, a[0], "shape")) {
+        const auto hit =
+            hosted.world.cast_shape(shape, vec2_argument(a[1]), filter(a[2], a[3], a[4]));
+        if (hit && (!first || hit->fraction < first->fraction)) first = hit;
+    }
+    if (!first) return Value();
+    return hit_record(Instances(hosted), *first);
+}
+
+Result closest(Hosting&, HostedWorld& hosted, Arguments a) {
+    const float reach = a[1].is_nil() ? physics::infinity : static_cast<float>(a[1].number());
+    const auto hit = hosted.world.closest(vec2_argument(a[0]), reach, filter(a[2], a[3], a[4]));
+    if (!hit) return Value();
+    const Instances instances(hosted);
+    return Record{&near_fields,
+                  {instances.of(hit->shape), instances.of(hit->shape.body()), to_value(hit->point),
+                   to_value(hit->normal), to_value(hit->distance)}};
+}
+
+Result distance(Hosting& hosting, HostedWorld&, Arguments a) {
+    std::optional<physics::Separation> least;
+    for (const physics::Shape& one : shapes_of(hosting, a[0], "a")) {
+        for (const physics::Shape& other : shapes_of(hosting, a[1], "b")) {
+            const physics::Separation gap = physics::distance(one, other);
+            if (!least || gap.distance < least->distance) least = gap;
+        }
+    }
+    if (!least) return Value();
+    return Record{&separation_fields,
+                  {to_value(least->distance), to_value(least->point_a), to_value(least->point_b),
+                   to_value(least->normal)}};
+}
+
+Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
+    hosted.world.explode(vec2_argument(a[0]), float_argument(a[1]), float_argument(a[2]),
+                         filter(a[3], Value(), a[4]));
+    return Value();
+}
+
+Result contacts_of_world(HostedWorld& hosted, Arguments) {
+    const Instances instances(hosted);
+    std::vector<Record> records;
+    for (const physics::Contact& contact : hosted.world.contacts()) {
+        // The library has the border as first party; here it is the second, so that a is a body.
+        const bool swap = contact.body_a.index == 0;
+        const auto body_a = swap ? contact.body_b : contact.body_a;
+        const auto body_b = swap ? contact.body_a : contact.body_b;
+        const auto shape_a = swap ? contact.shape_b : contact.shape_a;
+        const auto shape_b = swap ? contact.shape_a : contact.shape_b;
+        const physics::Vec2 normal = swap ? physics::Vec2(-contact.normal) : contact.normal;
+        float impulses = 0.0f;
+        for (int k = 0; k < contact.point_count; ++k)
+            impulses += contact.points[static_cast<std::size_t>(k)].normal_impulse;
+        for (int k = 0; k < contact.point_count; ++k) {
+            const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
+            const float share = impulses > 0.0f ? p.normal_impulse / impulses : 0.0f;
+            records.push_back({&found_contact_fields,
+                               {instances.of(body_a), instances.of(body_b), instances.of(shape_a),
+                                instances.of(shape_b), to_value(p.point), to_value(normal),
+                                to_value(p.separation), to_value(share * contact.normal_force)}});
+        }
+    }
+    return records;
+}
+
+template <Result (*Run)(HostedWorld&, Arguments)>
+Method method(Hosting& hosting, Method described) {
+    described.context = &hosting;
+    described.effect = property::Effect::nothing;
+    described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
+        return Run(static_cast<Hosting*>(context)->hosted(row), arguments);
+    };
+    return described;
+}
+
+template <Result (*Run)(Hosting&, HostedWorld&, Arguments)>
+Method method(Hosting& hosting, Method described) {
+    described.context = &hosting;
+    described.call = [](void* context, property::Tree&, Handle, Row row, Arguments arguments) {
+        Hosting& h = *static_cast<Hosting*>(context);
+        return Run(h, h.hosted(row), arguments);
+    };
+    return described;
+}
+
+}  // namespace
+
+std::vector<Method> world_methods(Hosting& hosting) {
+    const Field probe{"shape", Type::reference, "", "A shape or a body, of any world or of none."};
+    const Field bodies{.name = "bodies",
+                       .type = Type::list,
+                       .doc = "Each once, in no special order.",
+                       .reference_class = "Body",
+                       .element = Type::reference};
+    const Field corner{"corner", Type::vec2, "m", "Of the box."};
+    const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
+    return {
+        method<raycast>(hosting, {.name = "raycast",
+                                  .parameters = {ray_from, ray_to, mask, group, accept},
+                                  .required = 2,
+                                  .returns = hit_fields,
+                                  .doc = "The first shape a ray meets, or nil. Sensors do not "
+                                         "stop it, nor shapes in which it begins."}),
+        method<raycast_all>(hosting, {.name = "raycast_all",
+                                      .parameters = {ray_from, ray_to, mask, group, accept},
+                                      .required = 2,
+                                      .returns = hit_fields,
+                                      .many = true,
+                                      .doc = "Every shape a ray meets, nearest first. Sensors do "
+                                             "not count, nor shapes in which it begins."}),
+        method<at>(
+            hosting,
+            {.name = "at",
+             .parameters = {{"point", Type::vec2, "m", "In the world."}, mask, group, accept},
+             .required = 1,
+             .returns = {{.name = "body",
+                          .type = Type::reference,
+                          .doc = "The body, or nil.",
+                          .reference_class = "Body",
+                          .nullable = true}},
+             .doc = "The body at a point, that with the smallest shape there "
+                    "where there are several, or nil. Sensors count too."}),
+        method<overlap_box>(hosting,
+                            {.name = "overlap_box",
+                             .parameters = {corner, opposite, mask, group, accept},
+                             .required = 2,
+                             .returns = {bodies},
+                             .doc = "The bodies that reach into a box. Sensors count too."}),
+        method<overlap>(hosting, {.name = "overlap",
+                                  .parameters = {probe, mask, group, accept},
+                                  .required = 1,
+                                  .returns = {bodies},
+                                  .doc = "The bodies that overlap a shape, or a body, where it is; "
+                                         "not its own. A shape of no body is at its coordinates.",
+                                  .effect = property::Effect::nothing}),
+        method<shapecast>(
+            hosting,
+            {.name = "shapecast",
+             .parameters =
+                 {probe, {"motion", Type::vec2, "m", "How far it goes."}, mask, group, accept},
+             .required = 2,
+             .returns = hit_fields,
+             .doc = "The first shape that a shape, or a body, would meet on its way, or nil. "
+                    "Sensors do not count.",
+             .effect = property::Effect::nothing}),
+        method<closest>(
+            hosting, {.name = "closest",
+                      .parameters = {{"point", Type::vec2, "m", "In the world."},
+                                     {"reach", Type::number, "m", "No farther than this."},
+                                     mask,
+                                     group,
+                                     accept},
+                      .required = 1,
+                      .returns = near_fields,
+                      .doc = "The shape nearest to a point, or nil. Sensors and the bounds do not "
+                             "count.",
+                      .effect = property::Effect::nothing}),
+        method<distance>(hosting, {.name = "distance",
+                                   .parameters = {{"a", Type::reference, "", "A shape or a body."},
+                                                  {"b", Type::reference, "", "Another."}},
+                                   .required = 2,
+                                   .returns = separation_fields,
+                                   .doc = "How far two shapes or bodies are from each other.",
+                                   .effect = property::Effect::nothing}),
+        method<explode>(
+            hosting,
+            {.name = "explode",
+             .parameters = {{"point", Type::vec2, "m", "In the world."},
+                            {"radius", Type::number, "m", "It reaches this far."},
+                            {"impulse", Type::number, "N s", "What a body at the point gets."},
+                            mask,
+                            accept},
+             .required = 3,
+             .doc = "Pushes bodies away from a point: the farther, the less."}),
+        method<contacts_of_world>(hosting, {.name = "contacts",
+                                            .returns = found_contact_fields,
+                                            .many = true,
+                                            .doc = "Every point where two bodies touch now."}),
+    };
+}
+
+}  // namespace fettle::physics_module
