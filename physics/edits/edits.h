@@ -81,7 +81,8 @@ void share_surface(ObjectState& objects, uint32_t shape);
 
 uint32_t create_joint(const Editing& editing, const JointRecord& record);
 void destroy_joint(const Editing& editing, uint32_t joint);
-void set_joint_body(const Editing& editing, uint32_t joint, uint32_t side, uint32_t body);
+/// 0: the world; if both are, the joint is dormant.
+void set_joint_bodies(const Editing& editing, uint32_t joint, uint32_t a, uint32_t b);
 void set_joint_enabled(const Editing& editing, uint32_t joint, bool enabled);
 void set_joint_collide(const Editing& editing, uint32_t joint, bool collide);
 void set_joint_broken(const Editing& editing, uint32_t joint, bool broken);

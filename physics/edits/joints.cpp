@@ -27,6 +27,7 @@ void unlink_joint(ObjectState& objects, uint32_t joint, uint32_t side) {
 void refilter_joint(const Editing& e, uint32_t joint) {
     ObjectState& objects = e.objects;
     uint32_t a = objects.joints[joint].bodies[0], b = objects.joints[joint].bodies[1];
+    if (a == 0 || b == 0) return;
     if (objects.bodies[a].contact_count > objects.bodies[b].contact_count) std::swap(a, b);
     if (joint_forbids_contact(objects, a, b)) {
         objects.for_each_contact(a, [&](uint32_t contact) {
@@ -34,7 +35,6 @@ void refilter_joint(const Editing& e, uint32_t joint) {
         });
         return;
     }
-    if (a == 0 || b == 0) return;
     for (uint32_t body : {a, b}) {
         for (uint32_t s = objects.bodies[body].first_shape; s != none; s = objects.shapes[s].next)
             mark_moved(objects, e.broad_phase, s);
@@ -56,6 +56,7 @@ uint32_t create_joint(const Editing& e, const JointRecord& record) {
     e.columns.joint_generations[slot] = e.generations.take();
     link_joint(e.objects, slot, 0);
     link_joint(e.objects, slot, 1);
+    e.objects.dormant_joints += record.dormant();
     update_joint(e, slot);
     return slot;
 }
@@ -67,18 +68,26 @@ void destroy_joint(const Editing& e, uint32_t joint) {
     refilter_joint(e, joint);
     unlink_joint(e.objects, joint, 0);
     unlink_joint(e.objects, joint, 1);
+    e.objects.dormant_joints -= e.objects.joints[joint].dormant();
     e.objects.joint_slots.give_back(e.objects.joints, joint);
     e.columns.joint_generations[joint] = 0;
 }
 
-void set_joint_body(const Editing& e, uint32_t joint, uint32_t side, uint32_t body) {
+void set_joint_bodies(const Editing& e, uint32_t joint, uint32_t a, uint32_t b) {
+    JointRecord& record = e.objects.joints[joint];
     wake_joint(e.activity, joint);
-    const bool enabled = std::exchange(e.objects.joints[joint].enabled, false);
+    const bool enabled = std::exchange(record.enabled, false);
     refilter_joint(e, joint);  // the two bodies may collide now
-    unlink_joint(e.objects, joint, side);
-    e.objects.joints[joint].bodies[side] = body;
-    link_joint(e.objects, joint, side);
-    e.objects.joints[joint].enabled = enabled;
+    e.objects.dormant_joints -= record.dormant();
+    for (const uint32_t side : {0, 1}) {
+        const uint32_t body = side == 0 ? a : b;
+        if (record.bodies[side] == body) continue;
+        unlink_joint(e.objects, joint, side);
+        record.bodies[side] = body;
+        link_joint(e.objects, joint, side);
+    }
+    e.objects.dormant_joints += record.dormant();
+    record.enabled = enabled;
     forget_impulses(e.objects, joint);
     update_joint(e, joint);
 }

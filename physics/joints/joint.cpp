@@ -23,6 +23,8 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
+constexpr const char* two_bodies = "body_a and body_b: expected two different bodies";
+
 }  // namespace
 
 const JointKind& joint_kind(JointType type) {
@@ -42,12 +44,18 @@ uint32_t slot_of(const World& world, const char* name, BodyId id) {
     return id.index;
 }
 
-JointRecord checked(const World& world, const JointDef& def) {
+JointRecord record_of(JointType type) {
     JointRecord record;
+    record.type = type;
+    joint_kind(type).begin(record);
+    return record;
+}
+
+JointRecord checked(const World& world, JointType type, const JointDef& def) {
+    JointRecord record = record_of(type);
     if (def.body_a != BodyId()) record.bodies[0] = slot_of(world, "body_a", def.body_a);
     if (def.body_b != BodyId()) record.bodies[1] = slot_of(world, "body_b", def.body_b);
-    if (record.bodies[0] == record.bodies[1])
-        throw std::invalid_argument("body_a and body_b: expected two different bodies");
+    if (record.bodies[0] == record.bodies[1]) throw std::invalid_argument(two_bodies);
     record.anchors[0] = to_v2(check_coordinates("anchor_a", def.anchor_a));
     record.anchors[1] = to_v2(check_coordinates("anchor_b", def.anchor_b));
     record.collide = def.collide;
@@ -101,8 +109,9 @@ void Joint::destroy() {
     detail::destroy_joint(data.editing(), id_.index);
 }
 
-void Joint::set_body(uint32_t side, const Body& body, const char* function) {
-    WorldData& data = edited(function);
+/// Slot of a body to be tied at that side.
+uint32_t Joint::end_at(uint32_t side, const Body& body) const {
+    const WorldData& data = live();
     const char* name = side == 0 ? "body_a" : "body_b";
     const bool is_world = body == Body();
     if (data.joints[id_.index].type == JointType::mouse) {
@@ -119,9 +128,32 @@ void Joint::set_body(uint32_t side, const Body& body, const char* function) {
     if (slot == 0 && data.joints[id_.index].type == JointType::mouse)
         throw std::invalid_argument(
             "body: a mouse joint drags a body, not the bounds of the world");
-    if (slot == data.joints[id_.index].bodies[side ^ 1])
-        throw std::invalid_argument(std::string(name) + ": expected another body than the other's");
-    detail::set_joint_body(data.editing(), id_.index, side, slot);
+    return slot;
+}
+
+void Joint::set_body(uint32_t side, const Body& body, const char* function) {
+    WorldData& data = edited(function);
+    uint32_t ends[] = {data.joints[id_.index].bodies[0], data.joints[id_.index].bodies[1]};
+    ends[side] = end_at(side, body);
+    if (ends[0] == ends[1])
+        throw std::invalid_argument(std::string(side == 0 ? "body_a" : "body_b") +
+                                    ": expected another body than the other's");
+    set_joint_bodies(data.editing(), id_.index, ends[0], ends[1]);
+}
+
+void Joint::connect(const Body& a, const Body& b) {
+    WorldData& data = edited(__func__);
+    const uint32_t ends[] = {a == Body() ? 0 : end_at(0, a), end_at(1, b)};
+    if (ends[0] == ends[1]) throw std::invalid_argument(two_bodies);
+    set_joint_bodies(data.editing(), id_.index, ends[0], ends[1]);
+}
+
+void Joint::disconnect() {
+    set_joint_bodies(edited(__func__).editing(), id_.index, 0, 0);
+}
+
+bool Joint::dormant() const {
+    return live().joints[id_.index].dormant();
 }
 
 #define FETTLE_JOINT_READ(Value, name)        \
@@ -195,6 +227,21 @@ void Joint::set_user_data(uint64_t value) {
     WorldData& data = live();
     data.self.may_populate("Joint", __func__);
     data.joints[id_.index].user_data = value;
+}
+
+Joint World::create_joint(JointType type, uint64_t user_data) {
+    WorldData& data = populate(__func__);
+    JointRecord record = record_of(check_enumerator("type", type, JointType::ratchet));
+    record.user_data = user_data;
+    return make_joint<Joint>(*this, data, record);
+}
+
+Joint World::create_joint(const Joint& like) {
+    WorldData& data = populate(__func__);
+    JointRecord record = like.live().joints[like.id().index];
+    record.bodies[0] = record.bodies[1] = 0;
+    record.awake_index = none;
+    return make_joint<Joint>(*this, data, record);
 }
 
 }  // namespace fettle::physics

@@ -16,19 +16,15 @@ namespace detail {
 
 /// Slot of a body; `name`: its name in the definition, for messages.
 uint32_t slot_of(const World& world, const char* name, BodyId id);
+/// The record of a dormant joint with the settings that it has when none is set.
+JointRecord record_of(JointType type);
 /// Checks a definition, and returns the record of a joint with it.
-JointRecord checked(const World& world, const JointDef& def);
+JointRecord checked(const World& world, JointType type, const JointDef& def);
 
-template <class Handle, class Settings>
-Handle make_joint(World& world, WorldData& data, JointRecord record, const Settings& settings) {
-    record.type = Settings::type;
-    record.settings.become(settings);
+template <class Handle>
+Handle make_joint(World& world, WorldData& data, const JointRecord& record) {
     const uint32_t slot = create_joint(data.editing(), record);
     return {&world, {slot, data.joint_generations[slot]}};
-}
-template <class Handle, class Settings>
-Handle make_joint(World& world, WorldData& data, const JointDef& def, const Settings& settings) {
-    return make_joint<Handle>(world, data, checked(world, def), settings);
 }
 
 /// Angle of b relative to a, rad.
@@ -88,9 +84,10 @@ Settings& Joint::edit(const char* of, const char* function) const {
         return angle_between(*this) - reference_angle();      \
     }
 // Defines World::create_..._joint; `begin` sets values of the new `joint`.
-#define FETTLE_CREATE_JOINT(Of, function, begin)                                            \
-    Of##Joint World::function(const JointDef& def) {                                        \
-        auto joint = make_joint<Of##Joint>(*this, populate(__func__), def, Of##Settings()); \
-        begin;                                                                              \
-        return joint;                                                                       \
+#define FETTLE_CREATE_JOINT(Of, function, begin)                                     \
+    Of##Joint World::function(const JointDef& def) {                                 \
+        auto joint = make_joint<Of##Joint>(*this, populate(__func__),                \
+                                           checked(*this, Of##Settings::type, def)); \
+        begin;                                                                       \
+        return joint;                                                                \
     }

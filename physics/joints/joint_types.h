@@ -32,11 +32,12 @@ class JointFunctions {
 
   public:
     static constexpr JointKind kind(const char* name) {
-        return {name, sizeof(Constraint), check, prepare, warm_start, solve, relax,
+        return {name, sizeof(Constraint), begin, check, prepare, warm_start, solve, relax,
                 load, write_rows,         store};
     }
 
   private:
+    static void begin(JointRecord& joint) { joint.settings.become(Settings()); }
     static void check(const JointRecord& joint) { joint.settings.as<Settings>().check(); }
 
     static bool prepare(const JointSource& source, JointArray& array, const JointStep& step,

@@ -13,8 +13,8 @@ namespace detail {
 
 struct MouseSettings {
     static constexpr JointType type = JointType::mouse;
-    Stiffness stiffness;
-    float max_force;
+    Stiffness stiffness = {5.0f, 0.7f};
+    float max_force = infinity;
 
     void check() const {
         stiffness.check();
@@ -96,7 +96,7 @@ FETTLE_JOINT_NUMBER(Mouse, max_force, max_force)
 MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     WorldData& data = populate(__func__);
     if (def.body == BodyId()) throw std::invalid_argument("body: a mouse joint drags a body");
-    JointRecord record;
+    JointRecord record = record_of(JointType::mouse);
     record.bodies[1] = slot_of(*this, "body", def.body);
     if (record.bodies[1] == 0)
         throw std::invalid_argument(
@@ -111,7 +111,8 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     record.user_data = def.user_data;
     const MouseSettings settings = {{def.hertz, def.damping_ratio}, def.max_force};
     settings.check();
-    return make_joint<MouseJoint>(*this, data, record, settings);
+    record.settings.become(settings);
+    return make_joint<MouseJoint>(*this, data, record);
 }
 
 }  // namespace fettle::physics

@@ -288,6 +288,7 @@ void check_links_of_joints(const WorldState& w, Findings& findings) {
         findings.require(size_t(joint.type) < joint_type_count &&
                              joint.bodies[0] < w.bodies.size() &&
                              joint.bodies[1] < w.bodies.size() &&
+                             (joint.bodies[0] != joint.bodies[1] || joint.dormant()) &&
                              are_bools(joint.enabled, joint.collide, joint.broken) &&
                              edge_in_range(joint.edges[0], n) && edge_in_range(joint.edges[1], n),
                          "a joint");

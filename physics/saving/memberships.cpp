@@ -190,12 +190,13 @@ Fault check_contacts(const WorldState& data) {
 
 /// Checks that every joint is in the lists of both its bodies.
 Fault check_joints(const WorldState& data) {
-    uint32_t live = 0, edges = 0, awake = 0;
+    uint32_t live = 0, edges = 0, awake = 0, dormant = 0;
     for (uint32_t joint = 0; joint < data.joints.size(); ++joint) {
         const JointRecord& record = data.joints[joint];
         const auto [a, b] = record.bodies;
         const bool lives = data.joint_generations[joint] != 0;
         live += lives;
+        dormant += lives && record.dormant();
         const bool active = lives && record.acts() &&
                             (data.bodies[a].solver_index != 0 || data.bodies[b].solver_index != 0);
         const auto& list = data.awake_joints[size_t(record.type)];
@@ -204,7 +205,8 @@ Fault check_joints(const WorldState& data) {
             return "joint " + number(joint) + " is not listed as it should be";
         awake += active;
     }
-    if (live != data.joint_slots.count) return std::string("the number of joints is wrong");
+    if (live != data.joint_slots.count || dormant != data.dormant_joints)
+        return std::string("the number of joints is wrong");
     for (const auto& list : data.awake_joints) awake -= uint32_t(list.size());
     if (awake != 0) return std::string("the lists of awake joints are too long");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {

@@ -26,7 +26,9 @@ struct JointLoad {
 struct JointKind {
     const char* name;
     size_t constraint_size;
-    /// Throws std::invalid_argument for settings that a setter would refuse.
+    /// Gives a new joint the settings that it has when none is set.
+    void (*begin)(JointRecord& joint);
+    /// Throws std::invalid_argument for settings that a setter refuses.
     void (*check)(const JointRecord& joint);
 
     /// Writes constraints from the records of the joints. True if one of them bears a heavy load.

@@ -245,6 +245,8 @@ struct JointRecord {
     uint64_t user_data = 0;
 
     uint32_t& next_free() { return edges[0].next; }
+    /// Without bodies: it is tied to the world at both ends.
+    bool dormant() const { return bodies[0] == 0 && bodies[1] == 0; }
     bool acts() const { return enabled && !broken; }
     bool breakable() const { return break_force < infinity || break_torque < infinity; }
 };

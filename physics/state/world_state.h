@@ -61,6 +61,7 @@ struct ObjectState {
     std::vector<JointRecord> joints;
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
+    uint32_t dormant_joints = 0;
 
     /// The shape that the user sees: the owner of a part, otherwise the shape itself.
     uint32_t named_shape(uint32_t slot) const {
@@ -140,7 +141,8 @@ struct ObjectState {
             io, named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots),
             named("shapes", s.shapes, s.forms, s.shape_slots), named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.contact_slots),
-            named("joints", s.joints, s.joint_slots), named("fields", s.fields, s.field_slots));
+            named("joints", s.joints, s.joint_slots, s.dormant_joints),
+            named("fields", s.fields, s.field_slots));
     }
 };
 

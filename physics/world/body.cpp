@@ -310,6 +310,16 @@ uint32_t Body::shape_count() const {
     return count;
 }
 
+std::vector<Joint> Body::joints() const {
+    FETTLE_LIVE_BODY
+    std::vector<Joint> all;
+    data.for_each_joint(id_.index, [&](uint32_t joint, uint32_t) {
+        if (!data.joints[joint].dormant())
+            all.emplace_back(link_->world, JointId{joint, data.joint_generations[joint]});
+    });
+    return all;
+}
+
 std::vector<Shape> Body::shapes() const {
     FETTLE_LIVE_BODY
     std::vector<Shape> all;

@@ -121,7 +121,7 @@ void WorldData::end_step() {
     statistics.steps = steps;
     statistics.bodies = body_slots.count;
     statistics.shapes = shape_slots.count;
-    statistics.joints = joint_slots.count;
+    statistics.joints = joint_slots.count - dormant_joints;
     statistics.awake_joints = 0;
     for (const auto& list : awake_joints) statistics.awake_joints += uint32_t(list.size());
     statistics.contacts = contact_slots.count;

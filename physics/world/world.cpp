@@ -158,6 +158,7 @@ void World::clear() {
     populate(__func__);
     for (Body b : bodies()) b.destroy();
     for (Shape s : shapes()) s.destroy();
+    for (Joint j : joints()) j.destroy();  // dormant ones
     for (Field f : fields()) f.destroy();
 }
 

@@ -170,6 +170,82 @@ TEST_CASE("joints that come and go leave the others as they were") {
     REQUIRE_FALSE(world.validate());
 }
 
+TEST_CASE("a dormant joint is as if it were not there, and acts like any other when connected") {
+    const auto pendulum = [](World& world, bool wakes_later) {
+        add_floor(world);
+        Body left = add_box(world, {0, 3}), right = add_box(world, {2, 3});
+        RevoluteJoint pin;
+        if (wakes_later) {
+            pin = world.joint<RevoluteJoint>(world.create_joint(JointType::revolute).id());
+            pin.set_anchor_a({1, 0});
+            pin.set_anchor_b({-1, 0});
+            pin.set_hertz(1.0f);
+            REQUIRE(pin.dormant());
+            REQUIRE(pin.upper_angle() == infinity);
+            REQUIRE_FALSE(world.validate());
+            pin.connect(left, right);
+        } else {
+            pin = world.create_revolute_joint({.body_a = left.id(),
+                                               .body_b = right.id(),
+                                               .anchor_a = {1, 0},
+                                               .anchor_b = {-1, 0}});
+            pin.set_hertz(1.0f);
+        }
+        REQUIRE_FALSE(pin.dormant());
+        return pin;
+    };
+    World one, other;
+    RevoluteJoint pin = pendulum(one, false), later = pendulum(other, true);
+    run(one, 2.0f);
+    run(other, 2.0f);
+    REQUIRE(one.hash() == other.hash());
+    pin.destroy();
+    later.disconnect();
+    REQUIRE(later.dormant());
+    REQUIRE(later.force() == Vec2(0, 0));
+    run(one, 2.0f);
+    run(other, 2.0f);
+    REQUIRE(one.hash() == other.hash());
+    REQUIRE(other.joint_count() == 1);
+    REQUIRE(other.statistics().joints == 0);
+    REQUIRE_FALSE(other.validate());
+}
+
+TEST_CASE("a dormant joint outlives bodies, and is copied to other worlds and saves") {
+    World world({.gravity = {0, 0}}), elsewhere;
+    Body left = add_ball(world, {0, 0}), right = add_ball(world, {3, 0});
+    world.create_distance_joint({.body_a = left.id(), .body_b = right.id()});
+    MouseJoint mouse = world.joint<MouseJoint>(world.create_joint(JointType::mouse, 7).id());
+    mouse.connect(Body(), left);
+    mouse.set_hertz(2.0f);
+    mouse.set_broken(true);
+    REQUIRE(left.joints().size() == 2);
+    REQUIRE(right.joints().size() == 1);
+    mouse.disconnect();
+    left.destroy();
+    REQUIRE(world.joints() == std::vector<Joint>{mouse});
+    std::vector<std::byte> bytes;
+    world.save(bytes);
+    World again;
+    again.restore(bytes);
+    for (const Joint& copy : {elsewhere.create_joint(mouse), again.joints().at(0)}) {
+        REQUIRE(copy.dormant());
+        REQUIRE(copy.broken());
+        REQUIRE(copy.user_data() == 7);
+        REQUIRE(copy.world().joint<MouseJoint>(copy.id()).hertz() == 2.0f);
+        REQUIRE_FALSE(copy.world().validate());
+    }
+    REQUIRE_THROWS_WITH(mouse.connect(right, Body()), contains("a mouse joint has a target"));
+    REQUIRE_THROWS_WITH(mouse.connect(Body(), Body()), contains("a mouse joint drags a body"));
+    Joint weld = world.create_joint(JointType::weld);
+    REQUIRE_THROWS_WITH(weld.connect(right, right), contains("two different bodies"));
+    REQUIRE_THROWS_WITH(weld.connect(Body(), Body()), contains("two different bodies"));
+    REQUIRE(weld.dormant());
+    world.clear();
+    REQUIRE(world.joint_count() == 0);
+    REQUIRE_FALSE(world.validate());
+}
+
 TEST_CASE("joints refuse what has no meaning and then change nothing") {
     World world, elsewhere;
     Body ball = add_ball(world, {0, 0}), other = add_ball(world, {2, 0});

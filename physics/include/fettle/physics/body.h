@@ -10,6 +10,7 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+class Joint;
 class Shape;
 class World;
 
@@ -123,6 +124,8 @@ class Body {
     Shape add(const Geometry& geometry, const ShapeDef& def = {});
     uint32_t shape_count() const;
     std::vector<Shape> shapes() const;  ///< in the order they were attached
+
+    std::vector<Joint> joints() const;  ///< on it, in no particular order
 
     bool is_touching() const;  ///< any contact, sleeping or not; sensors do not count
     std::vector<Contact> contacts()

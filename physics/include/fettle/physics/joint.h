@@ -31,6 +31,12 @@ class Joint {
     void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; must not be body b
     Body body_b() const;
     void set_body_b(const Body& body);
+    /// Ties two bodies at once, of which one may be the world.
+    void connect(const Body& a, const Body& b);
+    /// Takes both bodies off: the joint is dormant, and keeps its settings. It does nothing, and
+    /// outlives the bodies that it had.
+    void disconnect();
+    bool dormant() const;   ///< has no bodies; then both are the world
     Vec2 anchor_a() const;  ///< body coordinates, m
     void set_anchor_a(const Vec2& anchor);
     Vec2 anchor_b() const;
@@ -67,7 +73,9 @@ class Joint {
     float per_substep(float impulse) const;  ///< impulse of a sub-step to force or torque
 
   private:
+    friend class World;
     detail::WorldData& edited(const char* function) const;
+    uint32_t end_at(uint32_t side, const Body& body) const;
     void set_body(uint32_t side, const Body& body, const char* function);
 
     detail::WorldLink* link_ = nullptr;

@@ -15,7 +15,7 @@ struct StepStatistics {
     uint32_t bodies = 0;
     uint32_t awake_bodies = 0;  ///< dynamic and moving kinematic ones
     uint32_t shapes = 0;
-    uint32_t joints = 0;
+    uint32_t joints = 0;        ///< without dormant ones
     uint32_t awake_joints = 0;  ///< joints that a step processes
     uint32_t contacts = 0;      ///< pairs whose fat boxes overlap
     uint32_t awake_contacts = 0;

@@ -191,6 +191,11 @@ class World {
 
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
+    /// A dormant joint, to be set and then connected; what other functions measure at creation is
+    /// not measured.
+    Joint create_joint(JointType type, uint64_t user_data = 0);
+    /// A dormant joint with the settings and user data of another one, of any world.
+    Joint create_joint(const Joint& like);
     MouseJoint create_mouse_joint(const MouseJointDef& def);
     DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod of the current length
     RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the current angle counts as 0
@@ -236,6 +241,7 @@ class World {
     /// belongs to the world.
     uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
     uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
+    uint32_t joint_generation(uint32_t index) const { return columns_->joint_generations[index]; }
     uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
     uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
 
