@@ -138,6 +138,42 @@ TEST_CASE_METHOD(Game, "a joint refuses the same whether it acts or not") {
     CHECK(get(make("WheelJoint", Handle{}), "axis") == Value(Vec2(0, 1)));
 }
 
+TEST_CASE_METHOD(Game,
+                 "what a joint is set to lies in its world from the beginning, and goes along") {
+    const Handle crate = body("Box", {0, 5}), other = make("World", tree.root());
+    const Handle joint = make("WheelJoint", world(), {{"hertz", 2}, {"break_force", 90}});
+    const Handle steps = tree.child(world(), "step");
+    physics::World& home = physics.world(world());
+    const auto made = [](physics::World& in) {
+        return in.joint<physics::WheelJoint>(in.joints().at(0).id());
+    };
+    step();
+    REQUIRE(home.joints().size() == 1);
+    CHECK(made(home).dormant());
+    CHECK(made(home).hertz() == 2.0f);
+    CHECK(get(steps, "joints") == Value(std::int64_t{0}));
+    made(home).set_hertz(3.0f);
+    CHECK(get(joint, "hertz") == Value(3.0));
+    set(joint, "body_b", crate);
+    CHECK(made(home).dormant());  // until the next step
+    step();
+    CHECK_FALSE(made(home).dormant());
+    CHECK(get(steps, "joints") == Value(std::int64_t{1}));
+    for (const Handle to : {other, Handle{}, world()}) {
+        tree.move(joint, to);
+        CHECK(get(joint, "hertz") == Value(3.0));
+        CHECK(get(joint, "break_force") == Value(90.0));
+        CHECK(get(joint, "body_b").reference() == crate);
+        step();
+        CHECK(home.joints().size() == (to == world() ? 1 : 0));
+    }
+    CHECK_FALSE(made(home).dormant());
+    tree.destroy(crate);
+    CHECK(made(home).dormant());
+    CHECK(get(joint, "hertz") == Value(3.0));
+    CHECK_FALSE(home.validate());
+}
+
 TEST_CASE_METHOD(Game, "a body that was carried far away and turned often moves to another world") {
     const Handle other = make("World", tree.root());
     const Handle crate = body("Box", {1e8, 0});

@@ -213,7 +213,10 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
     pile(game, 40);
     const Handle body = game.body("Polygon", Vec2(8, 5));
     const Handle wind = game.make("Wind", game.world());
-    const Handle joint = game.make("RevoluteJoint", game.world(), {{"body_b", body}});
+    // The last of many, so that its row is nothing else's.
+    Handle joint;
+    for (int i = 0; i < 100; ++i)
+        joint = game.make("RevoluteJoint", game.world(), {{"body_b", body}, {"enabled", false}});
     game.step(10);
     const property::Snapshot snapshot = game.tree.snapshot();
     const auto expected = hashes(game, 20);
@@ -243,11 +246,9 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
     CHECK(with(shape, shape - 1) >= 1);
     CHECK(with(game.tree.row(wind), game.tree.row(wind) + 1) >= 1);
     CHECK(with(game.tree.row(joint), 77) >= 1);
-    CHECK(with(1, 43, "a joint in a world that is none") >= 1);
     CHECK(with(body.index, wind.index, "a joint that ties no body") >= 1);
-    CHECK(with(joint.index, body.index) >= 1);
-    CHECK(with(joint.index, body.index, "a joint that is not its own") == 0);  // that is sealed
-    CHECK(with(joint.index, body.index, "a joint that is not its own", true) >= 1);
+    CHECK(with(joint.index, body.index, "a RevoluteJoint has a row that is not its own", true) >=
+          1);
     game.tree.restore(snapshot);
     CHECK(hashes(game, 20) == expected);
 }

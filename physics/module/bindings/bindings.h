@@ -24,6 +24,8 @@ decltype(auto) object_at(Hosting& hosting, Row row) {
         return hosting.body(row);
     else if constexpr (std::is_same_v<Object, physics::Shape>)
         return hosting.shape(row);
+    else if constexpr (std::is_base_of_v<physics::Joint, Object>)
+        return hosting.joints.at<Object>(row);
     else
         return (hosting.world(row));  // a reference
 }
@@ -88,15 +90,24 @@ void put_by_slot(Binding& binding) {
     };
 }
 
+/// Every write calls the setter.
 template <auto Get, auto Set>
-Binding bound(Hosting& hosting) {
+Binding setting(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
-    Binding binding = accessor(
+    return accessor(
         hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); },
         [](Hosting& h, Row row, const Value& value) {
             (object_at<Object>(h, row).*Set)(from_value<Argument>(value));
         });
+}
+
+/// A write of the number that is there already does nothing.
+template <auto Get, auto Set>
+Binding bound(Hosting& hosting) {
+    using Object = typename Setter<Set>::Object;
+    using Argument = typename Setter<Set>::Argument;
+    Binding binding = setting<Get, Set>(hosting);
     if constexpr (std::is_same_v<Argument, float>)
         put_numbers(
             binding, [](Hosting& h, Row row) { return (object_at<Object>(h, row).*Get)(); },

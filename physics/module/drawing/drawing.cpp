@@ -124,7 +124,8 @@ void draw_joint(const physics::World& world, const physics::Joint& joint, Painte
 }
 
 void draw_joints(physics::World& world, Painter& painter, double alpha) {
-    for (const physics::Joint& joint : world.joints()) draw_joint(world, joint, painter, alpha);
+    for (const physics::Joint& joint : world.joints())
+        if (!joint.dormant()) draw_joint(world, joint, painter, alpha);
 }
 
 /// Marks sleeping islands.

@@ -179,8 +179,8 @@ void Hosting::report(HostedWorld& hosted) {
     each(*woke, events.woke);
     each(*slept, events.slept);
     for (const physics::JointBreakEvent& e : events.joint_broke) {
-        // The instance of a broken joint must be marked as broken even if there is no handler.
-        const Handle self = joints.broke(e.joint, hosted.world);
+        const physics::Joint joint = hosted.world.joint(e.joint);
+        const Handle self = joint ? instance_of(joint.user_data()) : Handle{};
         if (self && tree.listens(self, *broke))
             tree.emit(self, *broke, {to_value(e.force), to_value(e.torque)});
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Data of the module: the worlds that it hosts and the joints in the tree. A row of the tree is the
-// number of a world and the slot of a body or a shape there, so that reading a property reads an
+// Data of the module: the worlds that it hosts. A row of the tree is the number of a world and the
+// slot of a body, a shape, a joint or a field there, so that reading a property reads an
 // array of the physics library.
 
 #include <array>
@@ -45,7 +45,7 @@ constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
 /// Throws if a row cannot hold its numbers, and destroys the new object, which no instance refers
 /// to yet.
 Row row_of(std::uint32_t world, auto made) {
-    if (made.index() < most_slots) return make_row(world, made.index());
+    if (made.id().index < most_slots) return make_row(world, made.id().index);
     made.destroy();
     throw property::Error(
         property::ErrorKind::rejected,
@@ -67,6 +67,7 @@ struct HostedWorld {
     bool unreported = false;
     SlotValues<Look> looks;                                  // by shape slot
     SlotValues<std::optional<property::Color>> body_colors;  // by body slot
+    SlotValues<Ties> ties;                                   // by joint slot
     // Limbo: velocities that were set, by body slot. Shapes that are added later move the center of
     // mass, but do not change the velocity that it will have in a world.
     SlotValues<std::optional<physics::Vec2>> velocities;

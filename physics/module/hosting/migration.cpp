@@ -96,6 +96,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     hosted(from).velocities.forget(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));
     if (color) target.body_colors.set(fresh.index(), color);
+    joints.disconnect_all(old);
     old.destroy();
     joints.loosen();
     return row;

@@ -6,104 +6,111 @@
 namespace fettle::physics_module {
 namespace {
 
+using physics::GearJoint;
+using physics::JointType;
+using physics::MotorJoint;
+using physics::PulleyJoint;
+using physics::RatchetJoint;
+using physics::WeldJoint;
+
 void define_weld_joint(Hosting& hosting) {
-    using S = WeldSettings;
-    using physics::WeldJoint;
-    property::ClassDescriptor weld = pair_joint<S>(
+    property::ClassDescriptor weld = pair_joint<JointType::weld>(
         hosting, "WeldJoint", "weld_joint", "Holds two bodies together, rigidly or as a spring.",
         {
-            found_number(
+            measured_number(
                 "reference_angle", "rad",
                 "The angle of body_b against body_a that it holds. Unless one is given, the angle "
                 "when the joint began to act.",
-                found_setting<&S::reference_angle, &WeldJoint::set_reference_angle, angle_between>(
-                    hosting)),
-            amount("hertz", S{}.hertz, "Hz",
+                measured_setting<JointType::weld, &WeldJoint::reference_angle,
+                                 &WeldJoint::set_reference_angle, angle_between>(hosting)),
+            amount("hertz", physics::infinity, "Hz",
                    "How stiff it holds the point; infinite is rigid, 0 not at all.",
-                   joint_setting<&S::hertz, &WeldJoint::set_hertz>(hosting)),
+                   setting<&WeldJoint::hertz, &WeldJoint::set_hertz>(hosting)),
             amount("damping_ratio", 0, "", "1 comes to rest without swinging.",
-                   joint_setting<&S::damping_ratio, &WeldJoint::set_damping_ratio>(hosting)),
-            amount("angular_hertz", S{}.angular_hertz, "Hz",
+                   setting<&WeldJoint::damping_ratio, &WeldJoint::set_damping_ratio>(hosting)),
+            amount("angular_hertz", physics::infinity, "Hz",
                    "How stiff it holds the angle; infinite is rigid, 0 not at all.",
-                   joint_setting<&S::angular_hertz, &WeldJoint::set_angular_hertz>(hosting)),
-            amount("angular_damping_ratio", 0, "", "1 comes to rest without swinging.",
-                   joint_setting<&S::angular_damping_ratio, &WeldJoint::set_angular_damping_ratio>(
-                       hosting)),
+                   setting<&WeldJoint::angular_hertz, &WeldJoint::set_angular_hertz>(hosting)),
+            amount(
+                "angular_damping_ratio", 0, "", "1 comes to rest without swinging.",
+                setting<&WeldJoint::angular_damping_ratio, &WeldJoint::set_angular_damping_ratio>(
+                    hosting)),
         });
     weld.properties[1].infinity = weld.properties[3].infinity = true;
     hosting.tree.define(std::move(weld));
 }
 
 void define_motor_joint(Hosting& hosting) {
-    using S = MotorSettings;
-    using physics::MotorJoint;
-    property::ClassDescriptor motor = pair_joint<S>(
+    property::ClassDescriptor motor = pair_joint<JointType::motor>(
         hosting, "MotorJoint", "motor_joint",
         "Drives body_b against body_a by at most a force and a torque: to a velocity or, with a "
         "hertz, to an offset. At rest it is the friction of a game seen from above.",
         {
             amount("max_force", 0, "N", "It pushes no harder.",
-                   joint_setting<&S::max_force, &MotorJoint::set_max_force>(hosting)),
+                   setting<&MotorJoint::max_force, &MotorJoint::set_max_force>(hosting)),
             amount("max_torque", 0, "N m", "It turns no harder.",
-                   joint_setting<&S::max_torque, &MotorJoint::set_max_torque>(hosting)),
-            vector("linear_velocity", {0, 0}, "m/s",
-                   "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
-                   joint_setting<&S::linear_velocity, &MotorJoint::set_linear_velocity>(hosting)),
-            number("angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
-                   joint_setting<&S::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
+                   setting<&MotorJoint::max_torque, &MotorJoint::set_max_torque>(hosting)),
+            vector(
+                "linear_velocity", {0, 0}, "m/s",
+                "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
+                setting<&MotorJoint::linear_velocity, &MotorJoint::set_linear_velocity>(hosting)),
+            number(
+                "angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
+                setting<&MotorJoint::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
             within(
                 coordinates,
-                vector("linear_offset", {0, 0}, "m",
-                       "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
-                       joint_setting<&S::linear_offset, &MotorJoint::set_linear_offset>(hosting))),
-            found_number(
+                vector(
+                    "linear_offset", {0, 0}, "m",
+                    "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
+                    setting<&MotorJoint::linear_offset, &MotorJoint::set_linear_offset>(hosting))),
+            measured_number(
                 "angular_offset", "rad",
                 "The angle of body_b against body_a that it drives to. Unless one is "
                 "given, the angle when the joint began to act.",
-                found_setting<&S::angular_offset, &MotorJoint::set_angular_offset, angle_between>(
-                    hosting)),
+                measured_setting<JointType::motor, &MotorJoint::angular_offset,
+                                 &MotorJoint::set_angular_offset, angle_between>(hosting)),
             amount("hertz", 0, "Hz", "How stiff it drives to the offsets; 0: not at all.",
-                   joint_setting<&S::hertz, &MotorJoint::set_hertz>(hosting)),
+                   setting<&MotorJoint::hertz, &MotorJoint::set_hertz>(hosting)),
             amount("damping_ratio", 1, "",
                    "Of the drive to the offsets: 1 comes to rest without swinging.",
-                   joint_setting<&S::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
+                   setting<&MotorJoint::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
         });
     motor.properties[0].infinity = motor.properties[1].infinity = true;
     hosting.tree.define(std::move(motor));
 }
 
-float rope_now(const Joints& joints, const JointRecord& record) {
-    const auto& pulley = std::get<PulleySettings>(record.settings);
-    return (joints.world_anchor(record, 0) - pulley.ground_a).norm() +
-           pulley.ratio * (joints.world_anchor(record, 1) - pulley.ground_b).norm();
+float rope_now(Hosting& hosting, Row row) {
+    const Joints& joints = hosting.joints;
+    const auto pulley = joints.at<PulleyJoint>(row);
+    return (joints.world_anchor(row, 0) - pulley.ground_a()).norm() +
+           pulley.ratio() * (joints.world_anchor(row, 1) - pulley.ground_b()).norm();
 }
 
-float phase_now(const Joints& joints, const JointRecord& record) {
-    const auto& gear = std::get<GearSettings>(record.settings);
-    return joints.angle_of(record, 1) - gear.ratio * joints.angle_of(record, 0);
+float phase_now(Hosting& hosting, Row row) {
+    const Joints& joints = hosting.joints;
+    return joints.angle_of(row, 1) - joints.at<GearJoint>(row).ratio() * joints.angle_of(row, 0);
 }
 
 void define_pulley_joint(Hosting& hosting) {
-    using S = PulleySettings;
-    using physics::PulleyJoint;
-    property::ClassDescriptor pulley = pair_joint<S>(
+    property::ClassDescriptor pulley = pair_joint<JointType::pulley>(
         hosting, "PulleyJoint", "pulley_joint",
         "A rope from body_a over two wheels of the world to body_b. It only pulls.",
         {
             within(coordinates,
                    vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
-                          joint_setting<&S::ground_a, &PulleyJoint::set_ground_a>(hosting))),
+                          setting<&PulleyJoint::ground_a, &PulleyJoint::set_ground_a>(hosting))),
             within(coordinates,
                    vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
-                          joint_setting<&S::ground_b, &PulleyJoint::set_ground_b>(hosting))),
+                          setting<&PulleyJoint::ground_b, &PulleyJoint::set_ground_b>(hosting))),
             amount("ratio", 1, "", "How many parts of the rope pull body_b.",
-                   joint_setting<&S::ratio, &PulleyJoint::set_ratio>(hosting)),
-            found_number("length", "m",
-                         "Of the part at body_a and ratio times that at body_b. Unless one is "
-                         "given, the length when the joint began to act.",
-                         found_setting<&S::length, &PulleyJoint::set_length, rope_now>(hosting)),
+                   setting<&PulleyJoint::ratio, &PulleyJoint::set_ratio>(hosting)),
+            measured_number("length", "m",
+                            "Of the part at body_a and ratio times that at body_b. Unless one is "
+                            "given, the length when the joint began to act.",
+                            measured_setting<JointType::pulley, &PulleyJoint::length,
+                                             &PulleyJoint::set_length, rope_now>(hosting)),
             figure("tension", "N", "Of the rope in the last step.",
-                   told<PulleyJoint, &PulleyJoint::tension>(hosting)),
+                   told<&PulleyJoint::tension>(hosting)),
         });
     // The rope runs over the wheels.
     for (const char* source : {"ground_a", "ground_b", "ratio"})
@@ -114,41 +121,39 @@ void define_pulley_joint(Hosting& hosting) {
 }
 
 void define_gear_joint(Hosting& hosting) {
-    using S = GearSettings;
-    using physics::GearJoint;
-    hosting.tree.define(pair_joint<S>(
+    hosting.tree.define(pair_joint<JointType::gear>(
         hosting, "GearJoint", "gear_joint", "Turns body_b with body_a.",
         {
             number("ratio", 1, "",
                    "How far body_b turns when body_a turns once: negative where wheels mesh, "
                    "positive where a belt joins them.",
-                   joint_setting<&S::ratio, &GearJoint::set_ratio>(hosting)),
-            found_number("phase", "rad",
-                         "The angle of body_b less ratio times that of body_a. Unless one is "
-                         "given, what it was when the joint began to act.",
-                         found_setting<&S::phase, &GearJoint::set_phase, phase_now>(hosting)),
+                   setting<&GearJoint::ratio, &GearJoint::set_ratio>(hosting)),
+            measured_number("phase", "rad",
+                            "The angle of body_b less ratio times that of body_a. Unless one is "
+                            "given, what it was when the joint began to act.",
+                            measured_setting<JointType::gear, &GearJoint::phase,
+                                             &GearJoint::set_phase, phase_now>(hosting)),
         }));
 }
 
 void define_ratchet_joint(Hosting& hosting) {
-    using S = RatchetSettings;
-    using physics::RatchetJoint;
-    hosting.tree.define(pair_joint<S>(
+    hosting.tree.define(pair_joint<JointType::ratchet>(
         hosting, "RatchetJoint", "ratchet_joint", "Lets body_b turn against body_a one way only.",
         {
             amount("tooth", 0, "rad", "From tooth to tooth; 0: it holds at any angle.",
-                   joint_setting<&S::tooth, &RatchetJoint::set_tooth>(hosting)),
+                   setting<&RatchetJoint::tooth, &RatchetJoint::set_tooth>(hosting)),
             {.name = "backwards",
              .type = Type::boolean,
              .doc = "Clockwise is free instead of counter-clockwise.",
-             .binding = joint_setting<&S::backwards, &RatchetJoint::set_backwards>(hosting)},
-            found_number("reference_angle", "rad",
-                         "The angle that counts as 0, where a tooth is. Unless one is given, the "
-                         "angle when the joint began to act.",
-                         found_setting<&S::reference_angle, &RatchetJoint::set_reference_angle,
-                                       angle_between>(hosting)),
+             .binding = setting<&RatchetJoint::backwards, &RatchetJoint::set_backwards>(hosting)},
+            measured_number(
+                "reference_angle", "rad",
+                "The angle that counts as 0, where a tooth is. Unless one is given, the "
+                "angle when the joint began to act.",
+                measured_setting<JointType::ratchet, &RatchetJoint::reference_angle,
+                                 &RatchetJoint::set_reference_angle, angle_between>(hosting)),
             figure("caught_angle", "rad", "It does not turn back beyond this.",
-                   told<RatchetJoint, &RatchetJoint::caught_angle>(hosting)),
+                   told<&RatchetJoint::caught_angle>(hosting)),
         }));
 }
 

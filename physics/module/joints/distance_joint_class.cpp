@@ -5,31 +5,33 @@
 namespace fettle::physics_module {
 
 void define_distance_joint(Hosting& hosting) {
-    using S = DistanceSettings;
     using physics::DistanceJoint;
-    constexpr auto length_now = [](const Joints& joints, const JointRecord& record) {
-        return (joints.world_anchor(record, 1) - joints.world_anchor(record, 0)).norm();
+    using physics::JointType;
+    constexpr auto length_now = [](Hosting& h, Row row) {
+        return (h.joints.world_anchor(row, 1) - h.joints.world_anchor(row, 0)).norm();
     };
-    property::ClassDescriptor distance = pair_joint<S>(
+    property::ClassDescriptor distance = pair_joint<JointType::distance>(
         hosting, "DistanceJoint", "distance_joint",
         "Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a "
         "max_length a rope.",
         {
-            found_number(
+            measured_number(
                 "length", "m",
                 "Of the rod, or of the spring at rest. Unless one is given, the distance when "
                 "the joint began to act.",
-                found_setting<&S::length, &DistanceJoint::set_length, length_now>(hosting)),
+                measured_setting<JointType::distance, &DistanceJoint::length,
+                                 &DistanceJoint::set_length, length_now>(hosting)),
             amount("min_length", 0, "m", "The anchors come no nearer.",
-                   joint_setting<&S::min_length, &DistanceJoint::set_min_length>(hosting)),
-            amount("max_length", S{}.max_length, "m",
+                   setting<&DistanceJoint::min_length, &DistanceJoint::set_min_length>(hosting)),
+            amount("max_length", physics::infinity, "m",
                    "The anchors go no farther apart. Where min_length is above it, this counts.",
-                   joint_setting<&S::max_length, &DistanceJoint::set_max_length>(hosting)),
-            amount("hertz", S{}.hertz, "Hz",
+                   setting<&DistanceJoint::max_length, &DistanceJoint::set_max_length>(hosting)),
+            amount("hertz", physics::infinity, "Hz",
                    "How stiff the spring is; infinite is a rod, 0 is slack between the limits.",
-                   joint_setting<&S::hertz, &DistanceJoint::set_hertz>(hosting)),
-            amount("damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
-                   joint_setting<&S::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
+                   setting<&DistanceJoint::hertz, &DistanceJoint::set_hertz>(hosting)),
+            amount(
+                "damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
+                setting<&DistanceJoint::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
         });
     distance.properties[0].range = not_negative;
     distance.properties[2].infinity = distance.properties[3].infinity = true;

@@ -1,98 +1,84 @@
 #pragma once
-// Bindings of joints: a setting is passed to the library, which may refuse it, and kept in the
-// record.
+// Bindings of joints.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <bindings/bindings.h>
 
 namespace fettle::physics_module {
 
-template <auto Field>
-struct Settings;
-template <class Of, class Held, Held Of::*Field>
-struct Settings<Field> {
-    using Class = Of;
-    using Value = Held;
-};
-
-/// A setting of one type of joint.
-template <auto Field, auto Set>
-Binding joint_setting(Hosting& hosting) {
-    using Of = typename Settings<Field>::Class;
-    using Native = typename Of::Native;
-    using Argument = typename Setter<Set>::Argument;
-    return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value(h.joints.settings<Of>(row).*Field); },
-        [](Hosting& h, Row row, const Value& value) {
-            const auto wanted = from_value<Argument>(value);
-            (h.joints.acting_or_model<Native>(row).*Set)(wanted);
-            h.joints.settings<Of>(row).*Field = wanted;
-        });
+/// Bodies that are far apart may give a value that is higher than a setter accepts.
+inline float bounded(float x, float most = std::numeric_limits<float>::max()) {
+    return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
+}
+inline physics::Vec2 bounded(const physics::Vec2& point) {
+    constexpr float most = 1e8f;  // of coordinates
+    return {bounded(point.x(), most), bounded(point.y(), most)};
 }
 
-/// A setting that the joint measures when it begins to act, unless it is set; `Look` returns the
-/// value that it would measure now.
-template <auto Field, auto Set, auto Look>
-Binding found_setting(Hosting& hosting) {
-    using Of = typename Settings<Field>::Class;
-    using Native = typename Of::Native;
+/// A setting that a type of joint measures when it begins to act, unless it is set; `Look` returns
+/// the value that it would measure now.
+template <physics::JointType type, auto Get, auto Set, auto Look>
+Binding measured_setting(Hosting& hosting) {
+    using Native = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
+    hosting.joints.measures[static_cast<std::size_t>(type)] = [](Hosting& h, Row row) {
+        (h.joints.at<Native>(row).*Set)(bounded(Look(h, row)));
+    };
     Binding binding = accessor(
         hosting,
         [](Hosting& h, Row row) {
-            const auto& found = h.joints.settings<Of>(row).*Field;
-            return to_value(found.value ? *found.value : Look(h.joints, h.joints.at(row)));
+            const bool known = h.joints.ties(row).source != Source::none;
+            return widened(known ? (h.joints.at<Native>(row).*Get)() : Look(h, row));
         },
         [](Hosting& h, Row row, const Value& value) {
-            const auto wanted = from_value<Argument>(value);
-            (h.joints.acting_or_model<Native>(row).*Set)(wanted);
-            (h.joints.settings<Of>(row).*Field).give(wanted);
+            (h.joints.at<Native>(row).*Set)(from_value<Argument>(value));
+            h.joints.set_source(row, Source::given);
         });
     binding.reset = [](void* context, Row row) {
-        auto& joints = static_cast<Hosting*>(context)->joints;
-        (joints.settings<Of>(row).*Field).give(std::nullopt);
-        joints.remake(row);
+        static_cast<Hosting*>(context)->joints.set_source(row, Source::none);
     };
     binding.overridden = [](void* context, Row row) {
-        return (static_cast<Hosting*>(context)->joints.settings<Of>(row).*Field).value.has_value();
+        return static_cast<Hosting*>(context)->joints.ties(row).source != Source::none;
     };
     return binding;
 }
 
-template <class Of>
+template <physics::JointType type>
 property::Lifecycle joint_lifecycle(Hosting& hosting) {
     property::Lifecycle lifecycle;
     lifecycle.context = &hosting;
     lifecycle.create = [](void* context, property::Tree&, Handle self) {
-        auto& h = *static_cast<Hosting*>(context);
-        return h.joints.create<Of>(h.world_above(self), self);
+        return static_cast<Hosting*>(context)->joints.create(self, type);
     };
     lifecycle.place = [](void* context, property::Tree&, Handle self, Row row) {
-        auto& h = *static_cast<Hosting*>(context);
-        h.joints.place(row, h.world_above(self));
-        return row;
+        return static_cast<Hosting*>(context)->joints.place(self, row);
     };
     lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {
         static_cast<Hosting*>(context)->joints.destroy(row);
     };
-    hosting.joint_kinds.emplace_back(lifecycle.create, AnySettings(Of{}).index());
+    hosting.joint_kinds.emplace_back(lifecycle.create, static_cast<std::size_t>(type));
     return lifecycle;
 }
 
 /// A number that the joint measures, unless it is set.
-Property found_number(std::string name, std::string unit, std::string doc, Binding binding);
-/// A read-only number of a native joint; 0 while there is none.
-template <class Native, auto Ask>
+Property measured_number(std::string name, std::string unit, std::string doc, Binding binding);
+/// A read-only number of a joint; 0 while it does not act.
+template <auto Ask>
 Binding told(Hosting& hosting) {
+    using Native = typename Getter<Ask>::Object;
     return accessor(hosting, [](Hosting& h, Row row) {
-        const Native joint = h.joints.native<Native>(row);
-        return to_value(joint ? (joint.*Ask)() : 0.0f);
+        const auto joint = h.joints.at<Native>(row);
+        return widened(joint.dormant() ? 0.0f : (joint.*Ask)());
     });
 }
 
 /// Current angle of b relative to a.
-float angle_between(const Joints& joints, const JointRecord& record);
+float angle_between(Hosting& hosting, Row row);
 
-template <class Of>
+template <physics::JointType type>
 property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::string stem,
                                      std::string doc, std::vector<Property> properties) {
     property::ClassDescriptor of;
@@ -100,7 +86,7 @@ property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::st
     of.base = "PairJoint";
     of.stem = std::move(stem);
     of.doc = std::move(doc);
-    of.lifecycle = joint_lifecycle<Of>(hosting);
+    of.lifecycle = joint_lifecycle<type>(hosting);
     of.properties = std::move(properties);
     return of;
 }

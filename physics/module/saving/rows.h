@@ -1,9 +1,8 @@
 #pragma once
-// Checks of a snapshot: that the rows of instances are theirs, and that the data of joints are
-// consistent.
+// Checks of a snapshot: that the rows of instances are theirs, and that joints join bodies.
 
 #include <array>
-#include <vector>
+#include <span>
 
 #include <hosting/hosting.h>
 
@@ -13,13 +12,13 @@ namespace fettle::physics_module {
 struct RestoredObjects {
     std::array<physics::World*, most_worlds> worlds{};
     std::array<Handle, most_worlds> selves{};
-    const std::vector<JointRecord>* joints = nullptr;
+    std::array<std::span<const Ties>, most_worlds> ties{};
 };
 
 /// Called within `Hosting::restore`. Throws Error(damaged) if the row of an instance is the row of
 /// no object, of another instance's object or of another kind, if an object names an instance that
-/// has another row, and if a joint is in no world, joins an instance that is no body or acts as
-/// another type: foreign bytes may hold any number.
+/// has another row, and if a joint joins an instance that is no body: foreign bytes may hold any
+/// number.
 void check_rows(const Hosting& hosting, const RestoredObjects& objects,
                 const property::ByteReader& from);
 

@@ -40,6 +40,7 @@ struct Beside {
     std::vector<Look> looks;
     std::vector<std::optional<property::Color>> body_colors;
     std::vector<std::optional<physics::Vec2>> velocities;
+    std::vector<Ties> ties;
     Departed bodies, shapes;
 };
 
@@ -58,6 +59,7 @@ void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.looks.all());
     to.put(hosted.body_colors.all());
     to.put(hosted.velocities.all());
+    to.put(hosted.ties.all());
     put(to, hosted.departed_bodies);
     put(to, hosted.departed_shapes);
 }
@@ -70,12 +72,15 @@ Beside read_beside(property::ByteReader& from) {
     beside.looks = from.list<Look>();
     beside.body_colors = from.list<std::optional<property::Color>>();
     beside.velocities = from.list<std::optional<physics::Vec2>>();
+    beside.ties = from.list<Ties>();
     for (const Look& look : beside.looks)
         from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
                      "a look");
     for (const auto& color : beside.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : beside.velocities)
         from.require(is_optional(velocity) && (!velocity || velocity->allFinite()), "a velocity");
+    for (const Ties& ties : beside.ties)
+        from.require(ties.source <= Source::given, "the source of a measured value");
     beside.bodies = get_departed(from);
     beside.shapes = get_departed(from);
     return beside;
@@ -88,22 +93,9 @@ void put_beside(Beside beside, HostedWorld& hosted) {
     hosted.looks.replace(std::move(beside.looks));
     hosted.body_colors.replace(std::move(beside.body_colors));
     hosted.velocities.replace(std::move(beside.velocities));
+    hosted.ties.replace(std::move(beside.ties));
     hosted.departed_bodies = std::move(beside.bodies);
     hosted.departed_shapes = std::move(beside.shapes);
-}
-
-/// True if the bytes of all flags in the settings of a joint are valid.
-template <class Settings>
-bool flags_hold(const Settings& settings) {
-    bool hold = true;
-    Settings::each([&](auto field, auto, auto... ask) {
-        const auto& value = settings.*field;
-        if constexpr (sizeof...(ask) != 0)
-            hold &= is_optional(value.value) && is_flag(value.given);
-        else if constexpr (std::is_same_v<decltype(value), const bool&>)
-            hold &= is_flag(value);
-    });
-    return hold;
 }
 
 }  // namespace
@@ -126,7 +118,7 @@ void Hosting::save(property::ByteWriter& to) const {
         worlds_[number]->world.save(to.out());
         to.end_block(block);
     }
-    joints.save(to);
+    to.put(std::uint8_t{joints.loose()});
 }
 
 std::function<void()> Hosting::restore(property::ByteReader& from) {
@@ -158,13 +150,14 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
     }
     from.require(found[limbo], "there is no place for what is in no world");
     RestoredObjects objects;
-    const std::function<void()> put_joints = joints.restore(from, objects.joints);
+    const bool loose = from.boolean();
     for (const Saved& saved : *worlds) {
         objects.worlds[saved.number] = saved.world.get();
         objects.selves[saved.number] = saved.beside.self;
+        objects.ties[saved.number] = saved.beside.ties;
     }
     check_rows(*this, objects, from);
-    return [this, worlds, hits_wanted, put_joints, found] {
+    return [this, worlds, hits_wanted, loose, found] {
         const Placing placing(*this);
         postponed_.clear();
         for (std::uint32_t number = 0; number < most_worlds; ++number)
@@ -181,49 +174,7 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
             hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
             listen(*hosted, told);
         }
-        put_joints();
-    };
-}
-
-void Joints::save(property::ByteWriter& to) const {
-    to.put(records_);
-    to.put(free_);
-    to.put(std::uint8_t{loose_});
-}
-
-std::function<void()> Joints::restore(property::ByteReader& from,
-                                      const std::vector<JointRecord>*& read) {
-    const auto records = std::make_shared<std::vector<JointRecord>>(from.list<JointRecord>());
-    const auto free = std::make_shared<std::vector<std::uint32_t>>(from.list<std::uint32_t>());
-    const bool loose = from.boolean();
-    read = records.get();
-    for (const JointRecord& record : *records)
-        from.require(record.settings.index() < std::variant_size_v<decltype(record.settings)> &&
-                         record.world < most_worlds && is_flag(record.used) &&
-                         is_flag(record.collide) && is_flag(record.enabled) &&
-                         is_flag(record.broken),
-                     "a joint of no type");
-    for (const JointRecord& record : *records) {
-        if (!record.used) continue;
-        from.require(
-            std::visit([](const auto& settings) { return flags_hold(settings); }, record.settings),
-            "a flag of a joint");
-        try {
-            check(record);
-        } catch (const std::invalid_argument& problem) {
-            from.fail(problem.what());
-        }
-    }
-    std::vector<bool> seen(records->size());
-    for (const std::uint32_t row : *free) {
-        from.require(row < records->size() && !(*records)[row].used && !seen[row],
-                     "a free joint that is used");
-        seen[row] = true;
-    }
-    return [this, records, free, loose] {
-        records_ = std::move(*records);
-        free_ = std::move(*free);
-        loose_ = loose;
+        joints.loosen(loose);
     };
 }
 
