@@ -106,6 +106,13 @@ float overhang(float height, V2 where) {
     return 2.0f * flat * std::fabs(height) + 1e-6f * (std::fabs(where.x) + std::fabs(where.y));
 }
 
+/// True if no segment beside a corner of the outline would push: the tip of a thin shape on the
+/// corner is deeper in both segments than the shape is wide, so each leaves it to the other.
+/// `least`: the overlap along the best direction, `through_face`: through the face of this segment.
+bool is_left_by_all(const Piece& piece, float least, float through_face) {
+    return piece.one_sided() && least > 0.0f && through_face < 4.0f * least + beyond;
+}
+
 /// A circle: its center is a point, so the nearest feature of the piece decides.
 void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, bool held,
                     Manifold& m) {
@@ -170,7 +177,12 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float marg
     const int vertex = before ? edge : next;
     const V2 p = before ? v1 : v2;
     const RimPoint rim = nearest_on_rim(e, p - offset);
-    if (a.decide(vertex, -rim.normal) != Piece::Verdict::pushes) return;
+    if (a.decide(vertex, -rim.normal) != Piece::Verdict::pushes) {
+        const float gap = axes.outer.separation;
+        if (is_left_by_all(a, -rim.distance, -gap))
+            one_point(deepest - gap * n, n, gap, 0.0f, offset, margin, feature_of(edge, 254), m);
+        return;
+    }
     one_point(p, -rim.normal, rim.distance, 0.0f, offset, margin, feature_of(vertex, 255), m);
 }
 
@@ -199,6 +211,9 @@ class PolygonOnPiece {
         if (on_b.outer.separation > on_a.outer.separation + face_preference)
             push_with_b(on_b.outer);
         else
+            push_with_a(on_a.outer.edge, on_a.outer.separation);
+        if (m_.count == 0 &&
+            is_left_by_all(a_, b_.radius - best, b_.radius - on_a.outer.separation))
             push_with_a(on_a.outer.edge, on_a.outer.separation);
     }
 

@@ -35,6 +35,8 @@ struct Sweep {
 /// `obstacle` (with its center of mass at `center`), by conservative advancement. 1 if it never
 /// comes nearer, 0 if it starts nearer.
 float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap);
+/// The same for a half-plane that is solid where normal·p <= depth.
+float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap);
 
 /// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
 /// center of mass.

@@ -52,22 +52,48 @@ float distance(const Solid& a, const Solid& b, V2 offset) {
     return distance(a.form, b.form, offset);
 }
 
-float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
-    // B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
-    // point of the shape is faster than this, so it cannot reach the obstacle before it has moved
-    // by the distance.
-    const float speed = length(sweep.shift) + std::fabs(sweep.turn) * sweep.extent;
-    if (!(speed > 0.0f)) return 1.0f;
+namespace {
+
+/// The distance of a shape from an obstacle, and the unit vector to it; zero if they overlap.
+struct Gap {
+    float distance = 0.0f;
+    V2 direction;
+};
+
+/// B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
+/// point of the shape approaches the obstacle faster than the center of mass and the rotation
+/// together, so the shape cannot reach the obstacle before it has moved by the distance. `gap_at`
+/// measures the gap of a rotated copy of the shape with the center of mass at a point.
+template <class GapAt>
+float advance(const Sweep& sweep, float gap, GapAt&& gap_at) {
+    const float spin = std::fabs(sweep.turn) * sweep.extent;
     TurnedCopy copy(sweep.end);
     float t = 0.0f;
     for (int round = 0; round < 32; ++round) {
         const Rotation back = rotation_of(double(sweep.turn) * double(t - 1.0f));
-        const float d = distance(copy.by(back), obstacle, center - (sweep.start + t * sweep.shift));
-        if (d <= gap) return t;
-        t += (d - 0.5f * gap) / speed;
+        const Gap found = gap_at(copy.by(back), sweep.start + t * sweep.shift);
+        if (found.distance <= gap) return t;
+        const float speed = max(dot(sweep.shift, found.direction), 0.0f) + spin;
+        if (!(speed > 0.0f)) return 1.0f;
+        t += (found.distance - 0.5f * gap) / speed;
         if (t >= 1.0f) return 1.0f;
     }
     return t;
+}
+
+}  // namespace
+
+float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
+    return advance(sweep, gap, [&](const Solid& shape, V2 at) {
+        const Nearest found = nearest_points(shape, obstacle, center - at);
+        return Gap{found.distance, found.normal};
+    });
+}
+
+float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap) {
+    return advance(sweep, gap, [&](const Solid& shape, V2 at) {
+        return Gap{dot(normal, at) - reach(shape, -normal) - depth, -normal};
+    });
 }
 
 }  // namespace fettle::physics::detail

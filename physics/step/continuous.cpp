@@ -1,15 +1,16 @@
 #include <collision/piece.h>
 #include <contacts/border.h>
+#include <distance/core.h>
 #include <distance/distance.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
 #include <step/finish.h>
 
 // Continuous collision. A body that moved far compared with its thickness may have passed through a
-// thin obstacle. The core of a shape is a disc of half the thickness around the centroid. If it met
-// an obstacle on the way, the body is moved back to the point where the shape itself arrived. It
-// keeps its velocity, and the next step finds an ordinary contact. Only the core counts, so that
-// bodies that slide over a floor of many pieces are not stopped at every seam.
+// thin obstacle. The core of a shape is the part that is deeper than half of its inner radius. If
+// the core met an obstacle on the way, the body is moved back to the point where the shape itself
+// arrived. It keeps its velocity, and the next step finds an ordinary contact. Only the core
+// counts, so that bodies that slide over a floor of many pieces are not stopped at every seam.
 
 namespace fettle::physics::detail {
 namespace {
@@ -17,55 +18,82 @@ namespace {
 /// Distance from the obstacle at arrival, m; within the range of a speculative contact.
 constexpr float arrival_gap = 0.25f * speculative_margin;
 
-/// Finds where a disc arrives at an obstacle.
-Probe cast_disc(const Solid& obstacle, float radius, V2 from, V2 way) {
-    if (obstacle.kind == FormKind::ellipse) {
-        const Sweep disc = {{{&from, nullptr, nullptr, 1, radius}}, {}, way, 0.0f, 0.0f};
-        const float t = time_of_impact(disc, obstacle, {}, 1e-4f * radius);
-        return {t < 1.0f && t > 0.0f ? t : 2.0f, {}};
-    }
-    if (obstacle.kind == FormKind::piece) {
-        // A one-sided segment stops nothing from behind.
-        const Piece piece(obstacle);
-        if (piece.one_sided() && (!piece.faces(from) || dot(obstacle.form.normals[0], way) >= 0.0f))
-            return {};
-    }
-    Solid grown = obstacle;
-    grown.form.radius += radius;
-    if (obstacle.kind == FormKind::piece) grown.kind = FormKind::convex;
-    return cast_segment(grown, from, way);
-}
+/// Depths of the cores of a shape, in inner radii. If the first core touches an obstacle already,
+/// the body may move on until the next core touches it. It would stand still otherwise.
+constexpr float core_depths[] = {0.5f, 0.75f};
 
-/// The fraction of the motion that shape `s` reaches before obstacle `o`.
-float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint32_t o, V2 centroid,
-                  float core) {
-    const ObjectState& objects = in.objects;
-    const BodyRecord& record = objects.bodies[fast.body];
-    if (objects.forms[o].kind == FormKind::border) {
-        const BorderPlane plane = border_plane(*in.settings.bounds, o);
-        const V2 start_centroid = centroid - fast.shift;
-        const float before = dot(plane.normal, start_centroid) - plane.depth - core;
-        const float after = dot(plane.normal, centroid) - plane.depth - core;
-        if (before <= 0.0f || after >= 0.0f) return 1.0f;
-        // Arrival of the farthest vertex; the rotation is ignored.
-        const float ahead = reach(solid_of(objects, in.columns, s), -plane.normal) +
-                            dot(plane.normal, centroid - record.center);
-        const float arrival = (before + core - ahead - arrival_gap) / (before - after);
-        return clamp(arrival, 0.0f, before / (before - after));
+/// The least depth of a core, m. Resting contacts overlap by less.
+constexpr float least_depth = 0.25f * speculative_margin;
+
+/// The time of impact of a shape, or of a core of it, with one obstacle.
+class Impact {
+  public:
+    Impact(const FinishInput& in, const FastBody& fast, uint32_t obstacle)
+        : in_(in), fast_(fast), is_border_(in.objects.forms[obstacle].kind == FormKind::border) {
+        if (is_border_) {
+            plane_ = border_plane(*in.settings.bounds, obstacle);
+        } else {
+            solid_ = solid_of(in.objects, in.columns, obstacle);
+            center_ = in.objects.bodies[in.objects.forms[obstacle].body].center;
+        }
     }
-    const Solid obstacle = solid_of(objects, in.columns, o);
-    const V2 center = objects.bodies[objects.forms[o].body].center;
-    const Rotation back = rotation_of(-double(fast.turn));
-    const V2 start_centroid = fast.start + rotate(back, centroid - record.center);
-    const Probe probe =
-        cast_disc(obstacle, core, start_centroid - center, centroid - start_centroid);
-    if (probe.fraction > 1.0f) return 1.0f;
-    const Sweep sweep = {solid_of(objects, in.columns, s), fast.start, fast.shift, fast.turn,
-                         record.extent};
-    const float arrival = time_of_impact(sweep, obstacle, center, arrival_gap);
-    // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond the
-    // entry of the core.
-    return arrival > 0.0f ? min(arrival, probe.fraction) : probe.fraction;
+
+    float of(const Solid& shape, float gap) const {
+        const Sweep sweep = {shape, fast_.start, fast_.shift, fast_.turn,
+                             in_.objects.bodies[fast_.body].extent};
+        return is_border_ ? time_of_impact(sweep, plane_.normal, plane_.depth, gap)
+                          : time_of_impact(sweep, solid_, center_, gap);
+    }
+    /// The same for a point that moves from `start` to `end`.
+    float of_point(V2 start, V2 end) const {
+        if (is_border_) {
+            const float before = dot(plane_.normal, start) - plane_.depth;
+            const float after = dot(plane_.normal, end) - plane_.depth;
+            return before > 0.0f && after < 0.0f ? before / (before - after) : 1.0f;
+        }
+        return min(cast_segment(solid_, start - center_, end - start).fraction, 1.0f);
+    }
+    /// A segment of a chain stops nothing that comes from behind it.
+    bool is_from_behind(V2 start) const {
+        return !is_border_ && solid_.kind == FormKind::piece &&
+               !Piece(solid_).faces(start - center_);
+    }
+
+  private:
+    const FinishInput& in_;
+    const FastBody& fast_;
+    bool is_border_;
+    BorderPlane plane_;
+    Solid solid_ = {};
+    V2 center_;
+};
+
+/// The fraction of the motion that shape `s` reaches before obstacle `o`. `centroid`: of the shape
+/// at the end of the motion.
+float sweep_shape(const FinishInput& in, const FastBody& fast, uint32_t s, uint32_t o,
+                  V2 centroid) {
+    const V2 from_center = centroid - in.objects.bodies[fast.body].center;
+    const V2 start = fast.start + rotate(rotation_of(-double(fast.turn)), from_center);
+    const Impact impact(in, fast, o);
+    if (impact.is_from_behind(start)) return 1.0f;
+    const Solid shape = solid_of(in.objects, in.columns, s);
+    const float inner = inner_radius(shape, from_center);
+    const float gap = min(arrival_gap, 0.05f * inner);
+    for (const float part : core_depths) {
+        const float depth = max(part * inner, least_depth);
+        if (depth >= inner) break;
+        const Core core(shape, from_center, depth);
+        const float entry = impact.of(core.solid(), gap);
+        if (entry >= 1.0f) return 1.0f;
+        if (!(entry > 0.0f)) continue;
+        const float arrival = impact.of(shape, arrival_gap);
+        // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
+        // the entry of the core.
+        return arrival > 0.0f ? min(arrival, entry) : entry;
+    }
+    // A thick body may have thin pieces.
+    if (shape.kind == FormKind::piece && inner < least_depth) return 1.0f;
+    return impact.of_point(start, centroid);
 }
 
 /// True if a callback disabled the contact. Without callbacks nothing is read, because pairs may be
@@ -93,7 +121,7 @@ float limit_motion(const FinishInput& in, const FastBody& fast) {
         auto meet = [&](uint32_t other) {
             if (shapes[other].surface.sensor || !may_collide(objects, in.filter, s, other)) return;
             if (is_disabled(in, s, other)) return;
-            limit = min(limit, sweep_shape(in, fast, s, other, centroid, 0.5f * record.thickness));
+            limit = min(limit, sweep_shape(in, fast, s, other, centroid));
         };
         in.boxes.fixed_tree.query(swept, meet);
         if (record.bullet) {

@@ -45,7 +45,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     // its thickness through a thin obstacle.
     const float near = max(0.5f * record.thickness, speculative_margin);
     if (settings.continuous && record.mobility == Mobility::dynamic &&
-        length_squared(shift) > near * near) {
+        length(shift) + std::fabs(turn) * (record.extent - record.thickness) > near) {
         stop_or_list(in, {slot, record.center - shift, shift, turn}, piece);
     }
 
