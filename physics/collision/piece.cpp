@@ -214,7 +214,7 @@ class PolygonOnPiece {
             push_with_a(on_a.outer.edge, on_a.outer.separation);
         if (m_.count == 0 &&
             is_left_by_all(a_, b_.radius - best, b_.radius - on_a.outer.separation))
-            push_with_a(on_a.outer.edge, on_a.outer.separation);
+            push_alone(on_a.outer, on_b.outer);
     }
 
   private:
@@ -225,6 +225,18 @@ class PolygonOnPiece {
         const float low = lowest(other, n), high = -lowest(other, -n);
         const float counted = held_ ? high : 0.5f * (low + high);
         return counted + dot(n, to_other) >= piece.form.offsets[0];
+    }
+
+    /// Pushes where no other segment does: with the face, or with the end of the segment if the
+    /// face has no point of the other shape above it.
+    void push_alone(EdgeGap on_a, EdgeGap on_b) {
+        push_with_a(on_a.edge, on_a.separation);
+        if (m_.count > 0 || on_b.edge < 0) return;
+        const V2 outwards = -b_.normals[on_b.edge];
+        if (dot(outwards, a_.form.normals[on_a.edge]) < 0.7f) return;
+        const int vertex = support(a_.form, outwards);
+        one_point(a_.form.vertices[vertex], outwards, on_b.separation, b_.radius, offset_, margin_,
+                  feature_of(vertex, on_b.edge), m_);
     }
 
     /// Pushes along the normal of an edge of the piece.

@@ -218,8 +218,10 @@ TEST_CASE("large polygons meet pieces of outlines as they meet the convex polygo
                 continue;
             }
             REQUIRE(touch.points > 0);
-            CHECK(touch.separation == Approx(plain.separation).margin(2e-4));
-            CHECK(touch.normal.dot(plain.normal) > 0.99f);
+            // Beside a corner, a segment may push with its face.
+            const bool segment = &touch != touches;
+            CHECK(touch.separation == Approx(plain.separation).margin(segment ? 5e-4 : 2e-4));
+            CHECK(touch.normal.dot(plain.normal) > (segment ? 0.98f : 0.99f));
         }
         REQUIRE(distance(fixed, moving).distance >= 0.0f);
     }
