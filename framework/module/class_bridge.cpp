@@ -142,6 +142,9 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
                                      .fields = fields(event.fields, descriptor.name),
                                      .doc = text_or_empty(event.doc)});
     descriptor.lifecycle = lifecycle_of(native, *this);
+    // A module that defines both classes knows what their rows are.
+    const property::Class* const base = host.tree->find_class(descriptor.base);
+    descriptor.makes_base_rows = base != nullptr && makes_rows_of(*base);
     declared_ = &host.tree->define(std::move(descriptor));
     for (BridgedProperty& property : properties_)
         property.declared = declared_->property(view(property.native.name));
@@ -227,6 +230,20 @@ void BridgedClass::write_tags() {
 
 // --- Rows
 
+namespace {
+
+Row make_row(void* context, property::Tree&, Handle instance) {
+    return Row{static_cast<BridgedClass*>(context)->create(instance)};
+}
+
+}  // namespace
+
+bool BridgedClass::makes_rows_of(const property::Class& base) const {
+    const property::Lifecycle& rows = base.lifecycle();
+    return rows.create == &make_row &&
+           &static_cast<const BridgedClass*>(rows.context)->host_ == &host_;
+}
+
 property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, BridgedClass& self) {
     property::Lifecycle lifecycle;
     if (!native.create && !native.place && !native.destroy && !native.draw && !native.draw_over)
@@ -234,9 +251,7 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
     // Each function uses the current module, which may have been reloaded since; a function that it
     // lacks does nothing.
     lifecycle.context = &self;
-    lifecycle.create = [](void* context, property::Tree&, Handle instance) {
-        return Row{static_cast<BridgedClass*>(context)->create(instance)};
-    };
+    lifecycle.create = make_row;
     lifecycle.place = [](void* context, property::Tree&, Handle instance, Row row) {
         auto& c = *static_cast<BridgedClass*>(context);
         if (c.native_.place != nullptr)

@@ -46,6 +46,8 @@ class BridgedClass {
     const std::set<std::pair<std::uint32_t, std::uint32_t>>& instances() const {
         return instances_;
     }
+    /// Makes the row of an instance that is being created.
+    fettle_row create(property::Handle self);
     /// Makes a row in the module for an instance that already exists in the tree.
     void revive(property::Handle self);
     /// Destroys the row of the instance and keeps the instance.
@@ -65,10 +67,11 @@ class BridgedClass {
     void replace(const fettle_class& native, std::vector<std::string>& notes);
 
   private:
-    fettle_row create(property::Handle self);
     property::Property bridged(const fettle_property& native);
     property::Method bridged(const fettle_method& native);
     void write_tags();
+    /// Whether the rows of a class are those of a class of the same module.
+    bool makes_rows_of(const property::Class& base) const;
     static property::Lifecycle lifecycle_of(const fettle_class& native, BridgedClass& self);
 
     HostTable& host_;

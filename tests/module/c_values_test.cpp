@@ -69,6 +69,19 @@ TEST_CASE("a column goes on by what its elements take and not by anything") {
     }
 }
 
+TEST_CASE("a module makes rows of its own classes for others of its own, not for another's") {
+    module::Plugins plugins;
+    property::Tree tree;
+    CHECK_NOTHROW(plugins.open(built("odder")).attach(tree));
+    CHECK(tree.class_named("Odder").base() == &tree.class_named("Odd"));
+    module::Plugins others;
+    property::Tree other;
+    others.open(built("weather")).attach(other);
+    CHECK_THAT(complaint([&] { others.open(built("odd_cloud")).attach(other); }),
+               contains("class Odd: `lifecycle`: it inherits") &&
+                   contains("that the lifecycle of Cloud makes"));
+}
+
 TEST_CASE("a module that saves restores too") {
     module::Plugins plugins;
     CHECK_THAT(complaint([&] { (void)plugins.open(built("half_saved")); }),

@@ -37,6 +37,23 @@ void hosted_pyramid(Game& game, Handle world) {
 
 }  // namespace
 
+TEST_CASE_METHOD(Game, "a class that derives from a class of the module leaves the rows to it") {
+    property::ClassDescriptor own{.name = "Own", .base = "Body"};
+    own.lifecycle.create = [](void*, property::Tree&, Handle) -> property::Row { return 12345; };
+    for (const char* base : {"Body", "Circle", "World", "Shape", "Joint", "DistanceJoint"}) {
+        own.base = base;
+        CAPTURE(base);
+        CHECK_THROWS_WITH(
+            tree.define(own),
+            Catch::Matchers::Contains("class Own: `lifecycle`: it inherits the property"));
+    }
+    own.base = "Body";
+    own.lifecycle = {};
+    tree.define(own);
+    const Handle made = make("Own", world(), {{"position", Vec2(1, 2)}});
+    CHECK(tree.get(made, "position") == property::Value(Vec2(1, 2)));
+}
+
 TEST_CASE_METHOD(Game, "the hosted loop and the bare library end in the same bits") {
     physics::World bare;
     bare_pyramid(bare);

@@ -3,6 +3,7 @@
 
 #include <fettle/property/question.h>
 #include <fettle/property/snapshot_remarks.h>
+#include <fettle/property/write_log.h>
 
 #include "catch.h"
 #include "fixture.h"
@@ -268,6 +269,69 @@ TEST_CASE("no barrier starts while a snapshot is restored") {
                       Catch::Matchers::Contains("no barrier can start while a snapshot"));
     CHECK_FALSE(tree.alive(late));
     tree.barrier();
+}
+
+TEST_CASE("what observes a tree may go while the tree is being destroyed") {
+    struct Part : SnapshotPart {
+        std::string_view part_name() const override { return "part"; }
+        Memory save(ByteWriter&) const override { return {}; }
+        std::function<void()> restore(ByteReader&, const Memory&) override { return {}; }
+    };
+    struct Told : Observer, EditObserver {
+        explicit Told(int& c) : count(c) {}
+        void wrote(Handle, const Property&, const Value&) override { ++count; }
+        void refreshing(SnapshotPart&, std::uint64_t) override { ++count; }
+        void edited(Handle, const Property&, const CellState&) override { ++count; }
+        int& count;
+    };
+    struct Game {
+        int told = 0, computed = 0, ended = 0;
+        std::vector<std::string> refused;
+        std::unique_ptr<Part> part = std::make_unique<Part>();
+        std::unique_ptr<Told> observer = std::make_unique<Told>(told);
+        std::unique_ptr<WriteLog> log;
+        Handle a;
+    } game;
+    {
+        Tree tree;
+        ClassDescriptor d{.name = "Thing"};
+        d.properties = {{.name = "size"}};
+        d.lifecycle.context = &game;
+        d.lifecycle.destroy = [](void* context, Tree& in, Handle self, Row) {
+            Game& of = *static_cast<Game*>(context);
+            ++of.ended;
+            of.log.reset();
+            of.observer.reset();
+            Part another;
+            in.refreshing(of.part ? *of.part : another, 1);
+            of.part.reset();
+            CHECK(in.get(of.a, "size") == Value(1.0));
+            const Tree::CauseScope me(in, Writer::console);
+            in.set(self, "size", 5);
+            CHECK(in.get(self, "size") == Value(5.0));
+            of.refused.push_back(message_of([&] { WriteLog log(in); }));
+            of.refused.push_back(message_of([&] { in.add_part(another); }));
+            CHECK_FALSE(in.snapshot().empty());
+        };
+        tree.define(std::move(d));
+        game.a = tree.create(tree.class_named("Thing"), tree.root(), "a");
+        for (int i = 0; i < 3; ++i) tree.create(tree.class_named("Thing"), game.a);
+        tree.set_formula(game.a, "size", {.function = [&](const Tree&) {
+                             ++game.computed;
+                             return Value(1.0);
+                         }});
+        tree.barrier();
+        tree.add_part(*game.part);
+        tree.observe(*game.observer);
+        tree.observe_edits(game.observer.get());
+        game.log = std::make_unique<WriteLog>(tree);
+    }
+    CHECK(game.ended == 4);
+    CHECK(game.told == 0);
+    CHECK(game.computed == 1);
+    REQUIRE(game.refused.size() == 8);
+    CHECK(game.refused[0] == "the tree is being destroyed: it cannot be observed any more");
+    CHECK(game.refused[1] == "the tree is being destroyed: it cannot get a part any more");
 }
 
 TEST_CASE("watchers of what is made and deleted within a restore end with it") {

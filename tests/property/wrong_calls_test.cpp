@@ -96,6 +96,53 @@ TEST_CASE("a text from a null pointer and lists without end are refused") {
     CHECK(value_text(nested).size() > 64);
 }
 
+TEST_CASE("a class whose rows its base would take for its own is refused") {
+    const auto with = [](const std::string& base, const std::function<void(Lifecycle&)>& set) {
+        return refusal([&](ClassDescriptor& d) { set(d.lifecycle); }, base);
+    };
+    const auto makes = [](Lifecycle& rows) {
+        rows.create = [](void*, Tree&, Handle) -> Row { return 12345; };
+    };
+    CHECK(with("Object", makes).empty());
+    CHECK(with("Ball", makes) ==
+          "class Crate: `lifecycle`: it inherits the property \"mass\" of Ball, which uses rows "
+          "that the lifecycle of Ball makes: expected no lifecycle of its own, unless it makes "
+          "such rows (`makes_base_rows`)");
+    CHECK_THAT(with("Ball",
+                    [](Lifecycle& rows) {
+                        rows.draw = [](void*, const Tree&, Handle, Row, Painter&, double) {};
+                    }),
+               contains("`lifecycle`"));
+    Tree tree;
+    BallModule balls(tree);
+    ClassDescriptor own{.name = "Own", .base = "Ball"};
+    own.lifecycle = balls.type->lifecycle();
+    own.makes_base_rows = true;
+    const Class& made = tree.define(std::move(own));
+    CHECK(tree.get(tree.create(made), "mass") == Value(1.0));
+    CHECK_NOTHROW(tree.define({.name = "Plain", .base = "Ball"}));
+    ClassDescriptor far{.name = "Far", .base = "Plain"};
+    makes(far.lifecycle);
+    CHECK_THAT(message_of([&] { tree.define(std::move(far)); }),
+               contains("\"mass\" of Plain, which uses rows that the lifecycle of Ball makes"));
+    // Methods get the row as well.
+    ClassDescriptor doer{.name = "Doer"};
+    makes(doer.lifecycle);
+    doer.methods = {{.name = "act", .call = do_nothing}};
+    tree.define(std::move(doer));
+    ClassDescriptor other{.name = "Other", .base = "Doer"};
+    makes(other.lifecycle);
+    CHECK_THAT(message_of([&] { tree.define(std::move(other)); }),
+               contains("it inherits the method \"act\" of Doer"));
+    ClassDescriptor saved{.name = "Saved"};
+    saved.snapshots = Snapshots::natively;
+    tree.define(std::move(saved));
+    ClassDescriptor never{.name = "Never", .base = "Saved"};
+    never.snapshots = Snapshots::never;
+    CHECK_THAT(message_of([&] { tree.define(std::move(never)); }),
+               contains("Saved, from which it derives, is saved natively"));
+}
+
 TEST_CASE("a class descriptor with a name that is none or taken is refused by name") {
     CHECK(refusal([](ClassDescriptor&) {}).empty());
     CHECK_THAT(refusal([](ClassDescriptor& d) { d.name = ""; }), contains("name of a class"));

@@ -103,7 +103,7 @@ void Changes::queue_creation(Handle handle, const Class& of, WatcherId recipient
 }
 
 bool Changes::wants_deletion_notice(Handle handle, const Class& of, bool only_own) const {
-    return !watchers.of_deletion(handle.index, of, only_own).empty();
+    return !watchers.of_deletion(handle, of, only_own).empty();
 }
 
 void Changes::queue_deletion(Handle handle, const Class& of, const Cause& cause) {
@@ -140,18 +140,19 @@ void Changes::queue_deletion_notice(Existence gone, bool only_own) {
     if (replaying) {
         // Watchers of an instance that was made in the same restore end with it and are not called.
         // All other watchers are called when the restore is over.
-        if (only_own) watchers.retire(handle.index, {});
+        if (only_own) watchers.retire(handle, {});
         return;
     }
     const std::string path = gone.path;
     const Cause cause = gone.cause;
     std::vector<WatcherId> keep;
     const std::vector<WatcherId> watching =
-        watchers.of_deletion(handle.index, *gone.instance_class, only_own);
+        watchers.of_deletion(handle, *gone.instance_class, only_own);
     std::vector<WatcherId> listening;
     for (const Watcher* watcher :
          watchers.of_event(handle.index, *gone.instance_class, *deleted_event, watchers.last_id()))
-        listening.push_back(watcher->id);
+        if (watcher->index == 0 || watcher->generation == handle.generation)
+            listening.push_back(watcher->id);
     if (!watching.empty()) {
         queue_item({.kind = QueueItem::Kind::deleted,
                     .what = std::move(gone),
@@ -170,7 +171,7 @@ void Changes::queue_deletion_notice(Existence gone, bool only_own) {
                     .retire = true});
         keep.insert(keep.end(), listening.begin(), listening.end());
     }
-    watchers.retire(handle.index, keep);
+    watchers.retire(handle, keep);
 }
 
 void Changes::compare_shadows() {

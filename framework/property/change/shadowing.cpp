@@ -81,6 +81,9 @@ void Changes::watcher_added(const Watcher& watcher) {
 
 void Changes::watcher_removed(const Watcher& watcher) {
     if (watcher.index != 0) {
+        // Within a restore its instance may be gone, and its slot with it: what is kept for
+        // watchers is made anew when the restore is over.
+        if (nodes.find({watcher.index, watcher.generation}) == nullptr) return;
         nodes[watcher.index].watched = watchers.any_on(watcher.index);
         refresh_shadows(watcher.index);
     } else if (watcher.broad()) {

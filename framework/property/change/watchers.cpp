@@ -104,11 +104,23 @@ void Watchers::unlist(Watcher& watcher) {
     }
 }
 
-void Watchers::retire(std::uint32_t index, const std::vector<WatcherId>& keep) {
+void Watchers::retire(Handle gone, const std::vector<WatcherId>& keep) {
+    retire_if(
+        gone.index, [&](const Watcher& each) { return each.generation == gone.generation; }, keep);
+}
+
+void Watchers::retire_others(Handle lives) {
+    retire_if(lives.index, [&](const Watcher& each) { return each.generation != lives.generation; },
+              {});
+}
+
+template <class Test>
+void Watchers::retire_if(std::uint32_t index, Test test, const std::vector<WatcherId>& keep) {
     const auto on = on_index_.find(index);
     if (on == on_index_.end()) return;
     List retired;
     on->second.append_to(retired);
+    std::erase_if(retired, [&](const Watcher* each) { return !test(*each); });
     const std::unordered_set<WatcherId> kept(keep.begin(), keep.end());
     for (Watcher* watcher : retired) {
         unlist(*watcher);
@@ -261,10 +273,13 @@ Watchers::List Watchers::of_creation(const Class& instance_class, WatcherId unti
     return out;
 }
 
-std::vector<WatcherId> Watchers::of_deletion(std::uint32_t index, const Class& instance_class,
+std::vector<WatcherId> Watchers::of_deletion(Handle instance, const Class& instance_class,
                                              bool only_own) const {
     List out;
-    append(out, deleted_on_, index);
+    append(out, deleted_on_, instance.index);
+    // Within a restore, the slot may have watchers of two instances.
+    std::erase_if(out,
+                  [&](const Watcher* each) { return each->generation != instance.generation; });
     if (!only_own)
         deleted_.any([&](Watcher* watcher) {
             if (instance_class.is_a(*watcher->of)) out.push_back(watcher);

@@ -33,6 +33,7 @@ struct Watcher {
     WatcherId id = 0;
     WatchKind kind = WatchKind::cell;
     std::uint32_t index = 0;       // cell, instance, deleted, event
+    std::uint32_t generation = 0;  // of that instance
     Symbol property;               // cell; of_class, pattern (empty: several properties)
     const Class* of = nullptr;     // of_class, created, deleted, class_event
     const Event* event = nullptr;  // event, class_event
@@ -98,7 +99,7 @@ class Watchers {
     List of_event(std::uint32_t index, const Class& instance_class, const Event& event,
                   WatcherId until) const;
     List of_creation(const Class& instance_class, WatcherId until) const;
-    std::vector<WatcherId> of_deletion(std::uint32_t index, const Class& instance_class,
+    std::vector<WatcherId> of_deletion(Handle instance, const Class& instance_class,
                                        bool only_own) const;
 
     /// Whether any pattern or class watcher wants this property of this instance.
@@ -123,7 +124,9 @@ class Watchers {
 
     /// Ends the watchers of a deleted instance: they are not found by its slot any more, because
     /// the slot may be reused. Watchers in `keep` can still be called until they are stopped.
-    void retire(std::uint32_t index, const std::vector<WatcherId>& keep);
+    void retire(Handle gone, const std::vector<WatcherId>& keep);
+    /// Ends all watchers of that slot except those of the given instance; `{index, 0}`: all.
+    void retire_others(Handle lives);
 
     /// While handlers run, a stopped watcher is not freed, because it may be the one that runs. The
     /// calls may be nested: a handler may ask a question.
@@ -144,6 +147,8 @@ class Watchers {
   private:
     template <class Visit>
     bool any_broad_on(const Property& property, Visit visit) const;
+    template <class Test>
+    void retire_if(std::uint32_t index, Test test, const std::vector<WatcherId>& keep);
     WatcherList* list_of(const Watcher& watcher);
     void unlist(Watcher& watcher);
 

@@ -28,12 +28,49 @@ class DescriptorCheck {
         for (const Property& property : of_.properties) check(property);
         for (const Method& method : of_.methods) check(method);
         for (const Event& event : of_.events) check(event);
+        check_rows();
     }
 
   private:
     [[noreturn]] void refuse(ErrorKind kind, const std::string& member,
                              const std::string& reason) const {
         throw Error(kind, "class " + of_.name + ": " + member + ": " + reason);
+    }
+
+    // --- Rows
+
+    /// A member that it inherits and that is called with its rows; "": there is none.
+    std::string uses_rows() const {
+        for (const Property* property : base_->properties())
+            if (property->binding.kind == BindingKind::column ||
+                property->binding.kind == BindingKind::accessor)
+                return "property " + in_quotes(property->name);
+        return base_->methods().empty() ? ""
+                                        : "method " + in_quotes(base_->methods().front()->name);
+    }
+
+    void check_rows() const {
+        if (base_ == nullptr) return;
+        if (base_->snapshots() == Snapshots::natively && of_.snapshots == Snapshots::never)
+            refuse(ErrorKind::bad_structure, "`snapshots`",
+                   base_->name() +
+                       ", from which it derives, is saved natively, with the rows of "
+                       "this class: expected `natively`, or nothing");
+        const Lifecycle& own = of_.lifecycle;
+        const Lifecycle& of_base = base_->lifecycle();
+        const bool has_own = own.create || own.place || own.destroy || own.draw || own.draw_over;
+        const bool base_has_rows = of_base.create || of_base.place || of_base.destroy;
+        if (!has_own || !base_has_rows || of_.makes_base_rows) return;
+        const std::string user = uses_rows();
+        if (user.empty()) return;
+        const Class* maker = base_;
+        while (maker->base() != nullptr && &maker->base()->lifecycle() == &of_base)
+            maker = maker->base();
+        refuse(ErrorKind::bad_structure, "`lifecycle`",
+               "it inherits the " + user + " of " + base_->name() +
+                   ", which uses rows that the lifecycle of " + maker->name() +
+                   " makes: expected no lifecycle of its own, unless it makes such rows "
+                   "(`makes_base_rows`)");
     }
 
     // --- Names

@@ -11,6 +11,12 @@ void Lifetime::require_unpinned() const {
                         " that it is calling, which must not do so (see \"Lifetimes\" in tree.h)");
 }
 
+void Lifetime::require_going_on(const char* what) const {
+    if (ending)
+        throw Error(ErrorKind::deleted,
+                    std::string("the tree is being destroyed: it cannot ") + what + " any more");
+}
+
 void Use::finish() const {
     if (lifetime_.ending)
         throw Error(ErrorKind::deleted, "the tree was destroyed by what it was calling");

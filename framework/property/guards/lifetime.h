@@ -20,6 +20,8 @@ struct Lifetime {
     /// Throws if the tree must not be destroyed. In the destructor of the tree this ends the
     /// program.
     void require_unpinned() const;
+    /// Throws Error(deleted) while the tree is being destroyed. `what`: "be observed".
+    void require_going_on(const char* what) const;
 };
 
 /// While it lives, a callback may destroy the tree; the tree's state is kept until the end of it.

@@ -1,7 +1,9 @@
 #pragma once
 // Operations that are running and must not be disturbed.
 
+#include <cstdint>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include <fettle/property/value.h>
@@ -16,6 +18,9 @@ struct Underway {
     std::vector<Handle> making;        // instances that their modules are making; nested
     const Inquiry* inquiry = nullptr;  // the innermost inquiry
     bool restoring = false;
+    bool ending_rows = false;  // of those whom a restore takes away
+    std::unordered_set<std::uint32_t>
+        unmade{};  // slots of those whose rows a restore has yet to make
 
     /// Throws if the instance, or one below it, is being deleted. `what`: "move an instance".
     void require_staying(const Instances& instances, Handle instance, std::string_view what) const;
@@ -23,6 +28,16 @@ struct Underway {
     void require_made(const Instances& instances, Handle instance, std::string_view what) const;
     /// Throws while anything is being deleted. For operations on the whole tree.
     void require_no_deletion(std::string_view what) const;
+    /// Throws while a restore calls modules to end and to make rows: what it has read is put into
+    /// place for those who were there at its beginning.
+    void require_all_rows(std::string_view what) const;
+    /// The same, for a change of one instance and of those below it: only some may lack their rows.
+    void require_rows(const Instances& instances, Handle instance, std::string_view what) const;
+    /// The same, for a change below an instance. `parent` may be nobody.
+    void require_row_above(const Instances& instances, Handle parent, std::string_view what) const;
+
+  private:
+    void require_no_rows_ending(std::string_view what) const;
 };
 
 /// While it lives, a module makes the instance and must not delete it.

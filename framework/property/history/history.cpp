@@ -253,19 +253,28 @@ void History::clear(Transactions& list) {
 }
 
 Memory History::image() const {
-    return std::make_shared<const Lists>(lists_);
+    return std::make_shared<const Image>(Image{structure_.changes.lifetime.mark, lists_});
+}
+
+bool History::owns(const Memory& image) const {
+    if (image == nullptr) return false;
+    // While the tree is being destroyed it owns nothing.
+    const auto of = static_cast<const Image*>(image.get())->of.lock();
+    return of != nullptr && of == structure_.changes.lifetime.mark;
 }
 
 // The image of the nodes contains the slots that are reserved for undo.
 void History::restore(const Memory& image) {
     unresolved_.clear();
-    lists_ = image == nullptr ? Lists{} : *static_cast<const Lists*>(image.get());
+    lists_ = owns(image) ? static_cast<const Image*>(image.get())->lists : Lists{};
     bytes_.reset();
     // An edit that is open now continues after the restore.
     open_.steps.clear();
     open_.too_large = false;
     open_bytes_ = 0;
     written_.clear();
+    references_.clear();
+    has_references_ = false;
     ++version_;
 }
 

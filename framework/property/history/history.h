@@ -74,10 +74,13 @@ class History {
     /// be in older images.
     std::size_t bytes_ever() const { return bytes_ever_; }
 
-    /// The current lists, for `restore`. Restoring null gives an empty history. The cost does not
-    /// depend on the length of the lists.
+    /// The current lists, for `restore`. The cost does not depend on the length of the lists.
     Memory image() const;
+    /// An image of another tree, or null, puts back nothing: an empty history. Edits hold classes
+    /// and formulas of their tree.
     void restore(const Memory& image);
+    /// Whether the image is one of this tree.
+    bool owns(const Memory& image) const;
     /// Frees reserved slots that no entry of the history needs any more. A restored state may
     /// reserve slots for entries that were forgotten since.
     void free_unclaimed();
@@ -86,6 +89,10 @@ class History {
   private:
     struct Lists {
         Transactions done, undone;
+    };
+    struct Image {
+        std::weak_ptr<const Tree*> of;
+        Lists lists;
     };
     /// While it lives and instances are deleted, the references of living instances are known as
     /// they were before the first deletion.

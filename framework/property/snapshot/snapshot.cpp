@@ -12,6 +12,7 @@
 
 #include <tree/state.h>
 
+#include "prepared_parts.h"
 #include "transition.h"
 #include "tree_image.h"
 
@@ -104,15 +105,22 @@ Snapshot Snapshot::from_bytes(std::span<const std::byte> bytes) {
 // --- Of a tree
 
 void Tree::add_part(SnapshotPart& part) {
+    state_->lifetime.require_going_on("get a part");
     for (const SnapshotPart* other : state_->snapshots.parts)
         if (other->part_name() == part.part_name() || part.part_name() == tree_block)
             throw Error(ErrorKind::bad_name, "a part of snapshots is called \"" +
                                                  std::string(part.part_name()) + "\" already");
     state_->snapshots.parts.push_back(&part);
+    state_->snapshots.numbers.push_back(++state_->snapshots.last_number);
 }
 
 void Tree::remove_part(SnapshotPart& part) {
-    std::erase(state_->snapshots.parts, &part);
+    SnapshotState& s = state_->snapshots;
+    const auto found = std::find(s.parts.begin(), s.parts.end(), &part);
+    if (found == s.parts.end()) return;
+    s.numbers.erase(s.numbers.begin() + (found - s.parts.begin()));
+    s.parts.erase(found);
+    for (PreparedParts* prepared : s.prepared) prepared->forget(&part);
 }
 
 const std::vector<SnapshotPart*>& Tree::parts() const {
@@ -128,6 +136,7 @@ Snapshot Tree::snapshot() const {
 }
 
 Snapshot Tree::snapshot(std::vector<std::byte> room) const {
+    state_->underway.require_all_rows("take a snapshot");
     std::vector<std::byte> payload = std::move(room);
     payload.clear();
     payload.reserve(state_->snapshots.size + state_->snapshots.size / 8);
@@ -163,8 +172,10 @@ namespace {
 
 /// A complete snapshot after reading and checking.
 struct Prepared {
+    explicit Prepared(SnapshotState& snapshots) : parts(snapshots) {}
+
     std::unique_ptr<TreeImage> image;
-    std::vector<std::function<void()>> parts;
+    PreparedParts parts;
 };
 
 /// The tree block of the snapshot, while the blocks of the parts are read.
@@ -184,14 +195,18 @@ class ReadingScope {
     Reading before_;
 };
 
-Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
+void prepare(Prepared& prepared, Tree::State& state, const Snapshot& snapshot) {
     ByteReader from(snapshot.payload());
     from.get<std::uint64_t>();
-    Prepared prepared;
     std::vector<std::string> found;
+    const Memory* const of_tree = find(snapshot.memories(), tree_block);
+    const auto* const memory =
+        of_tree == nullptr ? nullptr : static_cast<const TreeMemory*>(of_tree->get());
+    const bool own = memory != nullptr && memory->is_of(state);
+    // In another tree, what no bytes can hold is left out, as it is in a file.
     const auto memory_of = [&](std::string_view name) {
-        const Memory* memory = find(snapshot.memories(), name);
-        return memory == nullptr ? Memory() : *memory;
+        const Memory* const held = own ? find(snapshot.memories(), name) : nullptr;
+        return held == nullptr ? Memory() : *held;
     };
     for (std::size_t n = from.count(16); n > 0; --n) {
         const std::string name(from.text());
@@ -200,15 +215,20 @@ Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
         if (name == tree_block) {
             prepared.image = std::make_unique<TreeImage>(state, block, memory_of(name));
         } else {
-            const auto part =
+            const auto found_part =
                 std::find_if(state.snapshots.parts.begin(), state.snapshots.parts.end(),
                              [&](const SnapshotPart* p) { return p->part_name() == name; });
-            if (part == state.snapshots.parts.end())
+            if (found_part == state.snapshots.parts.end())
                 throw Error(ErrorKind::unknown_name,
                             "the snapshot holds \"" + name + "\", which this game does not have");
             from.require(prepared.image != nullptr, "the tree does not come first");
             const ReadingScope scope({&state.tree, prepared.image.get()});
-            prepared.parts.push_back((*part)->restore(block, memory_of(name)));
+            SnapshotPart* const part = *found_part;
+            // One that came in the place of another since does not know what that one held.
+            const std::uint64_t number = state.snapshots.number_of(*part);
+            const bool knows = own && std::find(memory->parts.begin(), memory->parts.end(),
+                                                number) != memory->parts.end();
+            prepared.parts.add(part, part->restore(block, knows ? memory_of(name) : Memory()));
         }
         block.finish();
     }
@@ -219,14 +239,14 @@ Prepared prepare(Tree::State& state, const Snapshot& snapshot) {
             throw Error(ErrorKind::unknown_name, "the snapshot holds nothing of \"" +
                                                      std::string(part->part_name()) +
                                                      "\": it is of another game");
-    return prepared;
 }
 
 }  // namespace
 
 void Tree::check(const Snapshot& snapshot) const {
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
-    (void)prepare(*state_, snapshot);
+    Prepared prepared(state_->snapshots);
+    prepare(prepared, *state_, snapshot);
 }
 
 void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit) {
@@ -247,14 +267,18 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
                                               : std::string(s.lifetime.pinned)) +
                         ": wait for the next barrier");
     struct Restoring {
-        bool& flag;
-        explicit Restoring(bool& f) : flag(f) { flag = true; }
-        ~Restoring() { flag = false; }
-    } restoring(s.underway.restoring);
+        Underway& underway;
+        explicit Restoring(Underway& u) : underway(u) { underway.restoring = true; }
+        ~Restoring() {
+            underway.restoring = false;
+            underway.unmade.clear();
+        }
+    } restoring(s.underway);
     const Pin pin(s.lifetime, "what restores a snapshot");
     s.changes.report_plain_writes();  // report earlier writes before the state changes
     if (snapshot.empty()) throw Error(ErrorKind::damaged, "the snapshot is empty");
-    Prepared prepared = prepare(s, snapshot);
+    Prepared prepared(s.snapshots);
+    prepare(prepared, s, snapshot);
     Transition transition(s);
     std::exception_ptr problem;
     {
@@ -268,10 +292,9 @@ void Tree::restore(const Snapshot& snapshot, const std::function<void()>& go_on)
         } silence(s);
         prepared.image->end_rows();
         prepared.image->put_nodes();
-        for (const auto& put : prepared.parts)
-            if (put) put();
+        prepared.parts.put_all(problem);
         prepared.image->put_values();
-        if (go_on) try {
+        if (go_on && !problem) try {
                 go_on();
             } catch (...) {
                 problem = std::current_exception();  // the tree is valid wherever `go_on` stopped

@@ -67,21 +67,31 @@ void Transition::drop_queued() {
     changes_.queue.undelivered.clear();
 }
 
+bool Transition::lives_on(const Lived& lived) const {
+    const Node* const node = nodes_.find(lived.instance);
+    return node != nullptr && &instances_.class_of(*node) == lived.of;
+}
+
+/// Of one that lived.
+const Transition::Lived& Transition::before(Handle instance) const {
+    return *std::lower_bound(
+        lived_.begin(), lived_.end(), instance.index,
+        [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
+}
+
 void Transition::end_instances() {
     const Cause cause = tree_.cause();
     for (Existence& gone : deletion_notices_) {
-        if (nodes_.find(gone.instance) != nullptr) continue;
-        const auto lived = std::lower_bound(
-            lived_.begin(), lived_.end(), gone.instance.index,
-            [](const Lived& l, std::uint32_t index) { return l.instance.index < index; });
-        instances_.tombstones.add({gone.instance, lived->of, lived->name.text(), gone.path, cause});
+        const Lived& was = before(gone.instance);
+        if (lives_on(was)) continue;
+        instances_.tombstones.add({gone.instance, was.of, was.name.text(), gone.path, cause});
         gone.cause = cause;
-        changes_.queue_deletion_notice(std::move(gone), lived->fresh);
+        changes_.queue_deletion_notice(std::move(gone), was.fresh);
     }
     // An instance without a deletion report gets a tombstone without a path.
     std::size_t latest = 0;
     for (const Lived& lived : lived_) {
-        if (nodes_.find(lived.instance) != nullptr || ++latest > 1024) continue;
+        if (lives_on(lived) || ++latest > 1024) continue;
         const auto told =
             std::any_of(deletion_notices_.begin(), deletion_notices_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
@@ -92,11 +102,11 @@ void Transition::end_instances() {
 }
 
 void Transition::watch_again() {
-    for (const std::uint32_t index : changes_.watchers.watched_slots())
-        if (index < nodes_.end() && nodes_[index].alive())
-            nodes_[index].watched = true;
-        else
-            changes_.watchers.retire(index, {});
+    for (const std::uint32_t index : changes_.watchers.watched_slots()) {
+        const bool lives = index < nodes_.end() && nodes_[index].alive();
+        changes_.watchers.retire_others(lives ? nodes_.handle(index) : Handle{index, 0});
+        if (lives) nodes_[index].watched = changes_.watchers.any_on(index);
+    }
     changes_.shadows.clear();
     if (changes_.watchers.any_broad()) {
         for (std::uint32_t i = 1; i < nodes_.end(); ++i)
@@ -114,7 +124,8 @@ void Transition::tell_created() {
         if (!nodes_[i].alive()) continue;
         const Handle self = nodes_.handle(i);
         while (next < lived_.size() && lived_[next].instance.index < i) ++next;
-        if (next < lived_.size() && lived_[next].instance == self) continue;
+        if (next < lived_.size() && lived_[next].instance == self && lives_on(lived_[next]))
+            continue;
         changes_.queue_creation(self, instances_.class_of(nodes_[i]));
     }
 }
@@ -133,8 +144,8 @@ std::span<const Transition::Known> Transition::known_of(Handle instance) const {
 void Transition::tell_changed() {
     const Cause cause = tree_.cause();
     for (const Known& known : known_) {
-        const Node* node = nodes_.find(known.instance);
-        if (node == nullptr) continue;
+        if (!lives_on(before(known.instance))) continue;
+        const Node* const node = nodes_.find(known.instance);
         const Property* property = tree_.find(known.instance, known.property->symbol);
         const Value now =
             property == nullptr ? Value() : instances_.read(known.instance.index, *node, *property);
@@ -144,7 +155,7 @@ void Transition::tell_changed() {
     // Ad-hoc properties that had been removed exist again; their old values are unknown.
     for (const Lived& lived : lived_) {
         const Node* node = nodes_.find(lived.instance);
-        if (node == nullptr || !node->has_ad_hoc) continue;
+        if (!lives_on(lived) || !node->has_ad_hoc) continue;
         const std::span<const Known> of_it = known_of(lived.instance);
         for (const Property* property : tree_.ad_hoc(lived.instance)) {
             const bool told = std::any_of(of_it.begin(), of_it.end(), [&](const Known& known) {

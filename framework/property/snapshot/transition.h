@@ -29,6 +29,9 @@ class Transition {
         bool fresh;
     };
     void note(std::uint32_t index);
+    /// Whether it is there still, as one of the same class.
+    bool lives_on(const Lived& lived) const;
+    const Lived& before(Handle instance) const;
     std::span<const Known> known_of(Handle instance) const;
     bool watched(Handle self, const Node& node, const Property& property) const;
     void drop_queued();

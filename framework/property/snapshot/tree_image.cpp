@@ -47,11 +47,16 @@ bool belongs_to_the_present(const Class& of, const Property& property) {
 // --- Saving
 
 std::size_t TreeMemory::bytes() const {
-    std::size_t sum = sizeof *this;
+    std::size_t sum = sizeof *this + parts.capacity() * sizeof parts[0];
     for (const Formulas::Image& image : formulas)
         // The text belongs to the game.
         sum += sizeof image + bytes_of(image.formula) - image.formula.holds;
     return sum;
+}
+
+bool TreeMemory::is_of(const Tree::State& state) const {
+    const auto tree = of.lock();
+    return tree != nullptr && tree == state.lifetime.mark;
 }
 
 std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, ByteWriter& to) {
@@ -103,6 +108,8 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
     to.end_block(values);
 
     auto memory = std::make_shared<TreeMemory>();
+    memory->of = state.lifetime.mark;
+    memory->parts = state.snapshots.numbers;
     memory->history = state.history.image();
     memory->formulas = state.formulas.images();
     to.put(std::uint64_t{memory->formulas.size()});
@@ -150,7 +157,9 @@ TreeImage::TreeImage(Tree::State& state, ByteReader& from, const Memory& memory)
     const Node* const top = nodes_.find(root);
     from.require(root == now_.root && top != nullptr && top->parent == 0, "it has another root");
     for (std::uint32_t i = 0; i < now_.nodes.end(); ++i)
-        before_.push_back(now_.nodes[i].alive() ? now_.nodes[i].generation : 0);
+        before_.push_back(now_.nodes[i].alive()
+                              ? Before{now_.nodes[i].generation, now_.nodes[i].class_id}
+                              : Before{});
     read_columns(from);
     add_columns();
     read_ad_hoc(from);
@@ -208,8 +217,7 @@ void TreeImage::check_instances(const ByteReader& from) const {
         const Class& of = now_.classes[node.class_id];
         // Modules that save their rows themselves check which instances are theirs.
         from.require(
-            of.creatable() || of.snapshots() == Snapshots::natively ||
-                (lived_before({i, node.generation}) && now_.nodes[i].class_id == node.class_id),
+            of.creatable() || of.snapshots() == Snapshots::natively || lived_before(i, node),
             "it is of a game with other services or modules");
         if (node.parent == 0) continue;
         const Class& above = now_.classes[nodes_[node.parent].class_id];

@@ -14,12 +14,17 @@
 
 namespace fettle::property {
 
-/// Parts of a snapshot that bytes cannot represent.
+/// Parts of a snapshot that bytes cannot represent. They are used only in the tree that made them:
+/// functions belong to the scripts of that tree, and edits to its classes.
 struct TreeMemory {
+    std::weak_ptr<const Tree*> of;
+    std::vector<std::uint64_t> parts;  // which ones there were: their numbers
     Memory history;
     std::vector<Formulas::Image> formulas;
     /// Approximate memory in bytes. The history has a limit of its own.
     std::size_t bytes() const;
+    /// Whether it was made by this tree.
+    bool is_of(const Tree::State& state) const;
 };
 
 /// Whether the property is in no snapshot, so that a restore does not change it.
@@ -74,8 +79,10 @@ class TreeImage {
     void put_formulas();
     void make_rows();
     void drop(std::uint32_t index);
-    void end_row(Handle self);
-    bool lived_before(Handle instance) const;
+    std::string end_row(Handle self);
+    /// Whether the instance of that slot was there already, as one of the same class: in another
+    /// tree the same handle may be that of an instance of another class.
+    bool lived_before(std::uint32_t index, const Node& node) const;
 
     Tree::State& state_;
     Instances& now_;
@@ -89,7 +96,11 @@ class TreeImage {
     Misfits misfits_;
     std::uint64_t step_ = 0;
     Memory history_;
-    std::vector<std::uint32_t> before_;  // by slot: generation before the restore, 0: free
+    struct Before {
+        std::uint32_t generation = 0;  // 0: the slot was free
+        std::uint16_t class_id = 0;
+    };
+    std::vector<Before> before_;  // by slot: the instance before the restore
 };
 
 }  // namespace fettle::property

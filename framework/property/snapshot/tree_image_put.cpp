@@ -13,8 +13,10 @@
 namespace fettle::property {
 namespace {
 
-bool by_value(const Class& of) {
-    return of.snapshots() == Snapshots::by_value;
+/// Whether the module makes rows for those who were not there, and ends those of the others: its
+/// rows are no part of the snapshot.
+bool makes_rows(const Class& of) {
+    return of.snapshots() != Snapshots::natively;
 }
 
 }  // namespace
@@ -25,18 +27,31 @@ void TreeImage::each(const std::function<void(Handle, const Class&, Row)>& visit
             visit(nodes_.handle(i), now_.classes[nodes_[i].class_id], nodes_[i].row);
 }
 
-bool TreeImage::lived_before(Handle instance) const {
-    return instance.index < before_.size() && before_[instance.index] == instance.generation;
+bool TreeImage::lived_before(std::uint32_t index, const Node& node) const {
+    return index < before_.size() && before_[index].generation == node.generation &&
+           before_[index].class_id == node.class_id;
 }
 
 void TreeImage::end_rows() {
-    for (std::uint32_t i = 1; i < now_.nodes.end(); ++i) {
-        if (before_[i] == 0) continue;
-        const Handle gone = now_.nodes.handle(i);
-        const Class& of = now_.classes[now_.nodes[i].class_id];
-        if (nodes_.find(gone) == nullptr && by_value(of)) end_row(gone);
-        if (nodes_.find(gone) == nullptr && of.snapshots() == Snapshots::never &&
-            now_.stored[of.id()] != nullptr)
+    // What was read is put into the place of those who are here now, and of nobody else.
+    struct Ending {
+        bool& flag;
+        explicit Ending(bool& f) : flag(f) { flag = true; }
+        ~Ending() { flag = false; }
+    } ending(state_.underway.ending_rows);
+    for (std::uint32_t i = 1; i < before_.size(); ++i) {
+        if (before_[i].generation == 0) continue;
+        const Handle self{i, before_[i].generation};
+        const Node* const stays = nodes_.find(self);
+        if (stays != nullptr && stays->class_id == before_[i].class_id) continue;
+        const Class& of = now_.classes[before_[i].class_id];
+        if (makes_rows(of)) {
+            const std::string problem = end_row(self);
+            if (!problem.empty())
+                remarks_.push_back(now_.tree.path(self) +
+                                   ": its module, told of its end, has failed: " + problem);
+        }
+        if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             now_.stored[of.id()]->remove(now_.nodes[i].stored_row);
     }
 }
@@ -48,12 +63,15 @@ void TreeImage::put_nodes() {
         node.watched = node.fresh = node.has_formula = node.has_dependents = false;
         if (!node.alive()) continue;
         const Class& of = now_.classes[node.class_id];
-        const bool lived = lived_before({i, node.generation});
+        const bool lived = lived_before(i, node);
         // These rows are made again, or are those of the running game.
-        if (of.snapshots() != Snapshots::natively) node.row = lived ? now_.nodes[i].row : 0;
+        if (makes_rows(of)) node.row = lived ? now_.nodes[i].row : 0;
+        if (makes_rows(of) && !lived && of.lifecycle().create) s.underway.unmade.insert(i);
         if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             node.stored_row = lived ? now_.nodes[i].stored_row : now_.stored[of.id()]->add();
     }
+    // They depend on cells of the table that goes.
+    s.formulas.clear();
     now_.nodes.replace(std::move(nodes_));
     s.changes.queue.fresh.clear();
     put_columns();
@@ -107,6 +125,7 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
         } catch (...) {
             return lost("does not compile any more: " + exception_text());
         }
+        if (now_.nodes.find(image.instance) == nullptr) return;  // the compiler has deleted it
     }
     s.formulas.set(image.instance, property, image.formula);
 }
@@ -114,50 +133,59 @@ void TreeImage::put_formula(Formulas::Image& image, const Property& property) {
 /// Makes the rows of classes that are saved by value; parents before children.
 void TreeImage::make_rows() {
     Tree::State& s = state_;
+    if (s.underway.unmade.empty()) return;
+    // What a module makes below its instance meanwhile has its row already.
+    std::vector<Handle> all;
+    for (std::uint32_t top = 1; top < now_.nodes.end(); ++top)
+        if (now_.nodes[top].alive() && now_.nodes[top].parent == 0)
+            now_.visit_below(top, [&](std::uint32_t i) { all.push_back(now_.nodes.handle(i)); });
     std::vector<Handle> refused;  // parents before children
     std::set<std::uint32_t> without;
-    const auto make = [&](std::uint32_t i) {
-        const Class& of = now_.classes[now_.nodes[i].class_id];
-        const Lifecycle& lifecycle = of.lifecycle();
-        const Handle self = now_.nodes.handle(i);
+    const auto make = [&](Handle self) {
+        const std::uint32_t i = self.index;
+        const Lifecycle& lifecycle = now_.class_of(now_.nodes[i]).lifecycle();
         const bool below = without.contains(now_.nodes[i].parent);  // deleted with its parent
         if (below) without.insert(i);
-        if (!by_value(of) || !lifecycle.create || lived_before(self)) return;
+        if (s.underway.unmade.erase(i) == 0) return;
         bool has_row = false;
         try {
             if (!below) {
                 const Making making(s.underway, self);
-                now_.nodes[i].row = lifecycle.create(lifecycle.context, now_.tree, self);
+                const Row made = lifecycle.create(lifecycle.context, now_.tree, self);
+                now_.nodes[i].row = made;
                 has_row = true;
                 if (!lifecycle.place || now_.nodes[i].parent == 0) return;
-                const Row row = now_.nodes[i].row;
-                now_.nodes[i].row = lifecycle.place(lifecycle.context, now_.tree, self, row);
+                const Row row = lifecycle.place(lifecycle.context, now_.tree, self, made);
+                now_.nodes[i].row = row;
                 return;
             }
         } catch (...) {  // the module refuses it, for lack of room perhaps
             remarks_.push_back(now_.tree.path(self) +
                                ": it cannot be made, and is missing with all " +
                                "that was below it: " + exception_text());
-            if (has_row) end_row(self);
+            if (has_row) (void)end_row(self);
         }
         without.insert(i);
         refused.push_back(self);
     };
-    for (std::uint32_t top = 1; top < now_.nodes.end(); ++top)
-        if (now_.nodes[top].alive() && now_.nodes[top].parent == 0) now_.visit_below(top, make);
+    for (const Handle self : all)
+        if (now_.nodes.find(self) != nullptr) make(self);
     for (auto self = refused.rbegin(); self != refused.rend(); ++self)
         if (now_.nodes.find(*self) != nullptr) drop(self->index);
 }
 
-void TreeImage::end_row(Handle self) {
+/// What its module has thrown; "": nothing.
+std::string TreeImage::end_row(Handle self) {
     const Node& node = now_.nodes[self.index];
     const Lifecycle& lifecycle = now_.classes[node.class_id].lifecycle();
-    if (!lifecycle.destroy) return;
+    if (!lifecycle.destroy) return "";
     try {
         lifecycle.destroy(lifecycle.context, now_.tree, self, node.row);
     } catch (...) {
-        // The module does not know the instance, so there is nothing to end.
+        const std::string problem = exception_text();
+        return problem.empty() ? "an error without a text" : problem;
     }
+    return "";
 }
 
 /// Deletes an instance whose row could not be made, with everything below it.

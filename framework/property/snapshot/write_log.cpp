@@ -238,11 +238,11 @@ void WriteLog::call_ends(Handle, const Method&) {
 // Inside a recorded call, repeating the call refreshes the part.
 void WriteLog::refreshing(SnapshotPart& part, std::uint64_t what) {
     if (!notes()) return;
-    const auto& parts = tree_.parts();
-    const auto number = std::find(parts.begin(), parts.end(), &part) - parts.begin();
+    const std::uint64_t number = tree_.state().snapshots.number_of(part);
+    if (number == 0) return;
     ByteWriter to(bytes_);
     to.put(Did::refreshed);
-    to.put(static_cast<std::uint32_t>(number));
+    to.put(number);
     to.put(what);
 }
 
@@ -254,6 +254,14 @@ void WriteLog::restored() {
 
 // --- Playing
 
+namespace {
+
+[[noreturn]] void refuse_foreign() {
+    throw Error(ErrorKind::rejected, "this piece of a log of writes is of another tree");
+}
+
+}  // namespace
+
 class WriteLog::Player {
   public:
     Player(Tree& tree, const LoggedWrites& piece)
@@ -261,8 +269,7 @@ class WriteLog::Player {
 
     void play() {
         if (from_.at_end()) return;
-        if (from_.get<std::uint64_t>() != s_.number)
-            throw Error(ErrorKind::rejected, "this piece of a log of writes is of another tree");
+        if (from_.get<std::uint64_t>() != s_.number) refuse_foreign();
         while (!from_.at_end()) {
             const auto did = from_.get<Did>();
             auto times = did == Did::plain ? from_.get<std::uint32_t>() : 1u;
@@ -303,9 +310,11 @@ class WriteLog::Player {
 };
 
 void WriteLog::Player::refresh() {
-    const auto number = from_.get<std::uint32_t>();
+    const auto number = from_.get<std::uint64_t>();
     const auto what = from_.get<std::uint64_t>();
-    if (number < tree_.parts().size()) tree_.parts()[number]->refresh(what);
+    const SnapshotState& snapshots = s_.snapshots;
+    for (SnapshotPart* part : snapshots.parts)
+        if (snapshots.number_of(*part) == number) return part->refresh(what);
 }
 
 void WriteLog::Player::again(Did did) {
@@ -430,6 +439,8 @@ void WriteLog::Player::call(Handle instance) {
 
 void WriteLog::play(const LoggedWrites& piece) {
     if (life_.expired()) throw Error(ErrorKind::deleted, "the tree of this log of writes is gone");
+    tree_.state().underway.require_all_rows("play a log of writes");
+    if (piece.history != nullptr && !tree_.state().history.owns(piece.history)) refuse_foreign();
     Player(tree_, piece).play();
     if (piece.history != nullptr) tree_.state().history.restore(piece.history);
 }

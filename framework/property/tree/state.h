@@ -9,11 +9,22 @@
 
 namespace fettle::property {
 
+class PreparedParts;
+
 /// State of snapshots that is kept between calls.
 struct SnapshotState {
     std::vector<SnapshotPart*> parts;
-    std::size_t size = 0;              // of the last snapshot
-    std::vector<std::string> remarks;  // losses of the last restore
+    std::vector<std::uint64_t> numbers;  // of the parts, counted in the order of `add_part`
+    std::uint64_t last_number = 0;
+    /// 0 if it is no part.
+    std::uint64_t number_of(const SnapshotPart& part) const {
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (parts[i] == &part) return numbers[i];
+        return 0;
+    }
+    std::vector<PreparedParts*> prepared;  // of the restores and checks that are going on
+    std::size_t size = 0;                  // of the last snapshot
+    std::vector<std::string> remarks;      // losses of the last restore
 };
 
 struct Tree::State {

@@ -90,6 +90,15 @@ Tree::~Tree() {
     s.lifetime.require_unpinned();
     s.lifetime.mark.reset();
     s.lifetime.ending = true;
+    // What outlives the tree finds `mark` expired and takes nothing back: nobody who may be gone
+    // by the end is called any more.
+    s.changes.observers.all.clear();
+    s.changes.observers.logs.clear();
+    s.history.observe(nullptr);
+    s.snapshots.parts.clear();
+    s.snapshots.numbers.clear();
+    s.changes.growth.mark = INT64_MAX;
+    s.formulas.clear();
     for (std::uint32_t i = 1; i < s.instances.nodes.end(); ++i)
         if (s.instances.nodes[i].alive() && s.instances.nodes[i].parent == 0)
             destroy(s.instances.nodes.handle(i));
@@ -154,6 +163,9 @@ Handle Tree::create(const Class& instance_class, Handle parent, std::string_view
     s.instances.require_own(instance_class);
     if (s.lifetime.ending)
         throw Error(ErrorKind::deleted, "no instance is made while the tree is being destroyed");
+    if (parent) s.instances.require(parent);
+    if (s.underway.restoring)
+        s.underway.require_row_above(s.instances, parent, "create an instance");
     if (parent) {
         if (s.instances.require(parent).dying)
             s.underway.require_staying(s.instances, parent, "create an instance below it");
@@ -175,6 +187,7 @@ void Tree::destroy(Handle instance) {
     if (instance == s.instances.root && !s.lifetime.ending)
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     s.underway.require_staying(s.instances, instance, "delete it");
+    if (s.underway.restoring) s.underway.require_rows(s.instances, instance, "delete it");
     if (!s.lifetime.ending) s.underway.require_made(s.instances, instance, "delete it");
     // The end of the tree cannot be undone, and its modules may be destroyed already.
     if (!s.lifetime.ending && s.changes.recording()) s.history.dying(instance);

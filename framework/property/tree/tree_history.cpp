@@ -5,6 +5,7 @@
 namespace fettle::property {
 
 void Tree::observe_edits(EditObserver* observer) {
+    if (observer != nullptr) state_->lifetime.require_going_on("be observed");
     state_->history.observe(observer);
 }
 
@@ -19,11 +20,13 @@ void Tree::end_edit() {
 UndoResult Tree::undo() {
     state_->require_changeable("undo");
     state_->underway.require_no_deletion("undo");
+    state_->underway.require_all_rows("undo");
     return state_->history.undo();
 }
 UndoResult Tree::redo() {
     state_->require_changeable("redo");
     state_->underway.require_no_deletion("redo");
+    state_->underway.require_all_rows("redo");
     return state_->history.redo();
 }
 std::vector<HistoryEntry> Tree::history() const {

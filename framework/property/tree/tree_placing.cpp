@@ -18,6 +18,7 @@ void Tree::rename(Handle instance, std::string_view name) {
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
     s.instances.require_movable(instance);
     s.underway.require_staying(s.instances, instance, "rename it");
+    if (s.underway.restoring) s.underway.require_rows(s.instances, instance, "rename it");
     const std::uint32_t parent = node.parent;
     s.instances.check_child_name(s.instances.nodes.handle(parent), name);
     std::optional<Position> before;
@@ -47,7 +48,8 @@ std::function<void()> Tree::way_back(Handle instance) {
     const Position was = state_->instances.nodes.position(instance.index);
     return [this, instance, was] {
         State& s = *state_;
-        if (!alive(instance) || (was.parent && !alive(was.parent)) || s.underway.deletions != 0)
+        if (!alive(instance) || (was.parent && !alive(was.parent)) || s.underway.deletions != 0 ||
+            s.underway.ending_rows || !s.underway.unmade.empty())
             return;
         const Position left = s.instances.nodes.position(instance.index);
         s.structure.move_back(instance, was);
@@ -64,6 +66,10 @@ void Tree::replace(Handle old, Handle by) {
     s.underway.require_staying(s.instances, old, "replace it");
     s.underway.require_made(s.instances, old, "replace it");
     s.underway.require_staying(s.instances, by, "move it");
+    if (s.underway.restoring) {
+        s.underway.require_rows(s.instances, old, "replace it");
+        s.underway.require_rows(s.instances, by, "move it");
+    }
     const Position at = s.instances.nodes.position(old.index),
                    was = s.instances.nodes.position(by.index);
     s.instances.require_movable(old);
@@ -90,8 +96,12 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
         throw Error(ErrorKind::bad_structure, "the root cannot be moved");
     s.instances.require_movable(instance);
     s.underway.require_staying(s.instances, instance, "move it");
+    if (new_parent) s.instances.require(new_parent);
+    if (s.underway.restoring) {
+        s.underway.require_rows(s.instances, instance, "move it");
+        s.underway.require_row_above(s.instances, new_parent, "move an instance below it");
+    }
     if (new_parent && node.parent == new_parent.index) {
-        s.instances.require(new_parent);
         if (!name.empty()) rename(instance, name);
         return;
     }

@@ -23,6 +23,11 @@ Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
     return watcher;
 }
 
+void watch_instance(Watcher& watcher, Handle instance) {
+    watcher.index = instance.index;
+    watcher.generation = instance.generation;
+}
+
 template <class Visit>
 void each_instance(Tree::State& state, const Class& of, Visit visit) {
     for (std::uint32_t i = 1; i < state.instances.nodes.end(); ++i)
@@ -49,7 +54,7 @@ Connection Tree::watch(Handle instance, const Property& property, ChangeHandler 
     State& s = *state_;
     s.instances.require(instance, property);
     Watcher watcher = watcher_of(WatchKind::cell, handler, options);
-    watcher.index = instance.index;
+    watch_instance(watcher, instance);
     watcher.property = property.symbol;
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial) queue_initial(s, instance, property, s.changes.watchers.last_id());
@@ -65,7 +70,7 @@ Connection Tree::watch(Handle instance, ChangeHandler handler, WatchOptions opti
     State& s = *state_;
     s.instances.require(instance);
     Watcher watcher = watcher_of(WatchKind::instance, handler, options);
-    watcher.index = instance.index;
+    watch_instance(watcher, instance);
     Connection connection = s.changes.watchers.add(std::move(watcher));
     if (options.initial)
         for (const Property* property : properties(instance))
@@ -136,7 +141,7 @@ Connection Tree::watch_deleted(const Class& of, ExistenceHandler handler, WatchO
 Connection Tree::watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options) {
     state_->instances.require(instance);
     Watcher watcher = watcher_of(WatchKind::deleted, handler, options);
-    watcher.index = instance.index;
+    watch_instance(watcher, instance);
     return state_->changes.watchers.add(std::move(watcher));
 }
 
@@ -144,7 +149,7 @@ Connection Tree::on(Handle instance, const Event& event, EventHandler handler,
                     WatchOptions options) {
     state_->instances.require_event(class_of(instance), event);
     Watcher watcher = watcher_of(WatchKind::event, handler, options);
-    watcher.index = instance.index;
+    watch_instance(watcher, instance);
     watcher.event = &event;
     return state_->changes.watchers.add(std::move(watcher));
 }
@@ -159,6 +164,7 @@ Connection Tree::on(const Class& of, const Event& event, EventHandler handler,
 }
 
 void Tree::observe(Observer& observer) {
+    state_->lifetime.require_going_on("be observed");
     state_->changes.report_plain_writes();
     state_->changes.observers.all.push_back(&observer);
 }

@@ -37,10 +37,13 @@ class ScriptFormula {
     ScriptFormula(Machine& machine, std::shared_ptr<FunctionRef> function)
         : machine_(&machine), alive_(machine.lua.alive), function_(std::move(function)) {}
 
-    Value operator()(const Tree&) const {
-        if (*alive_ == nullptr || !machine_->life.in_tree)
+    Value operator()(const Tree& tree) const {
+        if (*alive_ == nullptr || !machine_->life.has_tree())
             throw std::runtime_error("its script has ended");
         Machine& machine = *machine_;
+        if (&tree != &machine.tree)
+            throw std::runtime_error(
+                "it is a function of the scripts of another tree, and is computed only there");
         const Life::Use use(machine.life);
         std::optional<Budget::Scope> counted;
         if (!machine.budget.counting())

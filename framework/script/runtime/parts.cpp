@@ -104,6 +104,9 @@ int open_all(lua_State* L) {
 
 /// Throws if the tree has a runtime, before any part is made.
 property::Tree& without_runtime(property::Tree& tree) {
+    if (tree.lifetime().expired())
+        throw Error(ErrorKind::deleted,
+                    "the tree is being destroyed: it cannot get a runtime any more");
     for (const property::SnapshotPart* part : tree.parts())
         if (part->part_name() == RuntimePart::name)
             throw Error(ErrorKind::bad_structure,

@@ -130,6 +130,7 @@ void define_kind(Hosting& hosting, std::string name, std::string doc,
     kind.base = "Field";
     kind.doc = std::move(doc);
     kind.lifecycle = lifecycle<Force>(hosting);
+    kind.makes_base_rows = true;
     kind.properties = std::move(properties);
     hosting.tree.define(std::move(kind));
 }

@@ -87,6 +87,7 @@ property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::st
     of.stem = std::move(stem);
     of.doc = std::move(doc);
     of.lifecycle = joint_lifecycle<type>(hosting);
+    of.makes_base_rows = true;
     of.properties = std::move(properties);
     return of;
 }

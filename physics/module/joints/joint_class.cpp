@@ -94,6 +94,7 @@ void define_pair_joint(Hosting& hosting) {
     pair.doc = "Ties two bodies, or one to the world. While both are the same, it does not act.";
     pair.creatable = false;
     pair.lifecycle = joint_lifecycle<JointType::distance>(hosting);
+    pair.makes_base_rows = true;
     pair.properties = {
         body_property<0>(hosting, "body_a"),
         body_property<1>(hosting, "body_b"),
@@ -113,6 +114,7 @@ void define_mouse_joint(Hosting& hosting) {
     mouse.stem = "mouse_joint";
     mouse.doc = "Pulls a point of a body softly towards a target: how a mouse drags.";
     mouse.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
+    mouse.makes_base_rows = true;
     mouse.properties = {
         {.name = "body",
          .type = Type::reference,

@@ -95,6 +95,7 @@ void define(Hosting& hosting, std::size_t kind, std::string name, std::string do
     described.properties = std::move(properties);
     described.methods = std::move(methods);
     described.lifecycle = shape_lifecycle(hosting.kinds[kind]);
+    described.makes_base_rows = true;
     hosting.tree.define(std::move(described));
 }
 

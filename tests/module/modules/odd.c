@@ -73,6 +73,14 @@ static const fettle_property properties[] = {
     {.name = "endless", .type = FETTLE_LIST, .binding = FETTLE_ACCESSOR, .get = endless},
 };
 
+#if defined BASE || defined ODDER
+static fettle_status make_row(void* context, fettle_handle self, fettle_row* row) {
+    (void)context, (void)self;
+    *row = 12345;
+    return FETTLE_OK;
+}
+#endif
+
 static fettle_status attach(void* context) {
     fettle_class odd;
     fettle_handle made;
@@ -86,10 +94,25 @@ static fettle_status attach(void* context) {
 #elif defined NO_SIZE
     odd.properties.size = 0;
 #endif
+#if defined BASE
+    odd.base = BASE;
+#endif
+#if defined BASE || defined ODDER
+    odd.create = make_row;
+#endif
     if (host->define_class(host->self, &odd) != FETTLE_OK) {
         host->fail(host->self, host->last_error(host->self));
         return FETTLE_ERR_FAILED;
     }
+#if defined ODDER
+    odd.name = "Odder";
+    odd.base = "Odd";
+    odd.properties.count = 0;
+    if (host->define_class(host->self, &odd) != FETTLE_OK) {
+        host->fail(host->self, host->last_error(host->self));
+        return FETTLE_ERR_FAILED;
+    }
+#endif
     return host->create(host->self, "Odd", host->root(host->self), "odd", &made);
 }
 

@@ -262,7 +262,8 @@ typedef struct fettle_class {
     void* context;
     /* All optional. `create` makes the row with its defaults. `place` is called when an ancestor
        has changed and may change the row. `destroy` ends the row. A class with none of the five
-       functions uses those of its base. */
+       functions uses those of its base. A class with any of them uses none of its base. It is
+       refused if its base has rows of another module that its columns, accessors or methods use. */
     fettle_status (*create)(void* context, fettle_handle self, fettle_row* row);
     fettle_status (*place)(void* context, fettle_handle self, fettle_row* row);
     void (*destroy)(void* context, fettle_handle self, fettle_row row);

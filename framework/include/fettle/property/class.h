@@ -254,15 +254,18 @@ struct Lifecycle {
     void* context = nullptr;
     /// Creates the module's row, with defaults, before the instance is visible. May throw Error if
     /// there is no room. Until the instance is complete, with `place`, deleting it throws
-    /// Error(bad_structure).
+    /// Error(bad_structure). `Tree::restore` calls it for the instances that were not there, those
+    /// above first: others have no row yet, so their properties tell nothing; deleting or moving
+    /// them, creating an instance below them, or taking a snapshot throws Error(bad_structure).
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
     /// The chain of parents above `self` changed (called for parents before children). Returns the
     /// row, possibly another one.
     Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
     /// Ends the row. During this, the instances that are being deleted cannot be deleted again,
     /// moved, renamed or get children, and no snapshot can be restored: that throws
-    /// Error(bad_structure). `Tree::destroy` throws its exceptions after all instances are deleted;
-    /// at the end of the tree they are ignored.
+    /// Error(bad_structure). Within `Tree::restore`, no instance at all can be created, deleted,
+    /// moved or renamed. `Tree::destroy` throws its exceptions after all instances are deleted; a
+    /// restore tells them in `restore_remarks`; at the end of the tree they are ignored.
     void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
     /// Draws the instance. `alpha`: time between the last two steps, 0 to 1.
     void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
@@ -272,7 +275,8 @@ struct Lifecycle {
                       double alpha) = nullptr;
 };
 
-/// The data in a snapshot for the instances of a class, in addition to those of the tree.
+/// The data in a snapshot for the instances of a class, in addition to those of the tree. A class
+/// that derives from one that is saved natively is so too.
 enum class Snapshots : std::uint8_t {
     by_value,  // each property that can be written and is not transient, by its name
     natively,  // no values: a part of the snapshot saves the rows of the module
@@ -288,7 +292,15 @@ struct ClassDescriptor {
     std::vector<Property> properties{};
     std::vector<Method> methods{};
     std::vector<Event> events{};
+    /// None of its functions set: the lifecycle of the base class. A class with a lifecycle of its
+    /// own takes over nothing of that one, and bindings and methods that it inherits get its rows.
+    /// So `Tree::define` refuses one if the rows of the base class are made by a lifecycle and its
+    /// columns, accessors or methods use them: derive without a lifecycle, or set
+    /// `makes_base_rows`.
     Lifecycle lifecycle{};
+    /// True if its rows are rows of the base class as well, for modules that define both: the
+    /// module's shape is of the base class `Shape` and of `Circle`.
+    bool makes_base_rows = false;
     /// Stem of the names of unnamed instances: "body" gives body_1, body_2 ... Default: the class
     /// name in lower case.
     std::string stem{};

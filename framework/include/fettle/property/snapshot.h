@@ -33,7 +33,9 @@ class SnapshotPart {
     virtual Memory save(ByteWriter& to) const = 0;
     /// Reads and checks all data; throws Error(damaged) and then has changed nothing. The returned
     /// function restores the state; it is called after the tree has its instances again, and must
-    /// not throw. `memory` is what `save` returned; null if the bytes come from a file.
+    /// not throw. It is dropped, not called, if the part is removed in between (by a lifecycle
+    /// function that destroys it). `memory` is what `save` returned; null if the bytes come from a
+    /// file.
     virtual std::function<void()> restore(ByteReader& from, const Memory& memory) = 0;
 
     /// The changes since the last call in the data that `save` returns as memory; null: none. A

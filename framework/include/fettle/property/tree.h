@@ -49,7 +49,9 @@ struct Remains {
 /// harm. Connections, values, records and snapshots may outlive it. Classes, properties, methods
 /// and events live as long as the tree that they were registered with, and any other tree refuses
 /// them. Modules, parts of snapshots and observers are not owned: they must live until the tree is
-/// destroyed, or until `remove_part` and `unobserve`. A script::Runtime, a WriteLog and Tweaks may
+/// destroyed, or until `remove_part` and `unobserve`. As soon as its destruction begins, the tree
+/// calls no part, observer or formula any more, so lifecycle functions may destroy these then.
+/// A script::Runtime, a WriteLog and Tweaks may
 /// outlive the tree, but cannot be used then. A handler, a function given to `at_barrier` or a
 /// method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after it
 /// has returned. The following must not destroy it: formulas, lifecycle functions, setters,
@@ -314,7 +316,8 @@ class Tree {
     /// Number of registered watchers.
     std::size_t watcher_count() const;
 
-    /// Not owned. Receives all changes from outside the simulation, until `unobserve`.
+    /// Not owned. Receives all changes from outside the simulation, until `unobserve` or the
+    /// beginning of the tree's destruction.
     void observe(Observer& observer);
     void unobserve(Observer& observer);
     /// Not owned. Receives the edits of people and replaces the previous observer. Null: none.
@@ -356,6 +359,10 @@ class Tree {
     /// see `restore_remarks`. Watchers stay with the instances that exist before and after, and get
     /// the changes, with cause `restore`, at the next barrier; so do handlers of `restored` of the
     /// root. Classes stay. Changes that were not yet delivered are dropped.
+    ///
+    /// A snapshot of another tree can be restored if this one has its classes and parts. What is
+    /// bound to that tree is left out, as in `Snapshot::to_bytes`: formulas are compiled again from
+    /// their text (`compile_formulas_with`), and the history of edits is empty.
     ///
     /// Throws Error(damaged) or, for a class or a module that this game does not have,
     /// Error(unknown_name), and nothing has changed then; Error(bad_structure) in a handler, and in
