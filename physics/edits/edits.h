@@ -46,7 +46,7 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
     if (activity.objects.bodies[body].mobility != Mobility::dynamic) wake_touching(activity, body);
 }
 
-// slots.cpp: creating and destroying objects
+// create_and_destroy.cpp
 
 /// Body 0 belongs to the world: its shapes 0 to 3 are the four half-planes of the bounds.
 void make_border(const Editing& editing);

@@ -102,23 +102,6 @@ void set_joint_broken(const Editing& e, uint32_t joint, bool broken) {
     update_joint(e, joint);
 }
 
-void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
-    for (const Strain& strain : scratch.strains) {
-        const JointRecord& joint = e.objects.joints[strain.joint];
-        const V2 force = rate * strain.force;
-        const float torque = rate * strain.torque;
-        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
-        const auto [a, b] = joint.bodies;
-        e.activity.events.joint_broke.push_back(
-            {{strain.joint, e.columns.joint_generations[strain.joint]},
-             body_id(e.columns, a),
-             body_id(e.columns, b),
-             to_vec2(force),
-             torque});
-        set_joint_broken(e, strain.joint, true);
-    }
-}
-
 void set_joint_collide(const Editing& e, uint32_t joint, bool collide) {
     e.objects.joints[joint].collide = collide;
     wake_joint(e.activity, joint);

@@ -80,8 +80,8 @@ struct MemoryRelease {
 
 }  // namespace
 
-/// Releases scratch data when three quarters of the bodies that a step once solved sleep now, or
-/// when edits created or moved that number of shapes.
+/// Releases scratch data if the awake bodies are fewer than a quarter of the bodies, or of the
+/// moved shapes, for which it has room.
 void WorldData::trim() {
     const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
     if ((awake_bodies.size() + 1) * 4 > once) return;
