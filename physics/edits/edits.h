@@ -77,7 +77,7 @@ void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
 /// Copies the surface of an outline to its parts.
 void share_surface(ObjectState& objects, uint32_t shape);
 
-// joints.cpp
+// joints.cpp, break_joints.cpp
 
 uint32_t create_joint(const Editing& editing, const JointRecord& record);
 void destroy_joint(const Editing& editing, uint32_t joint);

@@ -214,7 +214,7 @@ TEST_CASE("a formula of a time that is left is no formula of who has its cell in
     }();
     const std::vector<Handle> late = things.make(200);
     for (std::size_t i = 0; i < late.size(); ++i)
-        tree.set_formula(late[i], "size", {.function = [&, of = late[199 - i]](const Tree& t) {
+        tree.set_formula(late[i], "size", {.function = [i, of = late[199 - i]](const Tree& t) {
                              return i < 100 ? t.get(of, "size") : Value(1.0);
                          }});
     tree.barrier();

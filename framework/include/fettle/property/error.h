@@ -36,11 +36,11 @@ class Error : public std::runtime_error {
 
   private:
     /// Zero bytes are replaced, because one in a name or a text would end the message.
-    static std::string shown(std::string message) {
-        for (std::size_t at = message.find('\0'); at != std::string::npos;
-             at = message.find('\0', at + 2))
-            message.replace(at, 1, "\\0");
-        return message;
+    static std::string shown(const std::string& message) {
+        if (message.find('\0') == std::string::npos) return message;
+        std::string all;
+        for (const char c : message) c == '\0' ? all += "\\0" : all += c;
+        return all;
     }
     ErrorKind kind_;
 };
