@@ -8,6 +8,14 @@ namespace {
 /// The tip of a sharp corner may be this near to the surface, m.
 constexpr float tip_depth = 0.001f;
 
+/// Distance of a point to the nearest edge line of a polygon without its radius, negative outside.
+float distance_to_edges(const Convex& form, V2 p) {
+    float nearest = 1e30f;
+    for (int i = 0; i < form.count; ++i)
+        nearest = min(nearest, form.offsets[i] - dot(form.normals[i], p));
+    return nearest;
+}
+
 V2 in_own_frame(const Solid& shape, V2 p) {
     return shape.kind == FormKind::large ? unrotate(shape.rotation, p) : p;
 }
@@ -21,11 +29,7 @@ float inner_radius(const Solid& shape, V2 centroid) {
         return min(ellipse.first, ellipse.second);
     }
     if (form.count < 3) return form.radius;
-    const V2 c = in_own_frame(shape, centroid);
-    float inner = 1e30f;
-    for (int i = 0; i < form.count; ++i)
-        inner = min(inner, form.offsets[i] - dot(form.normals[i], c));
-    return max(inner, 0.0f) + form.radius;
+    return max(distance_to_edges(form, in_own_frame(shape, centroid)), 0.0f) + form.radius;
 }
 
 Core::Core(const Solid& shape, V2 centroid, float depth) : solid_(shape) {
@@ -56,9 +60,7 @@ void Core::shrink_polygon(const Convex& from, V2 centroid, float depth) {
         vertices = many_vertices_.data();
         offsets = many_offsets_.data();
     }
-    float inner = 1e30f;
-    for (size_t i = 0; i < count; ++i)
-        inner = min(inner, from.offsets[i] - dot(from.normals[i], centroid));
+    const float inner = distance_to_edges(from, centroid);
     const float scale = inner > depth ? 1.0f - depth / inner : 0.0f;
     for (size_t i = 0; i < count; ++i) {
         const V2 before = from.normals[i > 0 ? i - 1 : count - 1], after = from.normals[i];

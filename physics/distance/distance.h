@@ -19,7 +19,6 @@ inline float squared_distance_to_edge(V2 a, V2 b, V2 p) {
 
 /// 0 when they overlap.
 float distance(const Convex& a, const Convex& b, V2 offset);
-float distance(const Solid& a, const Solid& b, V2 offset);
 
 /// A moving shape: start of its center of mass, translation and rotation. `end` is the shape with
 /// its rotation at the end of the motion.

@@ -1,6 +1,5 @@
 // The time at which a moving shape reaches an obstacle.
 
-#include <collision/climb.h>
 #include <collision/turned_copy.h>
 #include <distance/distance.h>
 #include <geometry/trigonometry.h>
@@ -41,15 +40,6 @@ float distance(const Convex& a, const Convex& b, V2 offset) {
     if (solid && no_axis_between(a, b, offset) && no_axis_between(b, a, -offset)) return 0.0f;
     const float squared = min(vertices_to_edges(a, b, offset), vertices_to_edges(b, a, -offset));
     return max(0.0f, std::sqrt(squared) - a.radius - b.radius);
-}
-
-float distance(const Solid& a, const Solid& b, V2 offset) {
-    const auto listed = [](const Solid& s) {
-        return (s.kind == FormKind::convex || s.kind == FormKind::piece) &&
-               s.form.count <= most_small_vertices;
-    };
-    if (!listed(a) || !listed(b)) return nearest_points(a, b, offset).distance;
-    return distance(a.form, b.form, offset);
 }
 
 namespace {

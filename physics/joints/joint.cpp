@@ -109,7 +109,7 @@ void Joint::destroy() {
     detail::destroy_joint(data.editing(), id_.index);
 }
 
-/// Slot of a body to be tied at that side.
+/// Checks that the joint may be attached to `body` at that end. Returns the slot of the body.
 uint32_t Joint::end_at(uint32_t side, const Body& body) const {
     const WorldData& data = live();
     const char* name = side == 0 ? "body_a" : "body_b";

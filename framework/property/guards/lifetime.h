@@ -22,6 +22,10 @@ struct Lifetime {
     void require_unpinned() const;
     /// Throws Error(deleted) while the tree is being destroyed. `what`: "be observed".
     void require_going_on(const char* what) const;
+    /// Whether `other` is the mark of this tree, whose destruction has not begun.
+    bool is_marked_by(const std::weak_ptr<const Tree*>& other) const {
+        return mark != nullptr && other.lock() == mark;
+    }
 };
 
 /// While it lives, a callback may destroy the tree; the tree's state is kept until the end of it.

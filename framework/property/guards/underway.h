@@ -18,9 +18,9 @@ struct Underway {
     std::vector<Handle> making;        // instances that their modules are making; nested
     const Inquiry* inquiry = nullptr;  // the innermost inquiry
     bool restoring = false;
-    bool ending_rows = false;  // of those whom a restore takes away
-    std::unordered_set<std::uint32_t>
-        unmade{};  // slots of those whose rows a restore has yet to make
+    bool ending_rows = false;  // a restore ends the rows of instances that it deletes
+    /// Slots of the instances whose rows a restore will make.
+    std::unordered_set<std::uint32_t> unmade{};
 
     /// Throws if the instance, or one below it, is being deleted. `what`: "move an instance".
     void require_staying(const Instances& instances, Handle instance, std::string_view what) const;
@@ -28,12 +28,13 @@ struct Underway {
     void require_made(const Instances& instances, Handle instance, std::string_view what) const;
     /// Throws while anything is being deleted. For operations on the whole tree.
     void require_no_deletion(std::string_view what) const;
-    /// Throws while a restore calls modules to end and to make rows: what it has read is put into
-    /// place for those who were there at its beginning.
+    /// Throws while a restore calls modules to end and to make rows, because it replaces the
+    /// instances that existed at its beginning.
     void require_all_rows(std::string_view what) const;
-    /// The same, for a change of one instance and of those below it: only some may lack their rows.
+    /// The same for a change of one instance and of those below it. Throws if one of these has no
+    /// row yet.
     void require_rows(const Instances& instances, Handle instance, std::string_view what) const;
-    /// The same, for a change below an instance. `parent` may be nobody.
+    /// The same for a change below `parent`, which may be null.
     void require_row_above(const Instances& instances, Handle parent, std::string_view what) const;
 
   private:

@@ -257,10 +257,8 @@ Memory History::image() const {
 }
 
 bool History::owns(const Memory& image) const {
-    if (image == nullptr) return false;
-    // While the tree is being destroyed it owns nothing.
-    const auto of = static_cast<const Image*>(image.get())->of.lock();
-    return of != nullptr && of == structure_.changes.lifetime.mark;
+    return image != nullptr &&
+           structure_.changes.lifetime.is_marked_by(static_cast<const Image*>(image.get())->of);
 }
 
 // The image of the nodes contains the slots that are reserved for undo.

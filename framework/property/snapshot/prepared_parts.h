@@ -1,5 +1,5 @@
 #pragma once
-// What the parts of a snapshot have read and are to put into place.
+// The data that the parts of a snapshot have read and will put into place.
 
 #include <algorithm>
 #include <exception>
@@ -13,8 +13,8 @@
 
 namespace fettle::property {
 
-/// While it lives, `Tree::remove_part` takes out of it what it holds of a part that is removed:
-/// lifecycle functions, which a restore calls meanwhile, may destroy parts.
+/// A restore calls lifecycle functions, which may destroy parts. So `Tree::remove_part` drops the
+/// data of the removed part here.
 class PreparedParts {
   public:
     explicit PreparedParts(SnapshotState& snapshots) : snapshots_(snapshots) {
@@ -25,18 +25,19 @@ class PreparedParts {
 
     void add(SnapshotPart* part, std::function<void()> put) {
         const auto& there = snapshots_.parts;
-        if (std::find(there.begin(), there.end(), part) == there.end()) return;  // removed itself
+        if (std::find(there.begin(), there.end(), part) == there.end())
+            return;  // the part has removed itself
         all_.emplace_back(part, std::move(put));
     }
     void forget(const SnapshotPart* part) {
         for (auto& [of, put] : all_)
             if (of == part) of = nullptr, put = nullptr;
     }
-    /// Each is to throw nothing. What one throws nevertheless is kept, the first of it, and the
-    /// others are put into place all the same.
+    /// The functions should not throw. If one does, the first exception goes into `problem`, and
+    /// the other functions are still called.
     void put_all(std::exception_ptr& problem) {
         for (auto& entry : all_) {
-            // It may remove its part.
+            // The function may remove its own part.
             const std::function<void()> put = std::exchange(entry.second, {});
             if (!put) continue;
             try {

@@ -55,8 +55,7 @@ std::size_t TreeMemory::bytes() const {
 }
 
 bool TreeMemory::is_of(const Tree::State& state) const {
-    const auto tree = of.lock();
-    return tree != nullptr && tree == state.lifetime.mark;
+    return state.lifetime.is_marked_by(of);
 }
 
 std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, ByteWriter& to) {

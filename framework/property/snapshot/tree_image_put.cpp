@@ -13,8 +13,8 @@
 namespace fettle::property {
 namespace {
 
-/// Whether the module makes rows for those who were not there, and ends those of the others: its
-/// rows are no part of the snapshot.
+/// Whether the rows of the class are no part of the snapshot: its module makes rows for instances
+/// that come back, and ends those of the others.
 bool makes_rows(const Class& of) {
     return of.snapshots() != Snapshots::natively;
 }
@@ -33,7 +33,7 @@ bool TreeImage::lived_before(std::uint32_t index, const Node& node) const {
 }
 
 void TreeImage::end_rows() {
-    // What was read is put into the place of those who are here now, and of nobody else.
+    // The snapshot replaces exactly the instances that exist now, so modules must not make others.
     struct Ending {
         bool& flag;
         explicit Ending(bool& f) : flag(f) { flag = true; }

@@ -28,7 +28,7 @@ enum class WriteLog::Did : std::uint8_t {
     moved,          // handle, parent, sibling in front, name, named
     numbered,       // parent, stem, number
     called,         // handle, method, arguments, handles of made instances, answers of `accept`
-    refreshed       // index of the part, argument: a part was brought up to date for a read
+    refreshed       // number of the part, argument: a part was brought up to date for a read
 };
 
 std::size_t LoggedWrites::memory() const {

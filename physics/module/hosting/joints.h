@@ -1,7 +1,7 @@
 #pragma once
-// Joints of the tree. A joint of the tree may exist before its bodies are set, live longer than
-// they do, or be in another world: its joint in the library is dormant then, and has its settings.
-// Before a step, joints whose bodies are there are connected.
+// Joints of the tree. A joint can exist before its bodies are set, after they were deleted, or
+// while they are in another world. Meanwhile its joint in the library is dormant and holds its
+// settings. Before a step, dormant joints are connected if both bodies are in their world.
 
 #include <array>
 #include <cstdint>
@@ -16,11 +16,11 @@ class Hosting;
 using property::Handle;
 using property::Row;
 
-/// Where a value comes from that a joint measures when it begins to act, unless it is given: a
-/// length, an angle or a point. What was given stays when the joint gets other bodies.
+/// Source of the length, angle or point of a joint: given by a user, or measured when the joint
+/// begins to act. A given value stays when the joint gets other bodies.
 enum class Source : std::uint32_t { none, measured, given };
 
-/// What the library does not know of a joint.
+/// The data of a joint that only the tree has, and not the library.
 struct Ties {
     std::array<Handle, 2> bodies;  // null: the world. A MouseJoint has only b
     Source source = Source::none;
@@ -43,18 +43,19 @@ class Joints {
     /// Null for the world and for a deleted body.
     Handle body(Row row, std::size_t side) const;
     void set_body(Row row, std::size_t side, Handle body);
-    /// Of the value that it measures. `none`: the joint is connected again before the next step,
-    /// and measures again.
+    /// Sets the source of the measured value. After `none`, the joint is connected again before the
+    /// next step, and measures again.
     void set_source(Row row, Source source);
     /// Disconnects the joints of a body that is about to be destroyed.
     void disconnect_all(const physics::Body& body);
 
-    // Of the bodies that the tree names, whether the joint acts or not.
+    // These use the bodies that are set in the tree, also while the joint is dormant.
     /// Current position of the anchor in the world.
     physics::Vec2 world_anchor(Row row, std::size_t side) const;
     float angle_of(Row row, std::size_t side) const;
 
-    /// By type of joint: measures and sets the value; null: there is none.
+    /// For each type of joint, the function that measures and sets its value; null if the type
+    /// measures none.
     using Measure = void (*)(Hosting& hosting, Row row);
     std::array<Measure, static_cast<std::size_t>(physics::JointType::ratchet) + 1> measures{};
 

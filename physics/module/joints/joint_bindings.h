@@ -9,7 +9,7 @@
 
 namespace fettle::physics_module {
 
-/// Bodies that are far apart may give a value that is higher than a setter accepts.
+/// Limits a measured value to what setters accept: bodies that are far apart may give more.
 inline float bounded(float x, float most = std::numeric_limits<float>::max()) {
     return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
 }
@@ -18,8 +18,8 @@ inline physics::Vec2 bounded(const physics::Vec2& point) {
     return {bounded(point.x(), most), bounded(point.y(), most)};
 }
 
-/// A setting that a type of joint measures when it begins to act, unless it is set; `Look` returns
-/// the value that it would measure now.
+/// A setting of a joint. If no user has set it, it is measured when the joint begins to act. `Look`
+/// returns the value that would be measured now.
 template <physics::JointType type, auto Get, auto Set, auto Look>
 Binding measured_setting(Hosting& hosting) {
     using Native = typename Setter<Set>::Object;

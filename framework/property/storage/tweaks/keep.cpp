@@ -2,9 +2,7 @@
 // new names are written last, all together.
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <memory>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -101,19 +99,9 @@ class Keeping {
 
     bool leads_out(const JournalRow& row, const fs::path& file) const {
         bool out = false;
-        const NewPath look = [&](const std::string& path) -> std::optional<std::string> {
-            out = out || !in_scene(row, file, path);
-            return std::nullopt;
-        };
-        try {
-            if (row.kind == Kind::value)
-                (void)value_with_paths(paths_.live_image(row).value, [&](const std::string& path) {
-                    return look(paths_.home_of_live(path));
-                });
-            else if (row.kind == Kind::created)
-                (void)paths_.home_scene(row, look);
-        } catch (const Error&) {  // the error is reported on writing
-        }
+        if (row.kind != Kind::restored)
+            paths_.each_named(
+                row, [&](const std::string& home) { out = out || !in_scene(row, file, home); });
         return out;
     }
 

@@ -77,12 +77,11 @@ Image RowPaths::live_image(const JournalRow& row) const {
     return image;
 }
 
-bool RowPaths::needs(const JournalRow& row, const std::string& home) const {
-    if (is_at_or_below(this->home(row), home)) return true;
-    bool names = false;
-    const auto look = [&](const std::string& at) {
-        names = names || is_at_or_below(at, home);
-        return std::optional<std::string>();
+void RowPaths::each_named(const JournalRow& row,
+                          const std::function<void(const std::string& home)>& visit) const {
+    const NewPath look = [&](const std::string& home) -> std::optional<std::string> {
+        visit(home);
+        return std::nullopt;
     };
     try {
         if (row.kind == Kind::value)
@@ -91,9 +90,15 @@ bool RowPaths::needs(const JournalRow& row, const std::string& home) const {
             });
         else if (row.kind == Kind::created || row.kind == Kind::restored)
             (void)home_scene(row, look);
-    } catch (const Error&) {  // what is wrong with it is told when it is written
+    } catch (const Error&) {  // the error is reported on writing
     }
-    return names;
+}
+
+bool RowPaths::needs(const JournalRow& row, const std::string& home) const {
+    bool needed = is_at_or_below(this->home(row), home);
+    if (!needed)
+        each_named(row, [&](const std::string& at) { needed |= is_at_or_below(at, home); });
+    return needed;
 }
 
 std::string RowPaths::home_scene(const JournalRow& row, const NewPath& written) const {

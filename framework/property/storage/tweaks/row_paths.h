@@ -3,6 +3,7 @@
 // paths), and as in the tree now.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -37,6 +38,10 @@ class RowPaths {
     /// The instance with that home path; null if it does not exist now.
     Handle instance(const std::string& home) const;
 
+    /// Calls `visit` with the home path of each instance that the value or the scene of the row
+    /// names.
+    void each_named(const JournalRow& row,
+                    const std::function<void(const std::string& home)>& visit) const;
     /// Whether the row is about an instance below the one with that home path, or names it.
     bool needs(const JournalRow& row, const std::string& home) const;
 

@@ -26,7 +26,7 @@ class RowReport {
     }
     void refuse(const JournalRow& row, const RowPaths& paths, const std::string& reason) {
         tell(row, reason);
-        if (row.kind == JournalRow::Kind::created) not_made_.push_back(paths.home(row));
+        note_refused(row, paths);
     }
     template <class Keep>
     bool tried(const JournalRow& row, Keep keep_it) {
@@ -47,10 +47,6 @@ class RowReport {
         Rows done;
         const std::size_t told = count();
         std::vector<std::pair<const JournalRow*, std::string>> problems;
-        const auto refused = [&](const JournalRow& row) {
-            problems.emplace_back(&row, report_.problems.back());
-            if (row.kind == JournalRow::Kind::created) not_made_.push_back(paths.home(row));
-        };
         for (bool again = true; again;) {
             again = false;
             done.clear();
@@ -67,7 +63,8 @@ class RowReport {
                     })) {
                     done.push_back(row);
                 } else {
-                    refused(*row);
+                    problems.emplace_back(row, report_.problems.back());
+                    note_refused(*row, paths);
                     again = again || std::ranges::any_of(done, [&](const JournalRow* each) {
                                 return !missing_for(*each, paths).empty();
                             });
@@ -90,6 +87,9 @@ class RowReport {
     void forget_since(std::size_t count) { report_.problems.resize(count); }
 
   private:
+    void note_refused(const JournalRow& row, const RowPaths& paths) {
+        if (row.kind == JournalRow::Kind::created) not_made_.push_back(paths.home(row));
+    }
     void require_made(const JournalRow& row, const RowPaths& paths) const {
         if (const std::string path = missing_for(row, paths); !path.empty())
             throw Error(ErrorKind::rejected, "it depends on " + path + ", which is not kept");
