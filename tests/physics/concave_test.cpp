@@ -1,4 +1,3 @@
-#include <chrono>
 #include <random>
 
 #include "catch.h"
@@ -107,16 +106,14 @@ TEST_CASE("a concave polygon is cut into few convex pieces that fill it") {
 }
 
 TEST_CASE("an outline of thousands of corners is cut in a time that does not grow with its cube") {
+    // Two seconds; a search among all corners for each cut takes longer than CTest lets a test run.
+    const std::vector<Vec2> outline = star(2500, 2, 1);
     World world;
-    const Shape shape = world.create_shape(Concave{star(1500, 2, 1)});
-    const auto begin = std::chrono::steady_clock::now();
-    const auto pieces = shape.pieces();
-    // Under a second; a search among all corners for each cut takes minutes.
-    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(15));
-    CHECK(pieces.size() < 3000);
+    const auto pieces = world.create_shape(Concave{outline}).pieces();
+    CHECK(pieces.size() < 5000);
     double area = 0;
     for (const auto& piece : pieces) area += area_of(piece);
-    CHECK(area == Approx(area_of(star(1500, 2, 1))).epsilon(1e-3));
+    CHECK(area == Approx(area_of(outline)).epsilon(1e-3));
 }
 
 TEST_CASE("a concave polygon with a long round side is cut into parts of few vertices and rolls") {

@@ -96,6 +96,17 @@ TEST_CASE("what a script raises without a position stays without one") {
           "false\tplain|told|inside");
 }
 
+TEST_CASE("a message that quotes a text of a megabyte leaves out its middle") {
+    Stage s;
+    const std::string call = GENERATE("game:all(s)", "world[s] = Object {}", "world.scale[s] = 1",
+                                      "world[s]()", "local _ = math[s]", "require(s)",
+                                      "_G[s].x = 1", "world.near = s", "local _ = world:get(s)");
+    INFO(call);
+    const std::string message = s.fails("local s = string.rep('\u{e9}', 500000) " + call);
+    CHECK(message.size() < 5000);
+    CHECK_THAT(message, starts_with("main.lua:1: "));
+}
+
 TEST_CASE("an error is told whole whatever bytes are in it") {
     Stage s;
     s.fails("local function inner() error('a\\0b') end inner()");

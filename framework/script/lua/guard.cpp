@@ -24,6 +24,26 @@ std::string definition(lua_State* L) {
     return std::string(frame.short_src) + ":" + std::to_string(frame.linedefined) + ": ";
 }
 
+namespace {
+
+constexpr std::size_t max_message = 4096;  // bytes
+
+bool continues_character(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
+
+/// A message may quote a name or text of any length: the middle of a long message is left out.
+std::string limited(const std::string& message) {
+    if (message.size() <= max_message) return message;
+    std::size_t begin = max_message / 2, end = message.size() - max_message / 2;
+    while (begin > 0 && continues_character(message[begin])) --begin;
+    while (end < message.size() && continues_character(message[end])) ++end;
+    return message.substr(0, begin) + " ... (" + std::to_string(end - begin) +
+           " bytes left out) ... " + message.substr(end);
+}
+
+}  // namespace
+
 void raise(lua_State* L, const std::string& message) {
     raise_text(L, message.c_str());
 }
@@ -31,7 +51,7 @@ void raise(lua_State* L, const std::string& message) {
 void raise_exception(lua_State* L, const std::exception& error) {
     luaL_checkstack(L, 4, "error message");
     {
-        const std::string text = position(L) + property::exception_text(error);
+        const std::string text = position(L) + limited(property::exception_text(error));
         push_text(L, text);
     }
     lua_error(L);
@@ -41,7 +61,7 @@ void raise_exception(lua_State* L, const std::exception& error) {
 void raise_text(lua_State* L, const char* message) {
     luaL_checkstack(L, 4, "error message");
     {
-        const std::string text = position(L) + message;
+        const std::string text = position(L) + limited(message);
         push_text(L, text);
     }
     lua_error(L);
