@@ -96,13 +96,26 @@ TEST_CASE("what a script raises without a position stays without one") {
           "false\tplain|told|inside");
 }
 
+TEST_CASE("a table with named keys is told by the same key in every run") {
+    Stage s;
+    CHECK_THAT(s.fails("world.scale = {zork = 1, yy = 2, b = 3, c = 4, other = 5}"),
+               contains("a table with named keys (b)"));
+}
+
+TEST_CASE("a value of a wrong type is told in words") {
+    Stage s;
+    CHECK_THAT(s.fails("local o = Object {} world.o = o o:delete() world.scale = o"),
+               contains("got an instance that was deleted"));
+    CHECK_THAT(s.fails("world.scale = color('#ff0000')"), contains("got color(\"#ff0000\")"));
+}
+
 TEST_CASE("a message that quotes a text of a megabyte leaves out its middle") {
     Stage s;
     const std::string call = GENERATE("game:all(s)", "world[s] = Object {}", "world.scale[s] = 1",
                                       "world[s]()", "local _ = math[s]", "require(s)",
                                       "_G[s].x = 1", "world.near = s", "local _ = world:get(s)");
     INFO(call);
-    const std::string message = s.fails("local s = string.rep('\u{e9}', 500000) " + call);
+    const std::string message = s.fails("local s = string.rep('\\u{e9}', 500000) " + call);
     CHECK(message.size() < 5000);
     CHECK_THAT(message, starts_with("main.lua:1: "));
 }

@@ -131,6 +131,20 @@ TEST_CASE("edits made while one is in the present wait there") {
     REQUIRE(game.get("world.ball.mass").number() == 7);
 }
 
+TEST_CASE("handlers that a step asks see the time and the random numbers of that step again") {
+    Playing game(R"(
+        world.floor = Body { type = "static", Box { width = 20, height = 1 } }
+        world.box = Body { position = vec(0, 0.99), velocity = vec(2, 0), Box {} }
+        world.ball = Body { position = vec(3, 3), velocity = vec(-1, 0), Circle {} }
+        every(0.05, function() world.count = random() end)
+        world:on("mix_surfaces", function(told)
+            told.friction = (time.step % 7) / 7 + random() / 10 + time.now / 100
+        end)
+        world.box:on("before_solve", function(told) told.restitution = random() end))");
+    game.play(70);
+    for (const int step : {3, 4, 30, 61, 70}) game.check(step);
+}
+
 TEST_CASE("undo knows in the past what had been edited by then") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     game.play(20);

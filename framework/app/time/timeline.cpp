@@ -12,7 +12,6 @@
 
 namespace fettle::app {
 
-using property::LoggedWrites;
 using property::Snapshot;
 
 namespace {
@@ -123,8 +122,7 @@ void Timeline::begin_step() {
     note_jump();
     if (log_ == nullptr) {
         begin_log();
-        Step begun;
-        note_changes(begun);
+        skip_changes();
     }
     log_->set_most(room_ / 8);
     if (keyframes_.empty()) {
@@ -145,7 +143,7 @@ void Timeline::modules_step(double dt) {
     open_ = std::move(tail_);
     tail_ = {};
     open_.dt = dt;
-    note_writes(open_, open_.before.emplace_back());
+    note(open_, open_.before.emplace_back());
 }
 
 void Timeline::end_step() {
@@ -155,8 +153,7 @@ void Timeline::end_step() {
         return;
     }
     open_.number = here_ = clock_.step;
-    note_writes(open_, open_.after);
-    note_changes(open_);
+    note(open_, open_.after);
     if (too_much(open_)) return restart();
     open_.bytes += sizeof(Step) + step_overhead;
     logged_ += open_.bytes;
@@ -169,23 +166,25 @@ void Timeline::end_step() {
     clock_.newest = newest();
 }
 
-void Timeline::note_writes(Step& of, property::LoggedWrites& where) {
-    where = log_->take();
-    of.bytes += sizeof where + where.memory();
-}
-
-void Timeline::note_changes(Step& of) {
+void Timeline::note(Step& of, Piece& piece) {
+    piece.writes = log_->take();
+    of.bytes += sizeof piece + piece.writes.memory();
     for (property::SnapshotPart* part : tree_.parts())
         if (property::Memory changes = part->changes()) {
             of.bytes += part->size_of(changes);
-            of.changes.emplace_back(part, std::move(changes));
+            piece.changes.emplace_back(part, std::move(changes));
         }
 }
 
+/// The next changes of the parts are those from here on.
+void Timeline::skip_changes() {
+    for (property::SnapshotPart* part : tree_.parts()) (void)part->changes();
+}
+
 bool Timeline::too_much(const Step& step) const {
-    return step.bytes > room_ / 2 || step.after.too_much ||
+    return step.bytes > room_ / 2 || step.after.writes.too_much ||
            std::any_of(step.before.begin(), step.before.end(),
-                       [](const LoggedWrites& w) { return w.too_much; });
+                       [](const Piece& piece) { return piece.writes.too_much; });
 }
 
 /// A step that cannot be repeated ends the past: the timeline starts again here.
@@ -386,25 +385,24 @@ void Timeline::rewind(double seconds) {
     travel(std::clamp(to, oldest(), newest()));
 }
 
-void Timeline::redo_writes(const Step& step) {
-    for (const LoggedWrites& piece : step.before) log_->play(piece);
-    for (const auto& [part, changes] : step.changes) part->redo(changes);
+void Timeline::redo(const Piece& piece) {
+    log_->play(piece.writes);
+    for (const auto& [part, changes] : piece.changes) part->redo(changes);
 }
 
+/// Functions that the modules ask see the time and random numbers of the step.
 void Timeline::redo(const Step& step) {
-    for (const LoggedWrites& piece : step.before) log_->play(piece);
+    for (const Piece& piece : step.before) redo(piece);
     tree_.set_step(static_cast<std::uint64_t>(step.number));
     step_modules_(step.dt);
-    log_->play(step.after);
-    for (const auto& [part, changes] : step.changes) part->redo(changes);
+    redo(step.after);
 }
 
 /// Saves the changes since the newest step, so that they can be restored later.
 void Timeline::settle() {
     note_jump();
     if (log_ == nullptr || here_ != newest()) return;
-    note_writes(tail_, tail_.before.emplace_back());
-    note_changes(tail_);
+    note(tail_, tail_.before.emplace_back());
     if (too_much(tail_)) restart();
 }
 
@@ -423,7 +421,8 @@ void Timeline::travel(std::int64_t step) {
         tree_.restore(from, [&] {
             for (const Step& each : steps_)
                 if (each.number > frame->step && each.number <= step) redo(each);
-            if (step == newest()) redo_writes(tail_);
+            if (step == newest())
+                for (const Piece& piece : tail_.before) redo(piece);
         });
     } catch (...) {
         // The tree has changed and its state is unknown; without `arrived` nothing has changed.
@@ -432,8 +431,7 @@ void Timeline::travel(std::int64_t step) {
     }
     here_ = step;
     clock_.step = step;
-    Step arrived;
-    note_changes(arrived);
+    skip_changes();
 }
 
 }  // namespace fettle::app

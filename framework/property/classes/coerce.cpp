@@ -116,8 +116,11 @@ class Coercion {
     [[noreturn]] Value wrong_type(const Value& value) const {
         std::string got(type_name(value.type()));
         if (value.is(Type::reference)) {
-            if (context_.tree != nullptr && context_.tree->alive(value.reference()))
-                got = context_.tree->class_of(value.reference()).name() + " " + shown(value);
+            const bool alive = context_.tree != nullptr && context_.tree->alive(value.reference());
+            got = alive ? context_.tree->class_of(value.reference()).name() + " " + shown(value)
+                        : "an instance that was deleted";
+        } else if (value.is(Type::color)) {
+            got = shown(value);  // names the type
         } else if (!value.is_nil()) {
             got += " " + shown(value);
         }

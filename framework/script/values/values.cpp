@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <optional>
 
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
@@ -299,17 +300,15 @@ Value table_to_list(lua_State* L, int index, int depth) {
         throw Error(ErrorKind::wrong_type, "the table has more than 10 million elements");
     machine_of(L).budget.charge(L, length);
     lua_Unsigned keys = 0;
-    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
-        if (lua_type(L, -2) == LUA_TSTRING) {
-            const std::string key = string_at(L, -2);
-            lua_pop(L, 2);
-            throw Error(ErrorKind::wrong_type,
-                        "a table with named keys (" + key +
-                            ") is no value; a list has elements 1, 2, 3 ..., and Object { } "
-                            "takes names");
-        }
-        ++keys;
-    }
+    std::optional<std::string> name;  // the smallest: the order of `lua_next` differs between runs
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1), ++keys)
+        if (lua_type(L, -2) == LUA_TSTRING)
+            if (std::string key = string_at(L, -2); !name || key < *name) name = std::move(key);
+    if (name)
+        throw Error(ErrorKind::wrong_type,
+                    "a table with named keys (" + *name +
+                        ") is no value; a list has elements 1, 2, 3 ..., and Object { } "
+                        "takes names");
     if (keys != length)
         throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
     List list;

@@ -75,12 +75,16 @@ class Timeline {
     std::size_t keyframes() const { return keyframes_.size(); }
 
   private:
+    /// What was written, and then the changes of the parts.
+    struct Piece {
+        property::LoggedWrites writes;
+        std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
+    };
     struct Step {
         std::int64_t number = 0;
         double dt = 0;
-        std::vector<property::LoggedWrites> before;  // before the modules stepped
-        property::LoggedWrites after;
-        std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
+        std::vector<Piece> before;  // before the modules stepped
+        Piece after;
         std::size_t bytes = 0;  // of all of these
     };
     struct Keyframe {
@@ -114,11 +118,11 @@ class Timeline {
     void drop_oldest();
     void trim();
     void thin_out();
-    void note_writes(Step& of, property::LoggedWrites& where);
-    void note_changes(Step& of);
+    void note(Step& of, Piece& piece);
+    void skip_changes();
     std::size_t forgotten() const;
     void redo(const Step& step);
-    void redo_writes(const Step& step);
+    void redo(const Piece& piece);
 
     property::Tree& tree_;
     Clock& clock_;
@@ -128,8 +132,7 @@ class Timeline {
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
     std::deque<Step> steps_;
-    Step tail_;  // changes after the newest step, while the tree is at an earlier one; `before` and
-                 // `changes` only
+    Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
     bool in_step_ = false;
     bool stepping_ = false;         // in a step: changes are logged
