@@ -15,23 +15,22 @@ namespace {
 
 /// Returns at most the first 60 bytes of an argument, in quotes, for a message.
 std::string quoted_start(std::string_view text) {
-    constexpr std::size_t most = 60;
-    std::string whole = on_one_line(text.substr(0, most));
-    return "\"" + whole + (text.size() > most ? "...\"" : "\"");
+    constexpr std::size_t max = 60;
+    std::string whole = on_one_line(text.substr(0, max));
+    return "\"" + whole + (text.size() > max ? "...\"" : "\"");
 }
 
 }  // namespace
 
-std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t least,
-                           std::uint64_t most) {
+std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t min,
+                           std::uint64_t max) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();
     const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    if (!text.empty() && error == std::errc() && stopped == end && number >= least &&
-        number <= most)
+    if (!text.empty() && error == std::errc() && stopped == end && number >= min && number <= max)
         return number;
-    throw CLI::ValidationError(option, "expected a whole number from " + std::to_string(least) +
-                                           " to " + std::to_string(most) + ", got " +
+    throw CLI::ValidationError(option, "expected a whole number from " + std::to_string(min) +
+                                           " to " + std::to_string(max) + ", got " +
                                            quoted_start(text));
 }
 

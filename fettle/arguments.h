@@ -13,8 +13,8 @@ namespace fettle::program {
 
 /// Parses a whole number in decimal digits. Throws CLI::ValidationError, for example: --steps:
 /// expected a whole number from 0 to 100, got "-1".
-std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t least,
-                           std::uint64_t most);
+std::uint64_t whole_number(const std::string& option, std::string_view text, std::uint64_t min,
+                           std::uint64_t max);
 
 /// Returns `text`. Throws CLI::ValidationError if it is empty; `expected` describes a valid value.
 std::string checked_text(const std::string& option, const std::string& text, const char* expected);

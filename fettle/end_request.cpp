@@ -22,7 +22,7 @@ std::array<struct sigaction, signals.size() + 1> before;
 
 /// Scripts are interrupted once a second. If the run has not ended after this number of interrupts,
 /// the process is ended: then the cause is not a script.
-constexpr int most_alarms = 10;
+constexpr int max_alarms = 10;
 volatile std::sig_atomic_t alarms = 0;
 
 /// Writes to stderr. It may run in a signal handler, so it uses no stream and allocates nothing.
@@ -45,7 +45,7 @@ void on_signal(int number) {
 
 void on_alarm(int) {
     alarms = alarms + 1;
-    if (alarms > most_alarms) {
+    if (alarms > max_alarms) {
         tell_at_once("fettle: the run did not end in time: it ends at once\n");
         ::_exit(128 + asked_by);
     }

@@ -220,11 +220,11 @@ class WindowRun {
 
 /// Lists at most five entries.
 std::string join_first(const std::vector<std::string>& all) {
-    constexpr std::size_t most = 5;
+    constexpr std::size_t limit = 5;
     std::string text;
-    for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(all.size(), limit); ++i)
         text += (i == 0 ? "" : ", ") + all[i];
-    if (all.size() > most) text += " and " + std::to_string(all.size() - most) + " more";
+    if (all.size() > limit) text += " and " + std::to_string(all.size() - limit) + " more";
     return text;
 }
 
@@ -269,8 +269,8 @@ int run_replay(RunOptions options) {
     return finish(session, options, window.get());
 }
 
-constexpr std::uint64_t most_steps = 1'000'000'000'000'000;
-constexpr std::uint64_t most_milliseconds = 1'000'000'000;
+constexpr std::uint64_t max_steps = 1'000'000'000'000'000;
+constexpr std::uint64_t max_milliseconds = 1'000'000'000;
 
 /// Parses "N:LUA": a step and a chunk of Lua.
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
@@ -279,7 +279,7 @@ std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::st
         throw CLI::ValidationError(
             option, "expected a step and a command, as in 60:print(time.now), got \"" +
                         on_one_line(text.substr(0, 60)) + "\"");
-    return {whole_number(option, text.substr(0, colon), 1, most_steps), text.substr(colon + 1)};
+    return {whole_number(option, text.substr(0, colon), 1, max_steps), text.substr(colon + 1)};
 }
 
 /// Parses the name of a picture file; its format must be one that can be written.
@@ -353,7 +353,7 @@ Command add_run(CLI::App& app) {
            "headless, a turn in which the game is paused counts too "
            "(needed with --headless unless the game calls quit())",
            [](RunOptions& to, const std::string& text) {
-               to.steps = static_cast<std::int64_t>(whole_number("--steps", text, 0, most_steps));
+               to.steps = static_cast<std::int64_t>(whole_number("--steps", text, 0, max_steps));
            });
     option("--eval", "Run this after main.lua is loaded (repeatable)",
            [](RunOptions& to, const std::string& text) {
@@ -382,7 +382,7 @@ Command add_run(CLI::App& app) {
            "Stop a call into the game's scripts that takes longer than so many milliseconds; "
            "without it a window asks after two seconds, and a headless run waits",
            [](RunOptions& to, const std::string& text) {
-               to.budget = whole_number("--budget", text, 1, most_milliseconds);
+               to.budget = whole_number("--budget", text, 1, max_milliseconds);
            });
     option("--seed", "Of random(); 0 unless given", [](RunOptions& to, const std::string& text) {
         to.seed = whole_number("--seed", text, 0, UINT64_MAX);

@@ -39,17 +39,17 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     modules_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_);
     tree_.on_handler_error([this](const property::HandlerError& error) {
-        script::ScriptError told;
-        told.message = error.message;
-        told.context = "handler of " + error.path;
-        if (!error.where.empty()) told.context += " (" + error.where + ")";
-        fail(told);
+        script::ScriptError report;
+        report.message = error.message;
+        report.context = "handler of " + error.path;
+        if (!error.where.empty()) report.context += " (" + error.where + ")";
+        fail(report);
     });
     property::on_formula_problem(tree_, [this](const property::FormulaProblem& problem) {
-        script::ScriptError told;
-        told.message = problem.message;
-        told.context = "formula of " + problem.path;
-        tell_error(told);  // the run continues, and the property keeps its last valid value
+        script::ScriptError report;
+        report.message = problem.message;
+        report.context = "formula of " + problem.path;
+        tell_error(report);  // the run continues, and the property keeps its last valid value
     });
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(

@@ -1,2 +1,2 @@
-// The source for whose sake CMake precompiles catch.h; every test program uses the result.
+// The source from which CMake precompiles catch.h for every test program.
 #include "catch.h"

@@ -23,7 +23,7 @@
 namespace fettle::bench {
 namespace {
 
-const Bound least_speedup = at_least(1.7);  // on two threads
+const Bound min_speedup = at_least(1.7);  // on two threads
 constexpr int steps_a_turn = 100;  // in shorter turns, the waking of sleeping threads would count
 
 constexpr std::array<const char*, 5> stage_names = {"pairs", "narrow", "solve", "finish", "other"};
@@ -171,7 +171,7 @@ int run_threads(const ThreadsOptions& options) {
             }
             const ThreadsResult result = median_of(runs);
             if (options.json) print_json(scene.name, options.threads, scene.steps, result);
-            const Bound bound = options.threads == 2 ? least_speedup : Bound{};
+            const Bound bound = options.threads == 2 ? min_speedup : Bound{};
             speed.add({scene.name, figure(result.one_ms), figure(result.several_ms),
                        verdict.look(
                            scene.name, result.speedup, bound, figure(result.speedup),

@@ -228,11 +228,11 @@ void Inspector::draw_methods() {
 }
 
 void Inspector::draw_children() {
-    constexpr int most = 100;  // the outline above shows all of them
+    constexpr int limit = 100;  // the outline above shows all of them
     int shown = 0;
     float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     Handle chosen_child;
-    for (Handle child = tree_.first_child(selected_); child && shown < most;
+    for (Handle child = tree_.first_child(selected_); child && shown < limit;
          child = tree_.next_sibling(child), ++shown) {
         ImGui::PushID(static_cast<int>(child.index));
         ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
@@ -244,8 +244,8 @@ void Inspector::draw_children() {
         ImGui::PopID();
     }
     std::size_t count = tree_.child_count(selected_);
-    if (count > static_cast<std::size_t>(most))
-        ImGui::TextDisabled("and %zu more", count - static_cast<std::size_t>(most));
+    if (count > static_cast<std::size_t>(limit))
+        ImGui::TextDisabled("and %zu more", count - static_cast<std::size_t>(limit));
     if (chosen_child) choose(chosen_child);
 }
 

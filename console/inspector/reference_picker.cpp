@@ -15,7 +15,7 @@ using property::Handle;
 
 namespace {
 
-constexpr std::size_t most_candidates = 500;
+constexpr std::size_t max_candidates = 500;
 constexpr float list_width = 20, list_height = 14;  // font heights
 
 }  // namespace
@@ -25,7 +25,7 @@ void ReferencePicker::take_candidates(const property::Property& property) {
     const property::Class* of =
         property.reference_class.empty() ? nullptr : tree_.find_class(property.reference_class);
     tree_.each_below(tree_.root(), [&](Handle instance) {
-        if (candidates_.size() >= most_candidates) return;
+        if (candidates_.size() >= max_candidates) return;
         if (of != nullptr && !tree_.class_of(instance).is_a(*of)) return;
         if (!search_.empty() && !script::fuzzy_match(search_, tree_.path(instance))) return;
         candidates_.push_back(instance);

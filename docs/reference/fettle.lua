@@ -95,7 +95,7 @@ function fettle_Connection:active() end
 ---The function is not called again.
 function fettle_Connection:stop() end
 
----What a watcher is told, besides the new and the old value.
+---The third argument of a watcher, after the new and the old value.
 ---@class Change
 ---@field cause string Who wrote it and at which step, as a text for people: "main.lua:14, step 0", "console:1, step 1", "simulation, step 1", "undo, step 29", "restore, step 23".
 ---@field instance Object Whose property it is.
@@ -104,10 +104,10 @@ function fettle_Connection:stop() end
 ---@field step integer The fixed step in which it was written.
 local fettle_Change = {}
 
----What handlers of the events "created" and "deleted" are told.
+---The argument of handlers of the events "created" and "deleted".
 ---@class Existence
 ---@field cause string Who did it and at which step, as that of a Change: "main.lua:14, step 0".
----@field instance Object The instance; after its deletion it tells alive(), name, class and is_a() alone.
+---@field instance Object The instance; after its deletion it has only alive(), name, class and is_a().
 ---@field last table<string, any> After a deletion: its last values by name.
 ---@field path string Where it is, or was: "world.ball". Undo detaches an instance before it deletes it, and then this is "(detached body)".
 ---@field step integer The fixed step in which it happened.
@@ -121,13 +121,13 @@ local fettle_Formula = {}
 ---@class Snapshot
 local fettle_Snapshot = {}
 
----What saves() tells of a saved game.
+---The description of a saved game that saves() returns.
 ---@class SavedGame
 ---@field picture boolean Whether there is a picture of it.
 ---@field problem string? Why it cannot be loaded; nil when it can.
 ---@field slot string The name it was saved under.
 ---@field step integer The fixed step in which it was saved.
----@field time integer When, in seconds since 1970, as os.time() tells it.
+---@field time integer Time of the save, in seconds since 1970, as in os.time().
 local fettle_SavedGame = {}
 
 ---What draw(pen) draws with: world units, y up; inside pen.screen(...) pixels, y down. Colors are values or names. A fill of false draws none; without one, or with nil, a figure is white unless it has a border. A border of nil or false draws none. Lines, points and texts are white unless they have a color. Borders and lines are measured in pixels, 1.5 unless a width is given.
@@ -184,7 +184,7 @@ function fettle_Pen.screen(action) end
 ---@param align? "middle"|"left"|"right"
 function fettle_Pen.text(position, text, height, fill, align) end
 
----A class: Body { ... } makes an instance. What it has can be read, and changed by nobody.
+---A class: Body { ... } makes an instance. Its members can be read, but not changed.
 ---@class Class
 ---@field base Class? The class it derives from; nil for Object.
 ---@field creatable boolean Whether instances can be made; there is one `time` only.
@@ -198,7 +198,7 @@ local fettle_Class = {}
 
 ---Calls the function when the event happens to any instance; "created" and "deleted" are events too.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
 function fettle_Class:on(event, handler) end
 
@@ -246,7 +246,7 @@ local fettle_MethodDescription = {}
 ---What an event is. Read-only.
 ---@class EventDescription
 ---@field doc string When it happens.
----@field fields FieldDescription[] What handlers are told.
+---@field fields FieldDescription[] The fields of the record that handlers get.
 ---@field name string What it is called.
 ---@field owner Class? The class that declares it.
 local fettle_EventDescription = {}
@@ -340,12 +340,12 @@ function fettle_Object:is_a(class) end
 ---@return Object
 function fettle_Object:move(parent, name) end
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: Object, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: Object, event: "deleted", handler: fun(told: Existence)): Connection
+---@overload fun(self: Object, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Object, event: "deleted", handler: fun(record: Existence)): Connection
 function fettle_Object:on(event, handler) end
 
 ---What is wrong with the property's formula, or nil.
@@ -378,255 +378,255 @@ Object = {}
 ---@field input Input What the player does: keys, mouse, gamepads.
 ---@field time Time Simulation time: how fast it passes, and how far it is.
 ---@field view View Which part of the world is seen, and what lies over it.
----@field world World Bodies below it are simulated together. Its child `step` tells about the last step.
+---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
 local fettle_Game = {}
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: Game, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: Game, event: "deleted", handler: fun(told: Existence)): Connection
----@overload fun(self: Game, event: "restored", handler: fun(told: Game.restored)): Connection
+---@overload fun(self: Game, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Game, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Game, event: "restored", handler: fun(record: Game.restored)): Connection
 function fettle_Game:on(event, handler) end
 
 ---The root of the tree: its children are the services and whatever a game puts beside them.
 ---@class Class.Game : Class
 Game = {}
 
----What the last step of a world did, and how long that took.
+---Statistics of the last step of a world, and the time that it took.
 ---@class StepStatistics : Object
----@field awake_bodies integer Bodies that took part in the step. · any integer · read-only, simulated
----@field awake_contacts integer Pairs of shapes near each other of which a body is awake. · any integer · read-only, simulated
----@field awake_joints integer Joints on a body that is awake. · any integer · read-only, simulated
----@field bodies integer Bodies in the world. · any integer · read-only, simulated
----@field contacts integer Pairs of shapes near each other. · any integer · read-only, simulated
----@field direct_failures integer Problems too large for the direct solver, or without a solution: solved by sweeps instead. · any integer · read-only, simulated
----@field direct_solves integer Problems that the direct solver solved: every group of bodies that touch has two in a part of a step. · any integer · read-only, simulated
----@field edits_ms number Time to bring up to date what was edited. · ms · any finite number · read-only, simulated
+---@field awake_bodies integer Number of bodies that took part in the step. · any integer · read-only, simulated
+---@field awake_contacts integer Number of pairs of shapes near each other with a body that is awake. · any integer · read-only, simulated
+---@field awake_joints integer Number of joints on a body that is awake. · any integer · read-only, simulated
+---@field bodies integer Number of bodies in the world. · any integer · read-only, simulated
+---@field contacts integer Number of pairs of shapes near each other. · any integer · read-only, simulated
+---@field direct_failures integer Number of problems too large for the direct solver, or without a solution, which were solved by iteration instead. · any integer · read-only, simulated
+---@field direct_solves integer Number of problems that the direct solver solved: two in a part of a step for every group of bodies that touch. · any integer · read-only, simulated
+---@field edits_ms number Time to bring edited data up to date. · ms · any finite number · read-only, simulated
 ---@field finish_ms number Time of poses, boxes and continuous collision. · ms · any finite number · read-only, simulated
----@field islands integer Groups of bodies that sleep together. · any integer · read-only, simulated
----@field joints integer Joints that act on a body. · any integer · read-only, simulated
----@field moved_proxies integer Shapes that left their box in the tree. · any integer · read-only, simulated
+---@field islands integer Number of groups of bodies that sleep together. · any integer · read-only, simulated
+---@field joints integer Number of joints that act on a body. · any integer · read-only, simulated
+---@field moved_proxies integer Number of shapes that left their box in the tree. · any integer · read-only, simulated
 ---@field narrow_ms number Time of the manifolds. · ms · any finite number · read-only, simulated
 ---@field pairs_ms number Time of the broad phase. · ms · any finite number · read-only, simulated
----@field shapes integer Shapes of all bodies. · any integer · read-only, simulated
----@field sleep_ms number Time to find what rests. · ms · any finite number · read-only, simulated
+---@field shapes integer Number of shapes of all bodies. · any integer · read-only, simulated
+---@field sleep_ms number Time to find resting bodies. · ms · any finite number · read-only, simulated
 ---@field solve_ms number Time of forces, contacts and joints. · ms · any finite number · read-only, simulated
----@field steps integer Steps since the world was made. · any integer · read-only, simulated
+---@field steps integer Number of steps since the world was made. · any integer · read-only, simulated
 ---@field total_ms number Time of the whole step. · ms · any finite number · read-only, simulated
----@field touching integer Pairs near enough to be solved. · any integer · read-only, simulated
+---@field touching integer Number of pairs near enough to be solved. · any integer · read-only, simulated
 local fettle_StepStatistics = {}
 
----What the last step of a world did, and how long that took.
+---Statistics of the last step of a world, and the time that it took.
 ---@class Class.StepStatistics : Class
 StepStatistics = {}
 
----Asked in the step when two shapes come near each other whose filters agree: whether they collide. The handler cannot write anything else.
+---Asked in the step when two shapes whose filters agree come near each other: whether they collide. The handler cannot write anything else.
 ---@class World.filter_pair
----@field shape Object One of the two; nil for the bounds of the world.
----@field other_shape Object The other.
----@field body Object That of the one; the world itself for its bounds.
----@field other Object That of the other.
----@field collide boolean Whether they do; may be changed.
+---@field shape Object One of the two shapes; nil for the bounds of the world.
+---@field other_shape Object The second shape; never nil.
+---@field body Object Body of the first shape; the world itself for its bounds.
+---@field other Object Body of the second shape.
+---@field collide boolean True if they collide; may be changed.
 ---@field instance World To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----Asked in the step for every contact: what friction and restitution two surfaces have together. The handler cannot write anything else.
+---Asked in the step for every contact: the friction and restitution of two surfaces together. The handler cannot write anything else.
 ---@class World.mix_surfaces
----@field shape Object One of the two; nil for the bounds of the world.
----@field other_shape Object The other.
----@field body Object That of the one; the world itself for its bounds.
----@field other Object That of the other.
----@field point vec Where, in the world. · m
----@field normal vec From the one to the other.
----@field impulse number With which they pressed on each other. · N s
----@field speed number How fast they approach each other. · m/s
----@field friction number As the rule mixed it; may be changed.
----@field restitution number As the rule mixed it; may be changed.
----@field surface_speed number Of both together; may be changed. · m/s
+---@field shape Object One of the two shapes; nil for the bounds of the world.
+---@field other_shape Object The second shape; never nil.
+---@field body Object Body of the first shape; the world itself for its bounds.
+---@field other Object Body of the second shape.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from the first shape to the second.
+---@field impulse number Impulse between them in the step before. · N s
+---@field speed number Speed at which they approach each other. · m/s
+---@field friction number Friction mixed by the rule of the world; may be changed.
+---@field restitution number Restitution mixed by the rule of the world; may be changed.
+---@field surface_speed number Speed of both surfaces together; may be changed. · m/s
 ---@field instance World To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape nearest to a point, or nil. Sensors and the bounds do not count.
 ---@class World.closest.result
----@field shape Object The one that is nearest.
+---@field shape Object The nearest shape.
 ---@field body Object Its body.
----@field point vec On its surface, in the world; inside of the shape, the point asked for. · m
----@field normal vec Of the surface there, outward; the zero vector inside of it.
+---@field point vec The nearest point of its surface in the world; inside of the shape, the given point. · m
+---@field normal vec Normal of the surface at the point, outward; the zero vector inside of the shape.
 ---@field distance number 0 inside. · m
 
----Every point where two bodies touch now.
+---Every point at which two bodies touch now.
 ---@class World.contacts.result
 ---@field body_a Body One of the two bodies.
----@field body_b Object The other; the world itself for its bounds.
+---@field body_b Object The other body; the world itself for its bounds.
 ---@field shape_a Shape? The shape of body_a.
 ---@field shape_b Shape? The shape of body_b; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From a to b; its length is 1.
----@field separation number Below 0: how deep they overlap. · m
----@field force number That presses them apart. · N
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from a to b; its length is 1.
+---@field separation number Distance of the surfaces; below 0: the depth of their overlap. · m
+---@field force number Impulse that separates them. · N
 
----How far two shapes or bodies are from each other.
+---Distance between two shapes or bodies.
 ---@class World.distance.result
----@field distance number 0 where they overlap. · m
----@field point_a vec Of the first, nearest to the second. · m
----@field point_b vec Of the second, nearest to the first. · m
----@field normal vec From the first to the second; the zero vector where they overlap.
+---@field distance number Distance; 0 if they overlap. · m
+---@field point_a vec The point of the first that is nearest to the second. · m
+---@field point_b vec The point of the second that is nearest to the first. · m
+---@field normal vec Direction from the first to the second; the zero vector if they overlap.
 
----The first shape a ray meets, or nil. Sensors do not stop it, nor shapes in which it begins.
+---The first shape that a ray hits, or nil. Sensors and shapes in which the ray begins do not count.
 ---@class World.raycast.result
----@field shape Shape? What was hit; nil for the bounds of the world.
----@field body Object Its body; the world itself for its bounds.
----@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
----@field fraction number How far along the ray, 0 to 1.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field body Object The body of the shape; the world itself for its bounds.
+---@field point vec Point of the hit in the world. · m
+---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
+---@field fraction number Distance along the ray, as a share from 0 to 1.
 
----Every shape a ray meets, nearest first. Sensors do not count, nor shapes in which it begins.
+---Every shape that a ray hits, the nearest first. Sensors and shapes in which the ray begins do not count.
 ---@class World.raycast_all.result
----@field shape Shape? What was hit; nil for the bounds of the world.
----@field body Object Its body; the world itself for its bounds.
----@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
----@field fraction number How far along the ray, 0 to 1.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field body Object The body of the shape; the world itself for its bounds.
+---@field point vec Point of the hit in the world. · m
+---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
+---@field fraction number Distance along the ray, as a share from 0 to 1.
 
----The first shape that a shape, or a body, would meet on its way, or nil. Sensors do not count.
+---The first shape that a moving shape or body would hit, or nil. Sensors do not count.
 ---@class World.shapecast.result
----@field shape Shape? What was hit; nil for the bounds of the world.
----@field body Object Its body; the world itself for its bounds.
----@field point vec Where, in the world. · m
----@field normal vec Of the surface there, outward; its length is 1. Against the motion where a shape that is cast overlaps it from the beginning.
----@field fraction number How far along the ray, 0 to 1.
+---@field shape Shape? The shape that was hit; nil for the bounds of the world.
+---@field body Object The body of the shape; the world itself for its bounds.
+---@field point vec Point of the hit in the world. · m
+---@field normal vec Normal of the surface at the point, outward; its length is 1. If a shape that is cast overlaps the other one from the beginning: against the motion.
+---@field fraction number Distance along the ray, as a share from 0 to 1.
 
----Bodies below it are simulated together. Its child `step` tells about the last step.
+---Bodies below it are simulated together. Its child `step` describes the last step.
 ---@class World : Object
----@field bounds vec[]? Walls round the world, given by their lower left and upper right corner; nil: none. · m · -100000000 to 100000000 · default nil · may be nil
----@field bounds_friction number Of the walls of the bounds. · at least 0 · default 0.6
----@field bounds_restitution number How much of its speed what hits the walls gets back. · 0 to 1 · default 0
+---@field bounds vec[]? Walls around the world, given by their lower left and upper right corner; nil: none. · m · -100000000 to 100000000 · default nil · may be nil
+---@field bounds_friction number Friction of the walls of the bounds. · at least 0 · default 0.6
+---@field bounds_restitution number Share of the speed with which bodies separate from the walls of the bounds. · 0 to 1 · default 0
 ---@field contact_damping number Damping ratio of contacts. · at least 0 · default 10
 ---@field contact_hertz number Stiffness of contacts, at most a quarter of the rate of sub-steps. · Hz · at least 0 · default 60
----@field continuous boolean However fast, bodies do not pass through static ones. · true or false · default true
----@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the friction of two surfaces makes that of their contact: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
----@field gravity vec Pulls every dynamic body, as far as its gravity_scale lets it. · m/s² · any finite vec · default vec(0, -10)
----@field hit_threshold number Slower impacts make no contact_hit. · m/s · at least 0 · default 1
----@field push_speed number The fastest that an overlap is pushed apart. · m/s · at least 0 · default 3
----@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" How the restitution of two surfaces makes that of their contact. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
+---@field continuous boolean True if bodies cannot pass through static ones at any speed. · true or false · default true
+---@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Friction of a contact from those of its two surfaces: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
+---@field gravity vec Acceleration of every dynamic body, times its gravity_scale. · m/s² · any finite vec · default vec(0, -10)
+---@field hit_threshold number Slower impacts cause no contact_hit. · m/s · at least 0 · default 1
+---@field push_speed number Largest speed at which an overlap is separated. · m/s · at least 0 · default 3
+---@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Restitution of a contact from those of its two surfaces. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
 ---@field restitution_threshold number Slower impacts do not bounce. · m/s · at least 0 · default 1
----@field sleep_delay number How long something rests before it falls asleep. · s · at least 0 · default 0.5
----@field sleep_speed number What is slower than this rests. · m/s · at least 0 · default 0.05
----@field sleeping boolean What rests falls asleep and costs nothing until it is disturbed. · true or false · default true
----@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" sweeps over them in small steps and remembers; "sequential" goes over the contacts once, the worst first, as in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
----@field substeps integer Parts a step is solved in: more is stiffer and slower. · 1 to 64 · default 4
----@field threads integer How many threads share a step; the machine runs no more of them at a time than it has processors. The number changes no result. · 1 to 64 · default 1 · not saved
----@field step StepStatistics What the last step of a world did, and how long that took.
+---@field sleep_delay number Time for which a body must rest before it falls asleep. · s · at least 0 · default 0.5
+---@field sleep_speed number A body that is slower than this rests. · m/s · at least 0 · default 0.05
+---@field sleeping boolean True if resting bodies fall asleep, which saves time, until they are disturbed. · true or false · default true
+---@field solver "soft_step"|"sequential"|"direct" How contacts and joints are solved: "soft_step" solves them one after the other in small steps with warm starting; "sequential" solves the contacts once, the worst first, as was usual in 2008; "direct" solves all that touch each other as one problem. · "soft_step", "sequential", "direct" · default "soft_step"
+---@field substeps integer Number of parts in which a step is solved: more is stiffer and slower. · 1 to 64 · default 4
+---@field threads integer Number of threads for a step; at most as many run at a time as the machine has processors. The number changes no result. · 1 to 64 · default 1 · not saved
+---@field step StepStatistics Statistics of the last step of a world, and the time that it took.
 local fettle_World = {}
 
----The body at a point, that with the smallest shape there where there are several, or nil. Sensors count too.
----@param point vec In the world. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---The body at a point, or nil. If there are several, the one with the smallest shape. Sensors count, too.
+---@param point vec A point in the world. · m
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return Body? body The body, or nil.
 function fettle_World:at(point, mask, group, accept) end
 
 ---The shape nearest to a point, or nil. Sensors and the bounds do not count.
----@param point vec In the world. · m
----@param reach? number No farther than this. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---@param point vec A point in the world. · m
+---@param reach? number Largest distance. · m
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.closest.result?
 function fettle_World:closest(point, reach, mask, group, accept) end
 
----Every point where two bodies touch now.
+---Every point at which two bodies touch now.
 ---@return World.contacts.result[]
 function fettle_World:contacts() end
 
----How far two shapes or bodies are from each other.
+---Distance between two shapes or bodies.
 ---@param a Object A shape or a body.
 ---@param b Object Another.
 ---@return World.distance.result?
 function fettle_World:distance(a, b) end
 
----Pushes bodies away from a point: the farther, the less.
----@param point vec In the world. · m
----@param radius number It reaches this far. · m
----@param impulse number What a body at the point gets. · N s
----@param mask? integer Categories to look for, as bits; all when left out.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---Pushes bodies away from a point; the impulse decreases with the distance.
+---@param point vec Center of the explosion in the world. · m
+---@param radius number Radius of the explosion. · m
+---@param impulse number Impulse for a body at the point. · N s
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode(point, radius, impulse, mask, accept) end
 
----The bodies that overlap a shape, or a body, where it is; not its own. A shape of no body is at its coordinates.
+---The bodies that overlap a shape or a body; not its own body. A shape without a body is at its own coordinates.
 ---@param shape Object A shape or a body, of any world or of none.
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
----@return Body[] bodies Each once, in no special order.
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@return Body[] bodies Each body once, in any order.
 function fettle_World:overlap(shape, mask, group, accept) end
 
----The bodies that reach into a box. Sensors count too.
----@param corner vec Of the box. · m
+---The bodies that overlap a box. Sensors count, too.
+---@param corner vec A corner of the box. · m
 ---@param opposite vec The corner across. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
----@return Body[] bodies Each once, in no special order.
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+---@return Body[] bodies Each body once, in any order.
 function fettle_World:overlap_box(corner, opposite, mask, group, accept) end
 
----The first shape a ray meets, or nil. Sensors do not stop it, nor shapes in which it begins.
----@param from vec Where the ray starts. · m
----@param to vec Where it ends. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---The first shape that a ray hits, or nil. Sensors and shapes in which the ray begins do not count.
+---@param from vec Beginning of the ray. · m
+---@param to vec End of the ray. · m
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.raycast.result?
 function fettle_World:raycast(from, to, mask, group, accept) end
 
----Every shape a ray meets, nearest first. Sensors do not count, nor shapes in which it begins.
----@param from vec Where the ray starts. · m
----@param to vec Where it ends. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---Every shape that a ray hits, the nearest first. Sensors and shapes in which the ray begins do not count.
+---@param from vec Beginning of the ray. · m
+---@param to vec End of the ray. · m
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.raycast_all.result[]
 function fettle_World:raycast_all(from, to, mask, group, accept) end
 
----The first shape that a shape, or a body, would meet on its way, or nil. Sensors do not count.
+---The first shape that a moving shape or body would hit, or nil. Sensors do not count.
 ---@param shape Object A shape or a body, of any world or of none.
----@param motion vec How far it goes. · m
----@param mask? integer Categories to look for, as bits; all when left out.
----@param group? integer Shapes of this group are seen if it is positive, and not if it is negative.
----@param accept? any A function that is handed a shape, or nil for the bounds of the world, and says whether it counts. It may read everything and search on, and change nothing.
+---@param motion vec Distance and direction of the motion. · m
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param group? integer Only shapes of this group are found if it is positive, and none of them if it is negative.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 ---@return World.shapecast.result?
 function fettle_World:shapecast(shape, motion, mask, group, accept) end
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: World, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: World, event: "deleted", handler: fun(told: Existence)): Connection
----@overload fun(self: World, event: "mix_surfaces", handler: fun(told: World.mix_surfaces)): Connection
----@overload fun(self: World, event: "filter_pair", handler: fun(told: World.filter_pair)): Connection
+---@overload fun(self: World, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: World, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: World, event: "mix_surfaces", handler: fun(record: World.mix_surfaces)): Connection
+---@overload fun(self: World, event: "filter_pair", handler: fun(record: World.filter_pair)): Connection
 function fettle_World:on(event, handler) end
 
----Bodies below it are simulated together. Its child `step` tells about the last step.
+---Bodies below it are simulated together. Its child `step` describes the last step.
 ---@class Class.World : Class
 ---@overload fun(members?: table): World
 World = {}
 
----Asked in the step, before a contact of the body acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. Once for two shapes, however many parts of them touch. The handler cannot write anything else.
+---Asked in the step, before a contact of the body acts: the handler may change friction and restitution, and with enabled = false both pass through each other in this step. Asked once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Body.before_solve
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they pressed on each other in the step before; 0 when they just met. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse between them in the step before; 0 if they have just met. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field enabled boolean Whether it acts in this step.
+---@field enabled boolean True if the contact acts in this step.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
@@ -635,18 +635,18 @@ World = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they met. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse of their first contact. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The body stopped touching another.
 ---@class Body.contact_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -657,30 +657,30 @@ World = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they would have met in the point that was hit fastest alone. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse that would stop the impact at the point with the highest speed of impact. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The body still touches another: every step after the first.
+---The body still touches another: reported in every step after the first.
 ---@class Body.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they pressed on each other in this step. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse between them in this step. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The body came into a sensor, or as a sensor was come into.
+---The body entered a sensor, or a shape entered this sensor.
 ---@class Body.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
@@ -688,9 +688,9 @@ World = {}
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The body left a sensor, or as a sensor was left.
+---The body left a sensor, or a shape left this sensor.
 ---@class Body.sensor_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Body To whom it happened.
@@ -701,137 +701,137 @@ World = {}
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----Something disturbed its sleep.
+---Its sleep was disturbed.
 ---@class Body.woke
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----What `contacts` lists, with where and how hard: one record a pair of shapes.
+---The touches of `contacts` with points and impulses: one record for each pair of shapes.
 ---@class Body.touches.result
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Object The shape of this body.
 ---@field other_shape Object The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other.
----@field impulse number That pressed them apart in the last step. · N s
----@field tangent_impulse number Of friction, clockwise round this body. · N s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other.
+---@field impulse number Impulse that separated them in the last step. · N s
+---@field tangent_impulse number Impulse of friction, clockwise around this body. · N s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 
----A rigid body: its shapes are its children. It is simulated while it hangs below a World.
+---A rigid body: its shapes are its children. It is simulated while it is below a World.
 ---@class Body : Object
----@field angle number How far it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
----@field angular_damping number Share of its angular velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
----@field angular_velocity number How fast it turns, counter-clockwise. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
----@field awake boolean Whether it takes part in the step. What rests for a while sleeps, together with what it touches, until something disturbs it. · true or false · default true · simulated
----@field bullet boolean However fast, it does not pass through other moving bodies either. · true or false · default false
----@field can_sleep boolean Whether it may fall asleep. · true or false · default true
----@field center vec Center of mass in its own coordinates, from the shapes unless one is given; nil computes it again. · m · -100000000 to 100000000 · default computed · simulated
----@field color color? Fills its shapes that have no color of their own; nil goes by its type. · channels 0 to 1 · default nil · may be nil
----@field contact_force number How hard what it touches presses on it, all together. · N · any finite number · read-only, simulated
----@field contact_impulses number[] What pressed it and the other apart in the last step. · N s · any length · read-only, simulated
----@field contact_normals vec[] From this body to the one it touches; of length 1. · any length · read-only, simulated
----@field contact_points vec[] Where it touches, in the world. · m · any length · read-only, simulated
----@field contact_shapes Object[] The shapes it touches now, one for each touch; the world itself for its bounds. `contact_points`, `contact_normals` and `contact_impulses` have as many entries, in the same order. · any length · read-only, simulated
----@field contacts Object[] The bodies it touches now; the world itself where it touches the bounds. Sensors do not count. · any length · read-only, simulated
----@field force vec Pushes its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
----@field gravity_scale number How much of the world's gravity it feels: 0 floats, -1 falls upwards. · any finite number · default 1
----@field inertia number Rotational inertia about the center of mass, from the shapes unless one is given; nil computes it again. Infinite: nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
----@field linear_damping number Share of its velocity it loses in a second, for small values. · 1/s · at least 0 · default 0
----@field locked_rotation boolean Nothing turns it. · true or false · default false
----@field locked_x boolean Nothing moves it along x. · true or false · default false
----@field locked_y boolean Nothing moves it along y. · true or false · default false
----@field mass number Area times density of its shapes, unless a mass is given; nil computes it again. Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
----@field position vec Where its origin is in the world. Writing it teleports. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
----@field torque number Turns it in every step until it is changed. · N m · any finite number · default 0
----@field type "static"|"kinematic"|"dynamic" What moves it. "static": nothing; "kinematic": its velocity, and nothing pushes it; "dynamic": forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
----@field velocity vec Of its center of mass. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
+---@field angle number Angle by which it is turned, counter-clockwise; not wrapped after a full turn. · rad · -100000000 to 100000000 · default 0 · simulated
+---@field angular_damping number Share of its angular velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
+---@field angular_velocity number Angular velocity, counter-clockwise. A step limits it to 3 rad in each of its parts (`World.substeps`): 720 rad/s with the defaults. · rad/s · any finite number · default 0 · simulated
+---@field awake boolean True if it takes part in the step. A body that rests for a while falls asleep, together with all bodies that it touches, until one of them is disturbed. · true or false · default true · simulated
+---@field bullet boolean True if it cannot pass through other moving bodies at any speed. · true or false · default false
+---@field can_sleep boolean True if it may fall asleep. · true or false · default true
+---@field center vec Center of mass in the coordinates of the body, computed from the shapes unless it is set; nil computes it again. · m · -100000000 to 100000000 · default computed · simulated
+---@field color color? Color of its shapes that have no own color; nil: a color for the type of the body. · channels 0 to 1 · default nil · may be nil
+---@field contact_force number Sum of the forces of its contacts. · N · any finite number · read-only, simulated
+---@field contact_impulses number[] Impulses that separated the two in the last step. · N s · any length · read-only, simulated
+---@field contact_normals vec[] Directions from this body to the touched one; of length 1. · any length · read-only, simulated
+---@field contact_points vec[] Points of the contacts in the world. · m · any length · read-only, simulated
+---@field contact_shapes Object[] The shapes that it touches now, one for each touch; the world itself for its bounds. `contact_points`, `contact_normals` and `contact_impulses` have as many entries, in the same order. · any length · read-only, simulated
+---@field contacts Object[] The bodies that it touches now; the world itself if it touches the bounds. Sensors do not count. · any length · read-only, simulated
+---@field force vec Force on its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
+---@field gravity_scale number Factor of the world's gravity for this body: 0 floats, -1 falls upwards. · any finite number · default 1
+---@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
+---@field linear_damping number Share of its velocity that it loses in a second, for small values. · 1/s · at least 0 · default 0
+---@field locked_rotation boolean True if it cannot turn. · true or false · default false
+---@field locked_x boolean True if it cannot move along x. · true or false · default false
+---@field locked_y boolean True if it cannot move along y. · true or false · default false
+---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass nothing moves it. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
+---@field position vec Position of its origin in the world. A write moves it at once. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
+---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
+---@field type "static"|"kinematic"|"dynamic" How it moves. "static": not at all; "kinematic": with its velocity, and no force changes that; "dynamic": by forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
+---@field velocity vec Velocity of its center of mass. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
 local fettle_Body = {}
 
 ---Changes its angular velocity at once.
 ---@param impulse number Inertia times the change of angular velocity, counter-clockwise. · N m s
 function fettle_Body:apply_angular_impulse(impulse) end
 
----Pushes it during the next step only; the property `force` stays.
----@param force vec In the world. · N
----@param point? vec In the world; the center of mass when left out. · m
+---Applies a force during the next step only; the property `force` is not changed.
+---@param force vec Force in world coordinates. · N
+---@param point? vec A point in the world; the center of mass if it is left out. · m
 function fettle_Body:apply_force(force, point) end
 
----Changes its velocity at once: a kick.
+---Changes its velocity at once.
 ---@param impulse vec Mass times the change of velocity. · N s
----@param point? vec In the world; the center of mass when left out. · m
+---@param point? vec A point in the world; the center of mass if it is left out. · m
 function fettle_Body:apply_impulse(impulse, point) end
 
----Turns it during the next step only; the property `torque` stays.
+---Applies a torque during the next step only; the property `torque` is not changed.
 ---@param torque number Counter-clockwise. · N m
 function fettle_Body:apply_torque(torque) end
 
----How far it is turned in the picture that is being drawn. Outside of `draw`: its angle.
+---Its angle in the picture that is being drawn. Outside of `draw`: its angle.
 ---@return number angle Counter-clockwise. · rad
 function fettle_Body:drawn_angle() end
 
----Where the picture that is being drawn shows its origin: pictures are drawn between the last two steps. Outside of `draw`: its position.
----@return vec position In the world. · m
+---Position of its origin in the picture that is being drawn: pictures are drawn between the last two steps. Outside of `draw`: its position.
+---@return vec position The position in the world. · m
 function fettle_Body:drawn_position() end
 
----Where the picture that is being drawn shows a point of the body. Outside of `draw`: as `to_world`.
----@param point vec In the body's coordinates. · m
----@return vec point In the world. · m
+---Converts a point of the body to the picture that is being drawn. Outside of `draw`: as `to_world`.
+---@param point vec A point in the coordinates of the body. · m
+---@return vec point The point in the world. · m
 function fettle_Body:to_drawn(point) end
 
----Where a point of the world is as seen from the body.
----@param point vec In the world. · m
----@return vec point In the body's coordinates. · m
+---Converts a point of the world to the coordinates of the body.
+---@param point vec A point in the world. · m
+---@return vec point The point in the coordinates of the body. · m
 function fettle_Body:to_local(point) end
 
----Where a point of the body is in the world.
----@param point vec In the body's coordinates. · m
----@return vec point In the world. · m
+---Converts a point of the body to the world.
+---@param point vec A point in the coordinates of the body. · m
+---@return vec point The point in the world. · m
 function fettle_Body:to_world(point) end
 
----What `contacts` lists, with where and how hard: one record a pair of shapes.
+---The touches of `contacts` with points and impulses: one record for each pair of shapes.
 ---@return Body.touches.result[]
 function fettle_Body:touches() end
 
----How fast that point of the body moves.
----@param point vec In the world. · m
----@return vec velocity Of that point, in the world. · m/s
+---Velocity of a point of the body.
+---@param point vec A point in the world. · m
+---@return vec velocity Velocity of that point in the world. · m/s
 function fettle_Body:velocity_at(point) end
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: Body, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: Body, event: "deleted", handler: fun(told: Existence)): Connection
----@overload fun(self: Body, event: "contact_begin", handler: fun(told: Body.contact_begin)): Connection
----@overload fun(self: Body, event: "contact_persist", handler: fun(told: Body.contact_persist)): Connection
----@overload fun(self: Body, event: "before_solve", handler: fun(told: Body.before_solve)): Connection
----@overload fun(self: Body, event: "contact_end", handler: fun(told: Body.contact_end)): Connection
----@overload fun(self: Body, event: "contact_hit", handler: fun(told: Body.contact_hit)): Connection
----@overload fun(self: Body, event: "sensor_begin", handler: fun(told: Body.sensor_begin)): Connection
----@overload fun(self: Body, event: "sensor_end", handler: fun(told: Body.sensor_end)): Connection
----@overload fun(self: Body, event: "woke", handler: fun(told: Body.woke)): Connection
----@overload fun(self: Body, event: "slept", handler: fun(told: Body.slept)): Connection
+---@overload fun(self: Body, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Body, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Body, event: "contact_begin", handler: fun(record: Body.contact_begin)): Connection
+---@overload fun(self: Body, event: "contact_persist", handler: fun(record: Body.contact_persist)): Connection
+---@overload fun(self: Body, event: "before_solve", handler: fun(record: Body.before_solve)): Connection
+---@overload fun(self: Body, event: "contact_end", handler: fun(record: Body.contact_end)): Connection
+---@overload fun(self: Body, event: "contact_hit", handler: fun(record: Body.contact_hit)): Connection
+---@overload fun(self: Body, event: "sensor_begin", handler: fun(record: Body.sensor_begin)): Connection
+---@overload fun(self: Body, event: "sensor_end", handler: fun(record: Body.sensor_end)): Connection
+---@overload fun(self: Body, event: "woke", handler: fun(record: Body.woke)): Connection
+---@overload fun(self: Body, event: "slept", handler: fun(record: Body.slept)): Connection
 function fettle_Body:on(event, handler) end
 
----A rigid body: its shapes are its children. It is simulated while it hangs below a World.
+---A rigid body: its shapes are its children. It is simulated while it is below a World.
 ---@class Class.Body : Class
 ---@overload fun(members?: table): Body
 Body = {}
 
----Asked in the step, before a contact of the shape acts: its friction and restitution may be changed, and enabled false lets both pass through each other in this step. Once for two shapes, however many parts of them touch. The handler cannot write anything else.
+---Asked in the step, before a contact of the shape acts: the handler may change friction and restitution, and with enabled = false both pass through each other in this step. Asked once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Shape.before_solve
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they pressed on each other in the step before; 0 when they just met. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse between them in the step before; 0 if they have just met. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
----@field enabled boolean Whether it acts in this step.
+---@field enabled boolean True if the contact acts in this step.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
@@ -840,18 +840,18 @@ Body = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they met. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse of their first contact. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape stopped touching another.
 ---@class Shape.contact_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
@@ -862,30 +862,30 @@ Body = {}
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they would have met in the point that was hit fastest alone. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse that would stop the impact at the point with the highest speed of impact. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The shape still touches another: every step after the first.
+---The shape still touches another: reported in every step after the first.
 ---@class Shape.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
----@field point vec Where, in the world. · m
----@field normal vec From this body to the other; its length is 1.
----@field impulse number With which they pressed on each other in this step. · N s
----@field speed number How fast they approached each other. · m/s
----@field friction number Mixed from both surfaces.
+---@field point vec Point of the contact in the world. · m
+---@field normal vec Direction from this body to the other; its length is 1.
+---@field impulse number Impulse between them in this step. · N s
+---@field speed number Speed at which they approached each other. · m/s
+---@field friction number Coefficient mixed from both surfaces.
 ---@field restitution number Mixed from both surfaces.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The shape came into a sensor, or as a sensor was come into.
+---The shape entered a sensor, or a shape entered this sensor.
 ---@class Shape.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
 ---@field shape Shape The shape of this body.
@@ -893,56 +893,56 @@ Body = {}
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----The shape left a sensor, or as a sensor was left.
+---The shape left a sensor, or a shape left this sensor.
 ---@class Shape.sensor_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then it still tells alive(), name, class and is_a().
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
 ---@field shape Shape The shape of this body.
 ---@field other_shape Shape? The shape of the other; nil for the bounds.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----A part of a body: where it is solid, how heavy and how slippery it is there.
+---A part of a body with an outline, a density and a surface.
 ---@class Shape : Object
----@field aabb vec[] Lower left and upper right corner of the box round it, in the world. · m · any length · read-only, simulated
----@field area number Of the shape, rounding included. · m² · any finite number · read-only
----@field border color Of its outline; darker than its color unless one is given. · channels 0 to 1 · default color("#2c476a")
----@field category integer What it is, as bits. Two shapes collide when each one's mask has a bit of the other's category. · any integer · default 1
----@field color color Fills it. Without one of its own it has its body's, or goes by the body's type. · channels 0 to 1 · default color("#619eeb")
+---@field aabb vec[] Lower left and upper right corner of its bounding box in the world. · m · any length · read-only, simulated
+---@field area number Area of the shape, rounding included. · m² · any finite number · read-only
+---@field border color Color of its outline; a darker fill color unless it is set. · channels 0 to 1 · default color("#2c476a")
+---@field category integer Its categories, as bits. Two shapes collide if each one's mask has a bit of the other's category. · any integer · default 1
+---@field color color Color of the fill. Unless it is set, the color of the body, or a color for the type of the body. · channels 0 to 1 · default color("#619eeb")
 ---@field density number Mass per area. · kg/m² · at least 0 · default 1
----@field friction number Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the geometric mean of theirs, or what the world's friction_mix says. · at least 0 · default 0.6
----@field group integer Shapes of one group, when it is not 0, always collide (above 0) or never do (below), whatever their masks. · -2147483648 to 2147483647 · default 0
----@field mask integer What it collides with, as bits of categories; -1 is everything. · any integer · default -1
----@field restitution number How much of the approaching speed comes back. Two shapes in contact use the greater of theirs, or what the world's restitution_mix says. · 0 to 1 · default 0
----@field rolling_resistance number Brakes rolling: lever of the resisting torque as a share of the radius. · at least 0 · default 0
----@field sensor boolean Tells what overlaps it, and pushes nothing. · true or false · default false
----@field surface_speed number A conveyor belt: how fast the surface runs, counter-clockwise round the shape. · m/s · any finite number · default 0
----@field visible boolean Whether it is drawn; it collides all the same. · true or false · default true
+---@field friction number Coulomb coefficient: 0 is like ice, 1 like rubber. Two shapes in contact use the geometric mean of their coefficients, or the world's friction_mix. · at least 0 · default 0.6
+---@field group integer Shapes with an equal group other than 0 always collide (above 0) or never collide (below 0), whatever their masks are. · -2147483648 to 2147483647 · default 0
+---@field mask integer Categories with which it collides, as bits; -1 is all. · any integer · default -1
+---@field restitution number Share of the speed of approach with which shapes separate. Two shapes in contact use the greater of their values, or the world's restitution_mix. · 0 to 1 · default 0
+---@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius. · at least 0 · default 0
+---@field sensor boolean True if it reports overlapping shapes and does not push them. · true or false · default false
+---@field surface_speed number Speed of the surface, as of a conveyor belt, counter-clockwise around the shape. · m/s · any finite number · default 0
+---@field visible boolean True if it is drawn; it collides in any case. · true or false · default true
 ---@field world_vertices vec[] Its corners or points in the world, without rounding; a circle or an ellipse has none. · m · any length · read-only, simulated
 local fettle_Shape = {}
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: Shape, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: Shape, event: "deleted", handler: fun(told: Existence)): Connection
----@overload fun(self: Shape, event: "contact_begin", handler: fun(told: Shape.contact_begin)): Connection
----@overload fun(self: Shape, event: "contact_persist", handler: fun(told: Shape.contact_persist)): Connection
----@overload fun(self: Shape, event: "before_solve", handler: fun(told: Shape.before_solve)): Connection
----@overload fun(self: Shape, event: "contact_end", handler: fun(told: Shape.contact_end)): Connection
----@overload fun(self: Shape, event: "contact_hit", handler: fun(told: Shape.contact_hit)): Connection
----@overload fun(self: Shape, event: "sensor_begin", handler: fun(told: Shape.sensor_begin)): Connection
----@overload fun(self: Shape, event: "sensor_end", handler: fun(told: Shape.sensor_end)): Connection
+---@overload fun(self: Shape, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Shape, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Shape, event: "contact_begin", handler: fun(record: Shape.contact_begin)): Connection
+---@overload fun(self: Shape, event: "contact_persist", handler: fun(record: Shape.contact_persist)): Connection
+---@overload fun(self: Shape, event: "before_solve", handler: fun(record: Shape.before_solve)): Connection
+---@overload fun(self: Shape, event: "contact_end", handler: fun(record: Shape.contact_end)): Connection
+---@overload fun(self: Shape, event: "contact_hit", handler: fun(record: Shape.contact_hit)): Connection
+---@overload fun(self: Shape, event: "sensor_begin", handler: fun(record: Shape.sensor_begin)): Connection
+---@overload fun(self: Shape, event: "sensor_end", handler: fun(record: Shape.sensor_end)): Connection
 function fettle_Shape:on(event, handler) end
 
----A part of a body: where it is solid, how heavy and how slippery it is there.
+---A part of a body with an outline, a density and a surface.
 ---@class Class.Shape : Class
 Shape = {}
 
 ---A disc.
 ---@class Circle : Shape
----@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
----@field radius number From its center to its rim. · m · 0.00001 to 1000000 · default 0.5
+---@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field radius number Distance from its center to its rim. · m · 0.00001 to 1000000 · default 0.5
 local fettle_Circle = {}
 
 ---A disc.
@@ -952,11 +952,11 @@ Circle = {}
 
 ---A rectangle.
 ---@class Box : Shape
----@field angle number How far it is turned on its body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
----@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
----@field height number From bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
+---@field angle number Its angle on the body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
+---@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field height number Distance from bottom to top, rounding included. · m · 0.00001 to 1000000 · default 1
 ---@field rounding number Radius of its corners; more than half the smaller side counts as half. · m · 0 to 1000000 · default 0
----@field width number From its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
+---@field width number Distance from its left to its right side, rounding included. · m · 0.00001 to 1000000 · default 1
 local fettle_Box = {}
 
 ---A rectangle.
@@ -964,22 +964,22 @@ local fettle_Box = {}
 ---@overload fun(members?: table): Box
 Box = {}
 
----A straight line without thickness; it weighs nothing.
+---A straight line without thickness and without mass.
 ---@class Segment : Shape
----@field from vec One end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(-0.5, 0)
----@field to vec The other end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0.5, 0)
+---@field from vec One end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(-0.5, 0)
+---@field to vec The other end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0.5, 0)
 local fettle_Segment = {}
 
----A straight line without thickness; it weighs nothing.
+---A straight line without thickness and without mass.
 ---@class Class.Segment : Class
 ---@overload fun(members?: table): Segment
 Segment = {}
 
 ---A straight line with round ends and a thickness.
 ---@class Capsule : Shape
----@field from vec One end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(-0.25, 0)
----@field radius number Around the line between its ends. · m · 0.00001 to 1000000 · default 0.25
----@field to vec The other end, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0.25, 0)
+---@field from vec One end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(-0.25, 0)
+---@field radius number Radius around the line between its ends. · m · 0.00001 to 1000000 · default 0.25
+---@field to vec The other end in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0.25, 0)
 local fettle_Capsule = {}
 
 ---A straight line with round ends and a thickness.
@@ -989,12 +989,12 @@ Capsule = {}
 
 ---A convex polygon.
 ---@class Polygon : Shape
----@field rounding number Radius that is added all round it. · m · 0 to 1000000 · default 0
----@field vertices vec[] Its corners in the body's coordinates, counter-clockwise. What is written is made convex: the hull of the points becomes the shape. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
+---@field rounding number Radius that is added on all sides. · m · 0 to 1000000 · default 0
+---@field vertices vec[] Its corners in the coordinates of the body, counter-clockwise. The convex hull of the written points becomes the shape. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0, 0.5)}
 local fettle_Polygon = {}
 
----Makes the polygon reach as far as that point; one inside changes nothing.
----@param point vec In the body's coordinates. · m
+---Extends the polygon to that point; a point inside changes nothing.
+---@param point vec A point in the coordinates of the body. · m
 function fettle_Polygon:add_vertex(point) end
 
 ---A convex polygon.
@@ -1004,10 +1004,10 @@ Polygon = {}
 
 ---An ellipse, exactly.
 ---@class Ellipse : Shape
----@field angle number How far it is turned on its body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
----@field center vec Its middle, in the body's coordinates. · m · -1000000 to 1000000 · default vec(0, 0)
----@field radius_x number Half its width, before it is turned. · m · 0.00001 to 1000000 · default 0.5
----@field radius_y number Half its height, before it is turned. · m · 0.00001 to 1000000 · default 0.25
+---@field angle number Its angle on the body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
+---@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field radius_x number Half its width at angle 0. · m · 0.00001 to 1000000 · default 0.5
+---@field radius_y number Half its height at angle 0. · m · 0.00001 to 1000000 · default 0.25
 local fettle_Ellipse = {}
 
 ---An ellipse, exactly.
@@ -1015,92 +1015,92 @@ local fettle_Ellipse = {}
 ---@overload fun(members?: table): Ellipse
 Ellipse = {}
 
----A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
+---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the body's coordinates, in either sense of rotation. An outline that crosses or touches itself is refused, and so is a hole. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
----A polygon that may be concave. It collides in convex pieces, and is one shape all the same.
+---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Class.Concave : Class
 ---@overload fun(members?: table): Concave
 Concave = {}
 
----A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
+---A line of segments without seams, solid on its left: points from left to right are ground; a closed counter-clockwise chain is a container. Bodies pass through it from the other side.
 ---@class Chain : Shape
----@field closed boolean Whether it goes on from the last point to the first; that takes three points. · true or false · default false
----@field points vec[] In the body's coordinates. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
+---@field closed boolean True if the last point is connected to the first; this needs three points. · true or false · default false
+---@field points vec[] Its points in the coordinates of the body. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
 local fettle_Chain = {}
 
----A line of segments without seams, solid on its left: points from left to right are ground, a closed counter-clockwise chain holds what is inside. From behind everything passes.
+---A line of segments without seams, solid on its left: points from left to right are ground; a closed counter-clockwise chain is a container. Bodies pass through it from the other side.
 ---@class Class.Chain : Class
 ---@overload fun(members?: table): Chain
 Chain = {}
 
----It bore more than its break_force or break_torque.
+---Its force or torque was larger than break_force or break_torque.
 ---@class Joint.broke
----@field force vec That it had to bear. · N
----@field torque number Besides that of the force. · N m
+---@field force vec Force of the joint when it broke. · N
+---@field torque number Torque of the joint when it broke, besides that of the force. · N m
 ---@field instance Joint To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----Ties bodies together or to the world. It acts while it and its bodies are in the same world.
+---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
 ---@class Joint : Object
----@field break_force number It breaks when it has to bear more, in the mean over a step; infinite: never. · N · 0 to inf · default inf · may be infinite
----@field break_torque number It breaks when it has to bear more, besides the torque of its force. · N m · 0 to inf · default inf · may be infinite
----@field broken boolean It bore too much and does not act; false mends it. · true or false · default false · simulated
----@field enabled boolean Whether it acts. · true or false · default true
----@field force vec What it pulled its body, or body_b, with in the last step. · N · any finite vec · read-only, simulated
----@field torque number What it turned body_b with in the last step, besides what its force does. · N m · any finite number · read-only, simulated
+---@field break_force number It breaks if its force is larger, as the mean of a step; infinite: never. · N · 0 to inf · default inf · may be infinite
+---@field break_torque number It breaks if its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
+---@field broken boolean True if it broke and does not act; false repairs it. · true or false · default false · simulated
+---@field enabled boolean True if it may act. · true or false · default true
+---@field force vec Force on its body, or on body_b, in the last step. · N · any finite vec · read-only, simulated
+---@field torque number Torque on body_b in the last step, besides that of its force. · N m · any finite number · read-only, simulated
 local fettle_Joint = {}
 
----Calls the function when the event happens to it.
+---Calls the function with a record when the instance has the event.
 ---@param event string
----@param handler fun(told: any)
+---@param handler fun(record: any)
 ---@return Connection
----@overload fun(self: Joint, event: "ready", handler: fun(told: Object.ready)): Connection
----@overload fun(self: Joint, event: "deleted", handler: fun(told: Existence)): Connection
----@overload fun(self: Joint, event: "broke", handler: fun(told: Joint.broke)): Connection
+---@overload fun(self: Joint, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Joint, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Joint, event: "broke", handler: fun(record: Joint.broke)): Connection
 function fettle_Joint:on(event, handler) end
 
----Ties bodies together or to the world. It acts while it and its bodies are in the same world.
+---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
 ---@class Class.Joint : Class
 Joint = {}
 
----Pulls a point of a body softly towards a target: how a mouse drags.
+---Pulls a point of a body softly towards a target, as for dragging with the mouse.
 ---@class MouseJoint : Joint
----@field anchor vec The point of the body that is pulled, in its coordinates. Unless one is given, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default computed · simulated
----@field body Body? What is pulled; nil: nothing. · any Body · default nil
----@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0.7
----@field frequency number How stiff it is; 0 is slack. · Hz · at least 0 · default 5
----@field max_force number It never pulls harder. · N · 0 to inf · default inf · may be infinite
----@field target vec Where it is pulled to, in the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field anchor vec The point of the body that is pulled, in its coordinates. Unless it is set, the point that was at the target when the joint began to act. · m · -100000000 to 100000000 · default computed · simulated
+---@field body Body? The body that is pulled; nil: none. · any Body · default nil
+---@field damping_ratio number Damping ratio; with 1 it comes to rest without swinging. · at least 0 · default 0.7
+---@field frequency number Stiffness; 0 is free. · Hz · at least 0 · default 5
+---@field max_force number Largest force. · N · 0 to inf · default inf · may be infinite
+---@field target vec Position in the world to which it is pulled. · m · -100000000 to 100000000 · default vec(0, 0)
 local fettle_MouseJoint = {}
 
----Pulls a point of a body softly towards a target: how a mouse drags.
+---Pulls a point of a body softly towards a target, as for dragging with the mouse.
 ---@class Class.MouseJoint : Class
 ---@overload fun(members?: table): MouseJoint
 MouseJoint = {}
 
----Ties two bodies, or one to the world. While both are the same, it does not act.
+---Connects two bodies, or one with the world. While both are the same, it does not act.
 ---@class PairJoint : Joint
----@field anchor_a vec The point where that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
----@field anchor_b vec The point where that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
----@field body_a Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
----@field body_b Body? One of the two that are tied; nil: the world. When it is deleted, the joint does not act until it is given another, or nil. · any Body · default nil
----@field collide boolean Whether the two bodies collide with each other. · true or false · default false
+---@field anchor_a vec The point at which that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field anchor_b vec The point at which that body is held, in its coordinates, or in those of the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field body_a Body? One of the two connected bodies; nil: the world. When the body is deleted, the joint does not act until this is set to another body or to nil. · any Body · default nil
+---@field body_b Body? One of the two connected bodies; nil: the world. When the body is deleted, the joint does not act until this is set to another body or to nil. · any Body · default nil
+---@field collide boolean True if the two bodies collide with each other. · true or false · default false
 local fettle_PairJoint = {}
 
----Ties two bodies, or one to the world. While both are the same, it does not act.
+---Connects two bodies, or one with the world. While both are the same, it does not act.
 ---@class Class.PairJoint : Class
 PairJoint = {}
 
 ---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
 ---@class DistanceJoint : PairJoint
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
----@field hertz number How stiff the spring is; infinite is a rod, 0 is slack between the limits. · Hz · 0 to inf · default inf · may be infinite
----@field length number Of the rod, or of the spring at rest. Unless one is given, the distance when the joint began to act. · m · at least 0 · default computed · simulated
----@field max_length number The anchors go no farther apart. Where min_length is above it, this counts. · m · 0 to inf · default inf · may be infinite
----@field min_length number The anchors come no nearer. · m · at least 0 · default 0
+---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
+---@field hertz number Stiffness of the spring; infinite is a rod, 0 is free between the limits. · Hz · 0 to inf · default inf · may be infinite
+---@field length number Length of the rod, or of the spring at rest. Unless it is set, the distance when the joint began to act. · m · at least 0 · default computed · simulated
+---@field max_length number Largest distance of the anchors. If min_length is larger, both are this distance. · m · 0 to inf · default inf · may be infinite
+---@field min_length number Smallest distance of the anchors. · m · at least 0 · default 0
 local fettle_DistanceJoint = {}
 
 ---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
@@ -1110,16 +1110,16 @@ DistanceJoint = {}
 
 ---A pin through two bodies, about which they turn.
 ---@class RevoluteJoint : PairJoint
----@field angle number Of body_b against body_a, less the reference_angle. · rad · any finite number · read-only, simulated
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field angle number Angle of body_b relative to body_a, less the reference_angle. · rad · any finite number · read-only, simulated
+---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number Stiffness of a spring to the target_angle; 0: none. · Hz · at least 0 · default 0
----@field lower_angle number It turns no further back. · rad · any number, infinite too · default -inf · may be infinite
----@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
----@field motor_speed number What the motor turns body_b with. · rad/s · any finite number · default 0
----@field motor_torque number What the motor gave in the last step. · N m · any finite number · read-only, simulated
----@field reference_angle number The angle that counts as 0. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
----@field target_angle number What the spring turns it to. · rad · any finite number · default 0
----@field upper_angle number It turns no further on. Where lower_angle is above it, this counts. · rad · any number, infinite too · default inf · may be infinite
+---@field lower_angle number Smallest angle. · rad · any number, infinite too · default -inf · may be infinite
+---@field max_motor_torque number Largest torque of the motor; 0: no motor. · N m · 0 to inf · default 0 · may be infinite
+---@field motor_speed number Angular velocity to which the motor drives body_b. · rad/s · any finite number · default 0
+---@field motor_torque number Torque of the motor in the last step. · N m · any finite number · read-only, simulated
+---@field reference_angle number The angle that counts as 0. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field target_angle number Angle at which the spring rests. · rad · any finite number · default 0
+---@field upper_angle number Largest angle. If lower_angle is larger, both are this angle. · rad · any number, infinite too · default inf · may be infinite
 local fettle_RevoluteJoint = {}
 
 ---A pin through two bodies, about which they turn.
@@ -1129,17 +1129,17 @@ RevoluteJoint = {}
 
 ---Lets body_b slide along an axis of body_a without turning.
 ---@class PrismaticJoint : PairJoint
----@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field axis vec Direction of sliding, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
+---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · at least 0 · default 0
----@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
----@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
----@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
----@field motor_speed number What the motor moves body_b with. · m/s · any finite number · default 0
----@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
----@field target_translation number Where the spring brings it to. · m · any finite number · default 0
----@field translation number How far anchor_b is from anchor_a along the axis. · m · any finite number · read-only, simulated
----@field upper_translation number It slides no further on. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+---@field lower_translation number Smallest translation. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_force number Largest force of the motor; 0: no motor. · N · 0 to inf · default 0 · may be infinite
+---@field motor_force number Force of the motor in the last step. · N · any finite number · read-only, simulated
+---@field motor_speed number Speed to which the motor drives body_b. · m/s · any finite number · default 0
+---@field reference_angle number The angle of body_b relative to body_a that it holds. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field target_translation number Translation at which the spring rests. · m · any finite number · default 0
+---@field translation number Distance of anchor_b from anchor_a along the axis. · m · any finite number · read-only, simulated
+---@field upper_translation number Largest translation. If lower_translation is larger, both are this translation. · m · any number, infinite too · default inf · may be infinite
 local fettle_PrismaticJoint = {}
 
 ---Lets body_b slide along an axis of body_a without turning.
@@ -1149,16 +1149,16 @@ PrismaticJoint = {}
 
 ---A pin of body_b in a straight slot of body_a: it slides, and turns freely.
 ---@class PinSlotJoint : PairJoint
----@field axis vec Along which it slides, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0
+---@field axis vec Direction of sliding, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(1, 0)
+---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number Stiffness of a spring to the target_translation; 0: none. · Hz · at least 0 · default 0
----@field lower_translation number It slides no further back. · m · any number, infinite too · default -inf · may be infinite
----@field max_motor_force number The motor is no stronger; 0: there is none. · N · 0 to inf · default 0 · may be infinite
----@field motor_force number What the motor gave in the last step. · N · any finite number · read-only, simulated
----@field motor_speed number What the motor moves body_b with. · m/s · any finite number · default 0
----@field target_translation number Where the spring brings it to. · m · any finite number · default 0
----@field translation number How far anchor_b is from anchor_a along the axis. · m · any finite number · read-only, simulated
----@field upper_translation number It slides no further on. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+---@field lower_translation number Smallest translation. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_force number Largest force of the motor; 0: no motor. · N · 0 to inf · default 0 · may be infinite
+---@field motor_force number Force of the motor in the last step. · N · any finite number · read-only, simulated
+---@field motor_speed number Speed to which the motor drives body_b. · m/s · any finite number · default 0
+---@field target_translation number Translation at which the spring rests. · m · any finite number · default 0
+---@field translation number Distance of anchor_b from anchor_a along the axis. · m · any finite number · read-only, simulated
+---@field upper_translation number Largest translation. If lower_translation is larger, both are this translation. · m · any number, infinite too · default inf · may be infinite
 local fettle_PinSlotJoint = {}
 
 ---A pin of body_b in a straight slot of body_a: it slides, and turns freely.
@@ -1168,8 +1168,8 @@ PinSlotJoint = {}
 
 ---A pin of body_b in a groove of body_a from anchor_a to groove_end.
 ---@class GrooveJoint : PairJoint
----@field groove_end vec In the coordinates of body_a. · m · -100000000 to 100000000 · default vec(1, 0)
----@field translation number How far the pin is from the begin of the groove. · m · any finite number · read-only, simulated
+---@field groove_end vec End of the groove in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(1, 0)
+---@field translation number Distance of the pin from the beginning of the groove. · m · any finite number · read-only, simulated
 local fettle_GrooveJoint = {}
 
 ---A pin of body_b in a groove of body_a from anchor_a to groove_end.
@@ -1179,15 +1179,15 @@ GrooveJoint = {}
 
 ---A wheel, body_b, that is sprung along an axis of body_a and may be driven.
 ---@class WheelJoint : PairJoint
----@field axis vec Of the spring, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(0, 1)
----@field damping_ratio number Of the spring; 1 comes to rest without swinging. · at least 0 · default 0.7
----@field hertz number How stiff the spring is; 0: there is none. · Hz · at least 0 · default 4
----@field lower_translation number The axle goes no further down. · m · any number, infinite too · default -inf · may be infinite
----@field max_motor_torque number The motor is no stronger; 0: there is none. · N m · 0 to inf · default 0 · may be infinite
----@field motor_speed number What the motor turns the wheel with, counter-clockwise. · rad/s · any finite number · default 0
----@field motor_torque number What the motor gave in the last step. · N m · any finite number · read-only, simulated
----@field translation number How far the axle is from where the spring rests. · m · any finite number · read-only, simulated
----@field upper_translation number The axle goes no further up. Where lower_translation is above it, this counts. · m · any number, infinite too · default inf · may be infinite
+---@field axis vec Direction of the spring, in the coordinates of body_a; of any length but 0. · any finite vec · default vec(0, 1)
+---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0.7
+---@field hertz number Stiffness of the spring; 0: no spring. · Hz · at least 0 · default 4
+---@field lower_translation number Smallest translation of the axle. · m · any number, infinite too · default -inf · may be infinite
+---@field max_motor_torque number Largest torque of the motor; 0: no motor. · N m · 0 to inf · default 0 · may be infinite
+---@field motor_speed number Angular velocity to which the motor drives the wheel, counter-clockwise. · rad/s · any finite number · default 0
+---@field motor_torque number Torque of the motor in the last step. · N m · any finite number · read-only, simulated
+---@field translation number Distance of the axle from the position at which the spring rests. · m · any finite number · read-only, simulated
+---@field upper_translation number Largest translation of the axle. If lower_translation is larger, both are this translation. · m · any number, infinite too · default inf · may be infinite
 local fettle_WheelJoint = {}
 
 ---A wheel, body_b, that is sprung along an axis of body_a and may be driven.
@@ -1197,11 +1197,11 @@ WheelJoint = {}
 
 ---Holds two bodies together, rigidly or as a spring.
 ---@class WeldJoint : PairJoint
----@field angular_damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0
----@field angular_hertz number How stiff it holds the angle; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
----@field damping_ratio number 1 comes to rest without swinging. · at least 0 · default 0
----@field hertz number How stiff it holds the point; infinite is rigid, 0 not at all. · Hz · 0 to inf · default inf · may be infinite
----@field reference_angle number The angle of body_b against body_a that it holds. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field angular_damping_ratio number Damping ratio of the angle; with 1 it comes to rest without swinging. · at least 0 · default 0
+---@field angular_hertz number Stiffness of the angle; infinite is rigid, 0 is free. · Hz · 0 to inf · default inf · may be infinite
+---@field damping_ratio number Damping ratio; with 1 it comes to rest without swinging. · at least 0 · default 0
+---@field hertz number Stiffness of the point; infinite is rigid, 0 is free. · Hz · 0 to inf · default inf · may be infinite
+---@field reference_angle number The angle of body_b relative to body_a that it holds. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
 local fettle_WeldJoint = {}
 
 ---Holds two bodies together, rigidly or as a spring.
@@ -1209,30 +1209,30 @@ local fettle_WeldJoint = {}
 ---@overload fun(members?: table): WeldJoint
 WeldJoint = {}
 
----Drives body_b against body_a by at most a force and a torque: to a velocity or, with a hertz, to an offset. At rest it is the friction of a game seen from above.
+---Drives body_b relative to body_a with a limited force and torque: to a velocity or, with a hertz, to an offset. With velocity 0 it is the friction of a game seen from above.
 ---@class MotorJoint : PairJoint
----@field angular_offset number The angle of body_b against body_a that it drives to. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
----@field angular_velocity number Of body_b against body_a that it drives to. · rad/s · any finite number · default 0
----@field damping_ratio number Of the drive to the offsets: 1 comes to rest without swinging. · at least 0 · default 1
----@field hertz number How stiff it drives to the offsets; 0: not at all. · Hz · at least 0 · default 0
----@field linear_offset vec Of anchor_b from anchor_a that it drives to, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
----@field linear_velocity vec Of anchor_b against anchor_a that it drives to, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
----@field max_force number It pushes no harder. · N · 0 to inf · default 0 · may be infinite
----@field max_torque number It turns no harder. · N m · 0 to inf · default 0 · may be infinite
+---@field angular_offset number Target angle of body_b relative to body_a. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field angular_velocity number Target angular velocity of body_b relative to body_a. · rad/s · any finite number · default 0
+---@field damping_ratio number Damping ratio of the drive to the offsets; with 1 it comes to rest without swinging. · at least 0 · default 1
+---@field hertz number Stiffness of the drive to the offsets; 0: none. · Hz · at least 0 · default 0
+---@field linear_offset vec Target position of anchor_b relative to anchor_a, in the coordinates of body_a. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field linear_velocity vec Target velocity of anchor_b relative to anchor_a, in the coordinates of body_a. · m/s · any finite vec · default vec(0, 0)
+---@field max_force number Largest force. · N · 0 to inf · default 0 · may be infinite
+---@field max_torque number Largest torque. · N m · 0 to inf · default 0 · may be infinite
 local fettle_MotorJoint = {}
 
----Drives body_b against body_a by at most a force and a torque: to a velocity or, with a hertz, to an offset. At rest it is the friction of a game seen from above.
+---Drives body_b relative to body_a with a limited force and torque: to a velocity or, with a hertz, to an offset. With velocity 0 it is the friction of a game seen from above.
 ---@class Class.MotorJoint : Class
 ---@overload fun(members?: table): MotorJoint
 MotorJoint = {}
 
 ---A rope from body_a over two wheels of the world to body_b. It only pulls.
 ---@class PulleyJoint : PairJoint
----@field ground_a vec The wheel over body_a, in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
----@field ground_b vec The wheel over body_b, in the world. · m · -100000000 to 100000000 · default vec(1, 1)
----@field length number Of the part at body_a and ratio times that at body_b. Unless one is given, the length when the joint began to act. · m · at least 0 · default computed · simulated
----@field ratio number How many parts of the rope pull body_b. · 0.001 to 1000 · default 1
----@field tension number Of the rope in the last step. · N · any finite number · read-only, simulated
+---@field ground_a vec Position of the wheel over body_a in the world. · m · -100000000 to 100000000 · default vec(-1, 1)
+---@field ground_b vec Position of the wheel over body_b in the world. · m · -100000000 to 100000000 · default vec(1, 1)
+---@field length number Length of the part at body_a plus ratio times that at body_b. Unless it is set, the length when the joint began to act. · m · at least 0 · default computed · simulated
+---@field ratio number Number of parts of the rope that pull body_b. · 0.001 to 1000 · default 1
+---@field tension number Force in the rope in the last step. · N · any finite number · read-only, simulated
 local fettle_PulleyJoint = {}
 
 ---A rope from body_a over two wheels of the world to body_b. It only pulls.
@@ -1242,8 +1242,8 @@ PulleyJoint = {}
 
 ---Turns body_b with body_a.
 ---@class GearJoint : PairJoint
----@field phase number The angle of body_b less ratio times that of body_a. Unless one is given, what it was when the joint began to act. · rad · any finite number · default computed · simulated
----@field ratio number How far body_b turns when body_a turns once: negative where wheels mesh, positive where a belt joins them. · any finite number · default 1
+---@field phase number The angle of body_b less ratio times that of body_a. Unless it is set, its value when the joint began to act. · rad · any finite number · default computed · simulated
+---@field ratio number Turns of body_b for one turn of body_a: negative for wheels that mesh, positive for wheels with a belt. · any finite number · default 1
 local fettle_GearJoint = {}
 
 ---Turns body_b with body_a.
@@ -1251,76 +1251,76 @@ local fettle_GearJoint = {}
 ---@overload fun(members?: table): GearJoint
 GearJoint = {}
 
----Lets body_b turn against body_a one way only.
+---Lets body_b turn relative to body_a in one direction only.
 ---@class RatchetJoint : PairJoint
----@field backwards boolean Clockwise is free instead of counter-clockwise. · true or false · default false
----@field caught_angle number It does not turn back beyond this. · rad · any finite number · read-only, simulated
----@field reference_angle number The angle that counts as 0, where a tooth is. Unless one is given, the angle when the joint began to act. · rad · any finite number · default computed · simulated
----@field tooth number From tooth to tooth; 0: it holds at any angle. · rad · at least 0 · default 0
+---@field backwards boolean True if clockwise is the free direction, and not counter-clockwise. · true or false · default false
+---@field caught_angle number It does not turn back beyond this angle. · rad · any finite number · read-only, simulated
+---@field reference_angle number The angle that counts as 0, at which a tooth is. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field tooth number Angle between two teeth; 0: it holds at any angle. · rad · at least 0 · default 0
 local fettle_RatchetJoint = {}
 
----Lets body_b turn against body_a one way only.
+---Lets body_b turn relative to body_a in one direction only.
 ---@class Class.RatchetJoint : Class
 ---@overload fun(members?: table): RatchetJoint
 RatchetJoint = {}
 
----A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes all.
+---A field of force: it acts on bodies that are awake in the world above it. An edit of it wakes all bodies.
 ---@class Field : Object
----@field enabled boolean Whether it acts. · true or false · default true
----@field mask integer It acts on shapes of these categories, as bits. · any integer · default -1
----@field region vec[]? Where it acts, by its lower left and upper right corner: on shapes that reach into it (Buoyancy), or whose body has its center of mass there; nil: everywhere. · m · -100000000 to 100000000 · default nil · may be nil
+---@field enabled boolean True if it acts. · true or false · default true
+---@field mask integer Categories of the shapes on which it acts, as bits. · any integer · default -1
+---@field region vec[]? Region in which it acts, by its lower left and upper right corner: on shapes that overlap it (Buoyancy), or whose body has its center of mass inside; nil: everywhere. · m · -100000000 to 100000000 · default nil · may be nil
 local fettle_Field = {}
 
----A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes all.
+---A field of force: it acts on bodies that are awake in the world above it. An edit of it wakes all bodies.
 ---@class Class.Field : Class
 Field = {}
 
----Moving air: presses on every edge that faces it, by the square of its speed.
+---Moving air: pushes every edge that faces it, by the square of its speed.
 ---@class Wind : Field
----@field density number Of the air. · kg/m² · at least 0 · default 1.2
----@field velocity vec Of the air. · m/s · any finite vec · default vec(5, 0)
+---@field density number Density of the air. · kg/m² · at least 0 · default 1.2
+---@field velocity vec Velocity of the air. · m/s · any finite vec · default vec(5, 0)
 local fettle_Wind = {}
 
----Moving air: presses on every edge that faces it, by the square of its speed.
+---Moving air: pushes every edge that faces it, by the square of its speed.
 ---@class Class.Wind : Class
 ---@overload fun(members?: table): Wind
 Wind = {}
 
----Slows what moves against a flow, by the area of its shapes.
+---Slows bodies that move relative to a flow, by the area of their shapes.
 ---@class Drag : Field
----@field flow vec What it slows things to. · m/s · any finite vec · default vec(0, 0)
+---@field flow vec Velocity of the flow. · m/s · any finite vec · default vec(0, 0)
 ---@field linear number Resistance for each m/s and m². · N s/m³ · at least 0 · default 1
 ---@field quadratic number Resistance for each (m/s)² and m². · N s²/m⁴ · at least 0 · default 0
 local fettle_Drag = {}
 
----Slows what moves against a flow, by the area of its shapes.
+---Slows bodies that move relative to a flow, by the area of their shapes.
 ---@class Class.Drag : Class
 ---@overload fun(members?: table): Drag
 Drag = {}
 
----A liquid below a straight surface: lifts by the weight of what is displaced, exactly.
+---A liquid below a straight surface: lifts bodies by exactly the weight of the displaced liquid.
 ---@class Buoyancy : Field
----@field density number Of the liquid. · kg/m² · at least 0 · default 2
+---@field density number Density of the liquid. · kg/m² · at least 0 · default 2
 ---@field drag number Share of the displaced mass that resists motion. · 1/s · at least 0 · default 2
----@field flow vec Of the liquid. · m/s · any finite vec · default vec(0, 0)
----@field level number Of the surface, along its normal from the origin. · m · any finite number · default 0
----@field normal vec Up from the surface; of any length but 0. · any finite vec · default vec(0, 1)
+---@field flow vec Velocity of the liquid. · m/s · any finite vec · default vec(0, 0)
+---@field level number Height of the surface, along its normal from the origin. · m · any finite number · default 0
+---@field normal vec Direction up from the surface; of any length but 0. · any finite vec · default vec(0, 1)
 local fettle_Buoyancy = {}
 
----A liquid below a straight surface: lifts by the weight of what is displaced, exactly.
+---A liquid below a straight surface: lifts bodies by exactly the weight of the displaced liquid.
 ---@class Class.Buoyancy : Class
 ---@overload fun(members?: table): Buoyancy
 Buoyancy = {}
 
----Pulls everything towards a point, as a planet does.
+---Pulls bodies towards a point, as a planet does.
 ---@class Attractor : Field
----@field center vec In the world. · m · -100000000 to 100000000 · default vec(0, 0)
----@field core number Nearer than this it pulls in proportion to the distance. · m · at least 0 · default 0.5
----@field falloff integer It falls by this power of the distance. · 0 to 3 · default 2
----@field strength number At a distance of 1 m; negative repels. · m/s² · any finite number · default 10
+---@field center vec Position of the point in the world. · m · -100000000 to 100000000 · default vec(0, 0)
+---@field core number At a smaller distance the force is proportional to the distance. · m · at least 0 · default 0.5
+---@field falloff integer The acceleration is divided by this power of the distance. · 0 to 3 · default 2
+---@field strength number Acceleration at a distance of 1 m; a negative one repels. · m/s² · any finite number · default 10
 local fettle_Attractor = {}
 
----Pulls everything towards a point, as a planet does.
+---Pulls bodies towards a point, as a planet does.
 ---@class Class.Attractor : Class
 ---@overload fun(members?: table): Attractor
 Attractor = {}
@@ -1658,7 +1658,7 @@ time = nil
 ---@type View
 view = nil
 
----Bodies below it are simulated together. Its child `step` tells about the last step.
+---Bodies below it are simulated together. Its child `step` describes the last step.
 ---@type World
 world = nil
 
@@ -1676,13 +1676,13 @@ table = {}
 
 utf8 = {}
 
----Calls the function once, that much simulation time from now. It may wait().
+---Calls the function once, after that much simulation time. The function may call wait().
 ---@param seconds number
 ---@param action fun()
 ---@return Connection
 function after(seconds, action) end
 
----Makes a class whose instances live in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` explains the class, or its properties by name.
+---Defines a class whose instances are in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` describes the class, or its properties by name.
 ---@param name string
 ---@param base? Class|string
 ---@return fun(members: table): Class
@@ -1703,26 +1703,26 @@ function deg(degrees) end
 ---@param slot string
 function delete_save(slot) end
 
----Forgets the tweaks that match: they are neither listed nor made again.
+---Drops the tweaks that match: they are no longer listed or made again.
 ---@param pattern string
 function drop_tweaks(pattern) end
 
----What the function writes is one step of undo under that name.
+---All writes of the function are one step of undo with that name.
 ---@param name string
 ---@param action fun()
 function edit(name, action) end
 
----Calls the function again and again at that interval of simulation time; 0 is every step.
+---Calls the function repeatedly at that interval of simulation time; 0 means every step.
 ---@param seconds number
 ---@param action fun()
 ---@return Connection
 function every(seconds, action) end
 
----Lists every name and documentation that has the word.
+---Lists every name and description that contains the word.
 ---@param word string
 function find(word) end
 
----Assigned to a property, the function is its value from then on: it is called again whenever something it reads has changed. One that raises an error is told once: its module goes on with the last value, and reading the property raises the error; so is one that takes more than 50 million instructions.
+---Assigned to a property, the function computes its value: it is called again whenever something that it reads has changed. If it raises an error, the error is reported once, the module continues with the last value, and reading the property raises the error. More than 50 million instructions are an error, too.
 ---@param value fun(): any
 ---@return Formula
 function formula(value) end
@@ -1731,18 +1731,18 @@ function formula(value) end
 ---@param anything? any
 function help(anything) end
 
----Lists what was edited, the latest first.
+---Lists the edits, the latest first.
 function history() end
 
----Writes the tweaks that match into files: of what came from a scene file into that file, of what a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one file), which the next run reads. keep("world.ball.*").
+---Writes the tweaks that match into files which the next run reads: tweaks of an instance of a scene file into that file, tweaks of an instance that a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one file). keep("world.ball.*").
 ---@param pattern string
 function keep(pattern) end
 
----Goes on with a saved game, from the next barrier. One that is damaged, newer, of another game or of classes that are not defined is an error, and nothing changes. `game` tells `restored`.
+---Continues with a saved game at the next barrier. A save that is damaged, newer, of another game or of classes that are not defined is an error, and nothing changes. `game` emits `restored`.
 ---@param slot string
 function load_game(slot) end
 
----What matches a pattern. Where its last part is the name of a child, a set of instances: query("world.*.circle"). Where it is the name of a property, or a star, which stands for every property, a table of values by path: query("world.*.mass"). An empty set where nothing matches. Formulas in error are left out.
+---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out.
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end
@@ -1751,18 +1751,18 @@ function query(pattern) end
 ---@param status? integer|boolean
 function quit(status) end
 
----A random number in [0, 1), from 1 to n, or from one to the other; from 0 to a number that is no integer; random(0) is any integer, as in Lua. The same for the same seed.
+---A random number in [0, 1), from 1 to n, or between the two arguments; random(x) with an x that is not an integer is between 0 and x; random(0) is any integer, as in Lua. The same seed gives the same numbers.
 ---@return number
 ---@overload fun(n: integer): integer
 ---@overload fun(from: integer, to: integer): integer
 ---@overload fun(from: number, to: number): number
 function random() end
 
----Makes the tweaks of earlier runs that match again.
+---Makes the matching tweaks of earlier runs again.
 ---@param pattern string
 function reapply_tweaks(pattern) end
 
----Does again what undo took back.
+---Repeats the last edit that undo reversed.
 function redo() end
 
 ---Runs another file of the game once, and returns what it returned.
@@ -1770,30 +1770,30 @@ function redo() end
 ---@return any
 function require(name) end
 
----Puts the whole tree back to what it was at a snapshot, at the next barrier between steps. Variables of Lua stay as they are; `game` tells `restored`.
+---Restores the whole tree from a snapshot, at the next barrier between steps. Variables of Lua are not changed; `game` emits `restored`.
 ---@param taken Snapshot
 function restore(taken) end
 
----Goes back by so much simulation time, at the next barrier between steps, as far as the past is kept (`time.oldest`).
+---Goes back by that much simulation time, at the next barrier between steps, but not further than the timeline (`time.oldest`).
 ---@param seconds number
 function rewind(seconds) end
 
----Saves the game in that slot at the next barrier: all of the tree, but no variables of Lua, and of a formula that uses local variables its value only. A slot is called by letters, digits, spaces, - and _. Several calls for one slot before the barrier are one save, as the last of them wants it; more than 1000 calls are an error. Saves lie in a folder for each game in `~/.local/share/fettle/`.
+---Saves the game in that slot at the next barrier: the whole tree, but no variables of Lua; of a formula that uses local variables only the value. The name of a slot consists of letters, digits, spaces, - and _. Several calls for one slot before the barrier make one save, with the state that the last call wants; more than 1000 calls are an error. Saves are in a folder for each game in `~/.local/share/fettle/`.
 ---@param slot string
 function save_game(slot) end
 
----The saved games by slot, those that cannot be loaded too.
+---The saved games by slot, including those that cannot be loaded.
 ---@return SavedGame[]
 function saves() end
 
----The instances of a scene file, placed below the parent; detached without one.
+---Creates the instances of a scene file below the parent; detached without one.
 ---@param file string
 ---@param parent? Object
 ---@param name? string
 ---@return Object
 function scene.load(file, parent, name) end
 
----Writes an instance and everything below it to a scene file of the game. It replaces a scene or nothing: a file of another kind is left as it is, which is an error.
+---Writes an instance and everything below it to a scene file of the game. It may replace a scene file; a file of another kind is left unchanged, which is an error.
 ---@param file string
 ---@param instance Object
 function scene.save(file, instance) end
@@ -1802,10 +1802,10 @@ function scene.save(file, instance) end
 ---@return Snapshot
 function snapshot() end
 
----Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and what of it is kept.
+---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept.
 function tweaks() end
 
----Takes the latest edit back.
+---Reverses the latest edit.
 function undo() end
 
 ---A vector or point; a copy of one; the zero vector.
@@ -1816,7 +1816,7 @@ function undo() end
 ---@overload fun(): vec
 function vec(x, y) end
 
----Inside a coroutine: goes on that much simulation time later.
+---Inside a coroutine: continues after that much simulation time.
 ---@param seconds number
 function wait(seconds) end
 
@@ -1826,11 +1826,11 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Tells who wrote a property last, and at which step: "console:1, step 49". What rewind, restore or load_game took back reads "restore, step 30". The file and line of a script are told of what was watched when it was written; else only "script". Of what the simulation changes, the last other writer is told, and the simulation only where there is none or the property is watched.
+---Prints who wrote a property last, and at which step: "console:1, step 49". For a value that rewind, restore or load_game restored, it prints "restore, step 30". The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
 ---@param path string
 function who(path) end
 
----Tells where the value of a property comes from: its formula, and what that reads.
+---Explains where the value of a property comes from: its formula, and the properties that it reads.
 ---@param path string
 function why(path) end
 
@@ -1841,7 +1841,7 @@ function why(path) end
 ---@return any
 function assert(value, message, ...) end
 
----Collects what nobody uses, or tells how many KiB of memory scripts use.
+---Frees unused memory, or returns how many KiB of memory scripts use.
 ---@param option? "collect"|"step"|"count"
 ---@return number
 function collectgarbage(option) end
@@ -1878,7 +1878,7 @@ function coroutine.running() end
 ---@return "running"|"suspended"|"normal"|"dead"
 function coroutine.status(thread) end
 
----A function that starts or continues a coroutine of its own.
+---A function that starts or continues a new coroutine.
 ---@param action function
 ---@return function
 function coroutine.wrap(action) end
@@ -1893,7 +1893,7 @@ function coroutine.yield(...) end
 ---@param level? integer
 function error(message, level) end
 
----The metatable of a value, or what it shows instead.
+---The metatable of a value, or the value of its field __metatable.
 ---@param value any
 ---@return any
 function getmetatable(value) end
@@ -2042,18 +2042,18 @@ function math.tan(x) end
 ---@return integer?
 function math.tointeger(x) end
 
----Which kind of number it is; nil for what is none.
+---The kind of number; nil if x is not a number.
 ---@param x any
 ---@return "integer"|"float"|nil
 function math.type(x) end
 
----Whether a is below b, both without a sign.
+---Whether a is less than b, both as unsigned integers.
 ---@param a integer
 ---@param b integer
 ---@return boolean
 function math.ult(a, b) end
 
----Some next entry of a table; pairs visits them in order.
+---The next entry of a table after `key`; pairs visits them in order.
 ---@param table table
 ---@param key? any
 ---@return any
@@ -2123,7 +2123,7 @@ function rawlen(value) end
 ---@return table
 function rawset(table, key, value) end
 
----The arguments from a place on, or how many there are.
+---The arguments from that index on, or their number.
 ---@param from integer|"#"
 ---@param ... any
 ---@return any
@@ -2170,14 +2170,14 @@ function string.format(format, ...) end
 ---@return function
 function string.gmatch(text, pattern, from) end
 
----Replaces what matches a pattern, and tells how often.
+---Replaces all matches of a pattern, or at most `max`; returns the text and their number.
 ---@param text string
 ---@param pattern string
 ---@param replacement string|table|function
----@param most? integer
+---@param max? integer
 ---@return string
 ---@return integer
-function string.gsub(text, pattern, replacement, most) end
+function string.gsub(text, pattern, replacement, max) end
 
 ---How many bytes it has.
 ---@param text string
@@ -2208,7 +2208,7 @@ function string.pack(format, ...) end
 ---@return integer
 function string.packsize(format) end
 
----The text so many times.
+---The text repeated `count` times.
 ---@param text string
 ---@param count integer
 ---@param separator? string
@@ -2285,7 +2285,7 @@ function table.sort(list, before) end
 ---@return any
 function table.unpack(list, from, to) end
 
----A text as a number; nil when it is none.
+---A text as a number; nil if it is not one.
 ---@param value any
 ---@param base? integer
 ---@return number?

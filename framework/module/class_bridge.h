@@ -40,9 +40,11 @@ class BridgedClass {
     BridgedClass& operator=(const BridgedClass&) = delete;
 
     const property::Class& declared() const { return *declared_; }
-    /// Snapshots get the rows of this class from the module, not value by value.
+    /// True if the module saves and restores the rows of this class itself. False if a snapshot
+    /// stores each property.
     bool saved_natively() const { return (native_.flags & FETTLE_SAVED_NATIVELY) != 0; }
-    /// Instances with a row in the module; instances of derived classes are included.
+    /// Index and generation of all instances with a row in the module, including those of derived
+    /// classes.
     const std::set<std::pair<std::uint32_t, std::uint32_t>>& instances() const {
         return instances_;
     }
@@ -57,7 +59,7 @@ class BridgedClass {
     void recount();
     /// The bridged property of a declared one; null if it does not belong to this class.
     const BridgedProperty* find(const property::Property& declared) const;
-    /// From now on, no function of the module is called.
+    /// After this, no function of the module is called for this class.
     void abandon();
 
     /// Uses the functions of the new module from now on. A removed property reads as its default
@@ -70,7 +72,7 @@ class BridgedClass {
     property::Property bridged(const fettle_property& native);
     property::Method bridged(const fettle_method& native);
     void write_tags();
-    /// Whether the rows of a class are those of a class of the same module.
+    /// True if the same module makes the rows of the class `base`.
     bool makes_rows_of(const property::Class& base) const;
     static property::Lifecycle lifecycle_of(const fettle_class& native, BridgedClass& self);
 

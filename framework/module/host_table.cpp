@@ -207,10 +207,11 @@ struct HostFunctions {
                 throw Error(ErrorKind::wrong_type, "event " + which.name + ": expected " +
                                                        std::to_string(which.fields.size()) +
                                                        " values, got " + std::to_string(count));
-            property::List told = received(values, count);
-            property::ask(tree, received(instance), which, told, changeable);
+            property::List fields = received(values, count);
+            property::ask(tree, received(instance), which, fields, changeable);
             Outgoing& answers = host.outgoing();
-            for (std::size_t i = changeable; i < told.size(); ++i) values[i] = answers.put(told[i]);
+            for (std::size_t i = changeable; i < fields.size(); ++i)
+                values[i] = answers.put(fields[i]);
         });
     }
     static std::uint32_t accepts(void*, fettle_handle instance) {

@@ -6,24 +6,13 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
+#include "abi_check.h"
 #include "plugin_state.h"
 #include "trial.h"
 
 namespace fettle::module {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-std::string version_text(std::uint32_t abi) {
-    return std::to_string(abi >> 16) + "." + std::to_string(abi & 0xffff);
-}
-
-bool runs_here(std::uint32_t abi) {
-    return abi >> 16 == FETTLE_ABI_MAJOR && (abi & 0xffff) <= FETTLE_ABI_MINOR;
-}
-
-}  // namespace
 
 OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
     OpenModule opened;
@@ -36,16 +25,12 @@ OpenModule Plugin::State::open_file(const ModuleCopy& copy) {
     opened.native.struct_size = sizeof opened.native;
     const fettle_status status = entry(&host.table(), &opened.native);
     const std::string reason = host.take_reason();
-    if (opened.native.abi != 0 && !runs_here(opened.native.abi))
-        throw LoadError(file, "expected a module for version " + version_text(FETTLE_ABI) +
-                                  " of the module interface or an older " +
-                                  std::to_string(FETTLE_ABI_MAJOR) + ".x, found one for " +
-                                  version_text(opened.native.abi));
+    require_supported_abi(file, opened.native.abi);
     if (status != FETTLE_OK)
         throw LoadError(file, "the module refuses: " +
                                   (reason.empty() ? "status " + std::to_string(status) : reason));
     if (opened.native.abi == 0)
-        throw LoadError(file, "expected a module that tells its version, found `abi` 0");
+        throw LoadError(file, "expected a module that sets its version, found `abi` 0");
     if (!property::is_identifier(view(opened.native.name)))
         throw LoadError(file, "expected a module with an identifier for its name, found \"" +
                                   text_or_empty(opened.native.name) + "\"");

@@ -98,9 +98,9 @@ void PhysicsModule::step(double dt) {
                                     ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
     hosting().follow_listeners();
-    hosting().joints.tighten();
+    hosting().joints.connect();
     std::exception_ptr thrown;
-    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         if (hosted->unreported) {  // no `report` was called: old events are dropped
@@ -125,7 +125,7 @@ void PhysicsModule::report(property::Tree& tree) {
         throw std::invalid_argument(
             "PhysicsModule::report: expected the tree that physics is attached to, got another");
     tree.stepped();
-    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->unreported) continue;
         hosted->unreported = false;
@@ -148,7 +148,7 @@ void PhysicsModule::refresh(std::uint64_t what) {
 
 std::uint64_t PhysicsModule::hash() const {
     std::uint64_t combined = 0;
-    for (std::uint32_t n = first_world; n < most_worlds; ++n) {
+    for (std::uint32_t n = first_world; n < max_worlds; ++n) {
         const HostedWorld* hosted = hosting().world_at(n);
         if (hosted == nullptr || !hosted->placed) continue;
         // The hash of a single world is not changed: 0 · anything is 0.

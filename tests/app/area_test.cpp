@@ -19,7 +19,7 @@ std::vector<Trapezoid> cut(const std::vector<Points>& outlines, Area::Rule rule,
     return trapezoids;
 }
 
-/// How many trapezoids hold the center of a pixel.
+/// Number of trapezoids that contain the center of the pixel.
 int covers(const std::vector<Trapezoid>& trapezoids, int x, int y) {
     const float cx = static_cast<float>(x) + 0.5f, cy = static_cast<float>(y) + 0.5f;
     int count = 0;
@@ -33,7 +33,8 @@ int covers(const std::vector<Trapezoid>& trapezoids, int x, int y) {
     return count;
 }
 
-/// How often outlines go round a point: the sum of the angles under which one sees their edges.
+/// Winding number of the outlines around a point: the sum of the angles of their edges as seen from
+/// the point.
 int winding(const std::vector<Points>& outlines, float x, float y) {
     double sum = 0;
     for (const Points& outline : outlines)
@@ -45,7 +46,7 @@ int winding(const std::vector<Points>& outlines, float x, float y) {
     return static_cast<int>(std::lround(sum / 6.283185307));
 }
 
-/// Whether a pixel's center is so near to an edge that rounding decides.
+/// Whether the center of a pixel is so near to an edge that rounding decides on which side it is.
 bool doubtful(const std::vector<Points>& outlines, float x, float y) {
     for (const Points& outline : outlines)
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -57,8 +58,8 @@ bool doubtful(const std::vector<Points>& outlines, float x, float y) {
     return false;
 }
 
-/// Of 100 times 100 pixels, each `step`-th: how many `inside` does not cover as often as the rule
-/// says.
+/// Checks each `step`-th of 100 × 100 pixels; returns the number that `inside` covers although the
+/// rule excludes them, or the reverse.
 int wrong_pixels(const std::vector<Points>& outlines, Area::Rule rule,
                  const std::vector<Trapezoid>& inside, int step = 1) {
     int wrong = 0;
@@ -75,7 +76,7 @@ int wrong_pixels(const std::vector<Points>& outlines, Area::Rule rule,
 
 }  // namespace
 
-TEST_CASE("the inside of a box is one trapezoid") {
+TEST_CASE("the interior of a box is one trapezoid") {
     const auto inside = cut({{{10, 10}, {50, 10}, {50, 40}, {10, 40}}}, Area::Rule::forward);
     REQUIRE(inside.size() == 1);
     CHECK(inside[0].top == 10);
@@ -84,7 +85,7 @@ TEST_CASE("the inside of a box is one trapezoid") {
     CHECK(inside[0].bottom_right == Approx(50));
 }
 
-TEST_CASE("whatever the outline each pixel inside is covered once and none outside") {
+TEST_CASE("each pixel inside any outline is covered once and no pixel outside is covered") {
     std::mt19937 generator(GENERATE(range(1u, 40u)));
     std::uniform_real_distribution<float> place(-20, 120);
     std::uniform_int_distribution<int> count(3, 12);
@@ -97,7 +98,7 @@ TEST_CASE("whatever the outline each pixel inside is covered once and none outsi
     CHECK(wrong_pixels(outlines, rule, inside) == 0);
 }
 
-TEST_CASE("nothing is inside of no outline and of one without an area") {
+TEST_CASE("no outline and an outline without area have an empty interior") {
     CHECK(cut({}, Area::Rule::any_way).empty());
     CHECK(cut({{{10, 10}, {50, 10}}}, Area::Rule::any_way).empty());
     for (const Trapezoid& t : cut({{{10, 10}, {50, 40}, {10, 10}}}, Area::Rule::any_way)) {
@@ -107,8 +108,7 @@ TEST_CASE("nothing is inside of no outline and of one without an area") {
     CHECK(cut({{{10, -90}, {50, -90}, {50, -10}}}, Area::Rule::any_way).empty());
 }
 
-TEST_CASE(
-    "what an outline of many corners needs grows with the corners and not with their square") {
+TEST_CASE("the cost of an outline is proportional to its corners and not to their square") {
     const auto star = [](int corners) {
         Points points;
         for (int i = 0; i < corners; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE(
     CHECK(star(20'000) < 20 * 20'000);
 }
 
-TEST_CASE("a tangle of very many edges is filled as exactly as one of few") {
+TEST_CASE("an outline with very many crossing edges is filled as exactly as a simple one") {
     std::mt19937 generator(7);
     std::uniform_real_distribution<float> place(-20, 120);
     std::vector<Points> outlines(1);
@@ -129,7 +129,7 @@ TEST_CASE("a tangle of very many edges is filled as exactly as one of few") {
     const auto rule = GENERATE(Area::Rule::forward, Area::Rule::any_way);
     const auto inside = cut(outlines, rule);
     CHECK(wrong_pixels(outlines, rule, inside, 3) == 0);
-    // However many corners: no more spans than there are pixels to see them.
+    // The number of spans is limited by the number of pixels, whatever the number of corners.
     for (int i = 0; i < 40'000; ++i) outlines[0].push_back({place(generator), place(generator)});
     CHECK(cut(outlines, rule).size() <= 100 * 71);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A game without a window: everything that `fettle run --headless` has, and what it prints.
+// A game without a window: everything that `fettle run --headless` has. It stores what is printed.
 
 #include <string>
 #include <string_view>
@@ -34,7 +34,7 @@ struct Game {
     void set(std::string_view path, const property::Value& value) {
         property::set(tree, path, value);
     }
-    /// What was printed since the last call, joined by blanks.
+    /// Text printed since the last call; lines are joined by blanks.
     std::string heard() {
         std::string all;
         for (const std::string& line : printed) all += (all.empty() ? "" : " ") + line;
@@ -64,7 +64,7 @@ struct Game {
     }
 };
 
-/// Seconds of a frame of 60 a second.
+/// Duration of a frame at 60 frames per second, s.
 inline constexpr double tick = 1.0 / 60;
 
 }  // namespace fettle::app

@@ -1,4 +1,4 @@
-// What a host does wrong with a loop.
+// Errors of a host that uses a loop.
 
 #include <catch.h>
 
@@ -13,7 +13,7 @@ namespace host_errors_test {
 using namespace fettle;
 using namespace fettle::app;
 
-TEST_CASE("what a function of the host throws after a barrier leaves the turn") {
+TEST_CASE("an exception from a function of the host after a barrier leaves the turn") {
     Game game;
     bool throws = true;
     game.loop.after_barrier([&] {
@@ -21,7 +21,7 @@ TEST_CASE("what a function of the host throws after a barrier leaves the turn") 
     });
     CHECK_THROWS_WITH(game.loop.turn(), "mine");
     CHECK_THROWS_WITH(game.loop.frame(tick), "mine");
-    // What the barrier itself threw is told first, and the function is called all the same.
+    // The exception of the barrier itself is reported first; the function is called all the same.
     game.tree.at_barrier([] { throw std::runtime_error("the barrier's"); });
     int called = 0;
     game.loop.after_barrier([&] { ++called; });
@@ -32,7 +32,7 @@ TEST_CASE("what a function of the host throws after a barrier leaves the turn") 
     CHECK(game.get("time.step").integer() == 1);
 }
 
-TEST_CASE("what a witness throws at the end of a frame leaves the frame") {
+TEST_CASE("an exception from a witness at the end of a frame leaves the frame") {
     struct Throwing : Witness {
         void event(const InputEvent&, bool) override {}
         void frame_begins(double, std::int64_t) override {}
@@ -47,7 +47,7 @@ TEST_CASE("what a witness throws at the end of a frame leaves the frame") {
     CHECK_THROWS_WITH(game.loop.frame(tick), "mine");
 }
 
-TEST_CASE("a clock that nobody can go on with is refused and does no harm") {
+TEST_CASE("an invalid clock is refused and does no harm") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Game game;
     game.loop.turn();
@@ -81,7 +81,7 @@ TEST_CASE("a clock that nobody can go on with is refused and does no harm") {
     game.tree.restore(game.tree.snapshot());
 }
 
-TEST_CASE("a clock spoiled in the middle of a turn does no harm either") {
+TEST_CASE("a clock made invalid in the middle of a turn does no harm either") {
     Game game;
     bool spoil = true;
     game.loop.after_barrier([&] {
@@ -102,7 +102,7 @@ TEST_CASE("a module without a step is refused by name") {
     game.loop.turn();
 }
 
-TEST_CASE("a loop whose runtime is gone says so and ends without harm") {
+TEST_CASE("a loop whose runtime was destroyed reports this and ends without harm") {
     property::Tree tree;
     Services services{tree};
     auto runtime = std::make_unique<script::Runtime>(tree, script::Options{});
@@ -110,7 +110,7 @@ TEST_CASE("a loop whose runtime is gone says so and ends without harm") {
     runtime->on_print([&](std::string_view) { runtime.reset(); });
     if (GENERATE(true, false)) {
         runtime->run("function update() print(1) end function step() print(2) end", "test");
-        loop.turn();  // the runtime goes in the middle of it
+        loop.turn();  // destroys the runtime in the middle of the turn
     } else {
         runtime.reset();
     }

@@ -31,7 +31,7 @@ constexpr std::string_view listener = R"(
     function gamepad_axis(gamepad, axis, value) print("pad " .. gamepad .. " " .. axis .. " " .. value) end
 )";
 
-/// Takes every event while it is on.
+/// Consumes every event while it is on.
 struct Curtain : Layer {
     bool on = true;
     std::vector<EventKind> seen;
@@ -70,12 +70,12 @@ TEST_CASE("a key held down is one press however often it repeats") {
     game.press("a", true);
     game.loop.frame(tick);
     game.press("a", true);
-    game.press("a");  // a driver that does not tell repetitions apart
+    game.press("a");  // a driver that does not mark repetitions
     game.loop.frame(tick);
     CHECK(game.heard() == "+a");
 }
 
-TEST_CASE("a key pressed and released between two frames is not lost") {
+TEST_CASE("a key pressed and released between two frames is reported") {
     Game game(listener);
     game.press("a");
     game.release("a");
@@ -96,21 +96,21 @@ TEST_CASE("every key has a property of its own name") {
     CHECK_FALSE(game.services.input.key("no such key"));
 }
 
-TEST_CASE("watchers of a key are told at the next barrier") {
+TEST_CASE("watchers of a key are notified at the next barrier") {
     Game game(R"(input.keys:watch("space", function(new) print("space", new) end))");
     game.press("space");
     game.loop.frame(tick);
     CHECK(game.heard() == "space\ttrue");
 }
 
-TEST_CASE("a script that sets a key has pressed it") {
+TEST_CASE("a script that sets a key has the effect of pressing it") {
     Game game(listener);
     game.runtime.run("input.keys.space = true", "test");
     game.loop.frame(tick);
     CHECK(game.heard() == "+space");
 }
 
-TEST_CASE("a script that moves and presses the mouse is heard like the mouse") {
+TEST_CASE("a script that moves and presses the mouse has the effect of the mouse") {
     Game game(listener);
     game.runtime.run("input.mouse.world = vec(2, 1); input.mouse.left = true", "test");
     game.loop.frame(tick);
@@ -131,7 +131,7 @@ TEST_CASE("the mouse is known in world and screen units") {
     CHECK(game.get("input.mouse.world").vec2() == Vec2(11, 1));
 }
 
-TEST_CASE("watchers of the mouse in the world follow the view although the game is paused") {
+TEST_CASE("watchers of the mouse position in the world follow the view in a paused game") {
     Game game(R"(
         time.paused = true
         input.mouse:watch("world", function(new) print(new.x) end)
@@ -144,7 +144,7 @@ TEST_CASE("watchers of the mouse in the world follow the view although the game 
     CHECK(game.heard() == "10.0");
 }
 
-TEST_CASE("moves between two presses are one move") {
+TEST_CASE("several mouse moves between two presses are reported as one") {
     Game game(listener);
     for (int i = 0; i < 100; ++i)
         game.mouse(EventKind::mouse_moved, 640, 400 - static_cast<float>(i));
@@ -155,7 +155,7 @@ TEST_CASE("moves between two presses are one move") {
     CHECK(game.heard() == "to 0,1 640,360 +left 0,1 640,360 to 1,1 680,360 -left");
 }
 
-TEST_CASE("the wheel counts the notches of a frame") {
+TEST_CASE("the wheel counts the notches turned in a frame") {
     Game game(listener);
     InputEvent notch = event(EventKind::wheel);
     notch.delta = 1;
@@ -167,7 +167,7 @@ TEST_CASE("the wheel counts the notches of a frame") {
     CHECK(game.get("input.mouse.wheel").number() == 0);
 }
 
-TEST_CASE("a wheel that a script turns is seen by the next update as the mouse's is") {
+TEST_CASE("a wheel turned by a script is reported in the next update like the mouse wheel") {
     Game game(std::string(listener) + R"(
         local todo = { 2, false, 1, false }
         function wheel(delta) print("wheel", delta, input.mouse.wheel) end
@@ -192,7 +192,7 @@ TEST_CASE("a wheel that a script turns is seen by the next update as the mouse's
     CHECK(game.heard() == "0.0");
 }
 
-TEST_CASE("keys that windows tell as text are no text") {
+TEST_CASE("control keys that the operating system reports as text produce no text") {
     Game game(listener);
     InputEvent text = event(EventKind::text);
     for (const char32_t c : {U'\b', U'\t', U'\r', U'\x1B', U'\x7F', U'\x85', U'a', U' ', U'\xA0'}) {
@@ -203,9 +203,9 @@ TEST_CASE("keys that windows tell as text are no text") {
     CHECK(game.heard() == "text a text   text \u00A0");
 }
 
-TEST_CASE("no property can be added to the input") {
+TEST_CASE("properties cannot be added to the input") {
     Game game;
-    const auto [code, told] = GENERATE(table<std::string, std::string>(
+    const auto [code, reported] = GENERATE(table<std::string, std::string>(
         {{"input.keys.ctrl = true", "(did you mean \"left_control\"?)"},
          {"input.keys.spcae = true", "(did you mean \"space\"?)"},
          {"input.mouse.wheels = 1", "(did you mean \"wheel\"?)"},
@@ -215,10 +215,10 @@ TEST_CASE("no property can be added to the input") {
     CHECK_FALSE(game.runtime.run(code, "test"));
     REQUIRE(game.errors.size() == 1);
     INFO(game.errors[0].message);
-    CHECK(game.errors[0].message.find(told) != std::string::npos);
+    CHECK(game.errors[0].message.find(reported) != std::string::npos);
 }
 
-TEST_CASE("losing the focus lets go of everything held") {
+TEST_CASE("losing the focus releases everything held") {
     Game game(listener);
     game.press("left");
     game.mouse(EventKind::mouse_pressed, 640, 400, "right");
@@ -231,7 +231,7 @@ TEST_CASE("losing the focus lets go of everything held") {
     CHECK_FALSE(game.get("input.mouse.right").boolean());
 }
 
-TEST_CASE("typed text arrives as text") {
+TEST_CASE("typed text is reported as text") {
     Game game(listener);
     InputEvent typed = event(EventKind::text);
     for (const char32_t c : U"ä€😀") {
@@ -243,7 +243,7 @@ TEST_CASE("typed text arrives as text") {
     CHECK(game.heard() == "text ä text € text 😀");
 }
 
-TEST_CASE("a new size of the window is seen by the view") {
+TEST_CASE("the view gets a new size of the window") {
     Game game(listener);
     InputEvent size = event(EventKind::resized);
     size.x = 1000;
@@ -255,7 +255,7 @@ TEST_CASE("a new size of the window is seen by the view") {
     CHECK(game.get("view.width").number() == 40);
 }
 
-TEST_CASE("closing is told to the game and to the loop") {
+TEST_CASE("closing is reported to the game and to the loop") {
     Game game(listener);
     game.loop.handle(event(EventKind::closing));
     CHECK(game.loop.closing());
@@ -263,7 +263,7 @@ TEST_CASE("closing is told to the game and to the loop") {
     CHECK(game.heard() == "closing");
 }
 
-TEST_CASE("what a layer takes does not reach the game") {
+TEST_CASE("an event consumed by a layer does not reach the game") {
     Game game(listener);
     Curtain curtain;
     game.loop.add(curtain);
@@ -274,11 +274,12 @@ TEST_CASE("what a layer takes does not reach the game") {
     CHECK(game.heard() == "");
     CHECK_FALSE(game.get("input.keys.a").boolean());
     CHECK_FALSE(game.get("input.mouse.left").boolean());
-    CHECK(game.get("input.mouse.screen").vec2() == Vec2(640, 400));  // it is there all the same
+    CHECK(game.get("input.mouse.screen").vec2() ==
+          Vec2(640, 400));  // the property is updated all the same
     CHECK(curtain.seen.size() == 3);
 }
 
-TEST_CASE("a key held when a layer opens is let go of when it is released") {
+TEST_CASE("a key held when a layer opens is released for the game when it is released") {
     Game game(listener);
     Curtain curtain;
     curtain.on = false;
@@ -288,7 +289,7 @@ TEST_CASE("a key held when a layer opens is let go of when it is released") {
     game.loop.frame(tick);
     game.heard();
     curtain.on = true;
-    game.mouse(EventKind::mouse_moved, 680, 400);  // the drag goes on
+    game.mouse(EventKind::mouse_moved, 680, 400);  // the drag continues
     game.release("a");
     game.mouse(EventKind::mouse_released, 680, 400, "left");
     game.mouse(EventKind::mouse_moved, 690, 400);
@@ -296,7 +297,7 @@ TEST_CASE("a key held when a layer opens is let go of when it is released") {
     CHECK(game.heard() == "to 1,0 680,400 -a -left");
 }
 
-TEST_CASE("the layer added last is asked first") {
+TEST_CASE("the layer added last gets events first") {
     Game game(listener);
     Curtain below, above;
     game.loop.add(below);
@@ -331,7 +332,7 @@ TEST_CASE("gamepads are properties") {
     CHECK(game.heard() == "0.5");
 }
 
-TEST_CASE("a script that moves a stick or pulls a trigger is heard like the gamepad") {
+TEST_CASE("a script that moves a stick or pulls a trigger has the effect of the gamepad") {
     Game game(listener);
     game.runtime.run("input.gamepad_1.left = vec(0.5, -1)", "test");
     game.loop.frame(tick);
@@ -346,7 +347,7 @@ TEST_CASE("a script that moves a stick or pulls a trigger is heard like the game
     game.runtime.run("input.gamepad_1.left = vec(0.5, -1) input.gamepad_4.left_trigger = 1",
                      "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "");  // they are there already
+    CHECK(game.heard() == "");  // the sticks are in these positions already
 }
 
 TEST_CASE("every axis of a gamepad has the same name as an event and as a callback") {
@@ -366,7 +367,7 @@ TEST_CASE("every axis of a gamepad has the same name as an event and as a callba
         InputEvent axis = event(EventKind::gamepad_axis);
         axis.gamepad = 1;
         axis.name = name;
-        axis.delta = 0;  // the device tells -1 to 1
+        axis.delta = 0;  // the device reports values from -1 to 1
         game.loop.handle(axis);
         game.loop.frame(tick);
         CHECK(game.heard() == "pad 1 " + name + " 0.5");
@@ -374,7 +375,7 @@ TEST_CASE("every axis of a gamepad has the same name as an event and as a callba
     }
 }
 
-TEST_CASE("what no gamepad can do is refused and not heard") {
+TEST_CASE("a value impossible for a gamepad is refused and not reported") {
     Game game(listener);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(game.set("input.gamepad_1.left", Vec2(2, 0)), contains("gamepad_1.left"));
@@ -399,7 +400,7 @@ TEST_CASE("what no gamepad can do is refused and not heard") {
     CHECK(game.get("input.gamepad_1.left").vec2() == Vec2(0, 0));
 }
 
-TEST_CASE("a gamepad that is unplugged lets go of what it held") {
+TEST_CASE("unplugging a gamepad releases what it held") {
     Game game(listener);
     game.runtime.run("input.gamepad_2.left = vec(1, 0) input.gamepad_2.button_3 = true", "test");
     game.loop.frame(tick);
@@ -422,7 +423,7 @@ TEST_CASE("a gamepad that is unplugged lets go of what it held") {
     CHECK_FALSE(game.get("input.gamepad_2.button_3").boolean());
 }
 
-TEST_CASE("going back in time presses no key again") {
+TEST_CASE("going back in time does not press keys again") {
     Game game(listener);
     game.loop.frame(tick);
     game.press("a");
@@ -437,7 +438,7 @@ TEST_CASE("going back in time presses no key again") {
     CHECK_FALSE(game.get("input.keys.a").boolean());
 }
 
-TEST_CASE("a callback that fails ends the delivery of the frame") {
+TEST_CASE("a callback that raises an error ends the delivery of events in the frame") {
     Game game("function key_pressed(key) print(key) error('wrong') end");
     game.press("a");
     game.press("b");
@@ -446,7 +447,7 @@ TEST_CASE("a callback that fails ends the delivery of the frame") {
     CHECK(game.errors.size() == 1);
 }
 
-TEST_CASE("the error screen keeps input from the game and answers to its keys") {
+TEST_CASE("the error screen keeps input from the game and handles its own keys") {
     Game game(listener);
     int reloads = 0, resumes = 0;
     std::string copied;
@@ -455,7 +456,7 @@ TEST_CASE("the error screen keeps input from the game and answers to its keys") 
                         .copy = [&](const std::string& text) { copied = text; }});
     game.loop.add(screen);
     game.press("r");
-    CHECK(reloads == 0);  // nothing is wrong, the key is the game's
+    CHECK(reloads == 0);  // there is no error, so the game gets the key
     game.loop.frame(tick);
     CHECK(game.heard() == "+r");
     game.release("r");

@@ -43,22 +43,22 @@ std::vector<Run> border_of(const std::vector<Points>& parts) {
 
 }  // namespace
 
-TEST_CASE("parts that are apart keep their whole borders") {
+TEST_CASE("separate parts keep their whole borders") {
     const auto border = border_of({box(0, 0, 50, 20), box(100, 0, 150, 20)});
     REQUIRE(border.size() == 2);
     CHECK((border[0].closed && border[1].closed));
     CHECK(length_of(border) == Approx(280));
 }
 
-TEST_CASE("boxes that touch have one border round both") {
+TEST_CASE("touching boxes have one common border") {
     CHECK(length_of(border_of({box(0, 0, 50, 20), box(50, 0, 150, 20)})) == Approx(340));
     CHECK(length_of(border_of({box(0, 0, 50, 20), box(20, 20, 30, 40)})) == Approx(180).margin(2));
-    // Four in a square: nothing of a border where they meet.
+    // Four boxes in a square: the edges at which they meet have no border.
     CHECK(length_of(border_of({box(0, 0, 50, 50), box(50, 0, 100, 50), box(0, 50, 50, 100),
                                box(50, 50, 100, 100)})) == Approx(400).margin(2));
 }
 
-TEST_CASE("a row of a hundred boxes has the border of one long box") {
+TEST_CASE("a row of a hundred touching boxes has the border of one long box") {
     std::vector<Points> row;
     for (int i = 0; i < 100; ++i)
         row.push_back(
@@ -66,7 +66,7 @@ TEST_CASE("a row of a hundred boxes has the border of one long box") {
     CHECK(length_of(border_of(row)) == Approx(2 * (1200 + 12)).margin(1));
 }
 
-TEST_CASE("parts that overlap have the border of what they cover together") {
+TEST_CASE("overlapping parts have the border of their union") {
     CHECK(length_of(border_of({box(0, 0, 60, 20), box(20, -20, 40, 40)})) == Approx(240).margin(4));
     // Circles of radius 50 whose centers are 50 apart: a third of each rim is hidden.
     CHECK(length_of(border_of({circle(0, 0, 50), circle(50, 0, 50)})) ==
@@ -79,7 +79,7 @@ TEST_CASE("a border that two parts share is drawn once") {
     CHECK(length_of(border_of({box(0, 0, 60, 20), box(0, 0, 60, 20)})) == Approx(160));
 }
 
-TEST_CASE("a run is one from where its part comes out of another to where it goes back") {
+TEST_CASE("two parts that cross have one open run of border each") {
     const auto border = border_of({box(0, 0, 50, 20), box(20, 10, 30, 60)});
     std::size_t open = 0;
     for (const Run& run : border) open += run.closed ? 0 : 1;
@@ -87,7 +87,7 @@ TEST_CASE("a run is one from where its part comes out of another to where it goe
     CHECK(border.size() == 2);
 }
 
-TEST_CASE("too many parts in one place are left as they are") {
+TEST_CASE("too many parts in one place keep their own borders") {
     Joined joined;
     for (int i = 0; i < 400; ++i) joined.add(circle(static_cast<float>(i % 7), 0, 50));
     CHECK_FALSE(joined.find_seams());

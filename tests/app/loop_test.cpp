@@ -9,7 +9,7 @@ namespace fettle::app {
 
 namespace {
 
-/// Prints a word for each phase the script sees.
+/// Prints a word for each phase.
 constexpr std::string_view phases = R"(
     game.mark = Object {}
     game.mark.n = 0
@@ -21,7 +21,7 @@ constexpr std::string_view phases = R"(
 
 }  // namespace
 
-TEST_CASE("a frame runs input and update and step with a barrier after each") {
+TEST_CASE("a frame runs input then update then step with a barrier after each") {
     Game game(phases);
     game.loop.add({.name = "module", .step = [&](double) { game.printed.push_back("module"); }});
     game.tree.barrier();
@@ -32,7 +32,7 @@ TEST_CASE("a frame runs input and update and step with a barrier after each") {
     CHECK(game.errors.empty());
 }
 
-TEST_CASE("what a module reports reaches handlers in the barrier after its step") {
+TEST_CASE("an event of a module reaches handlers at the barrier after its step") {
     Game game(R"(
         game.box = Object {}
         game.box.hits = 0
@@ -48,7 +48,7 @@ TEST_CASE("what a module reports reaches handlers in the barrier after its step"
     CHECK(game.heard() == "update step hits 1");
 }
 
-TEST_CASE("sixty frames of a sixtieth are sixty steps and one second") {
+TEST_CASE("sixty frames of 1 s / 60 make sixty steps and one second") {
     Game game;
     for (int i = 0; i < 60; ++i) game.loop.frame(tick);
     CHECK(game.get("time.step").integer() == 60);
@@ -66,20 +66,20 @@ TEST_CASE("time shorter than a step is kept for the next frame and shown by alph
     CHECK(game.get("time.alpha").number() == Approx(0.25));
 }
 
-TEST_CASE("a slow frame catches up by at most max_steps and counts what it drops") {
+TEST_CASE("a slow frame makes at most max_steps steps and counts the dropped ones") {
     Game game;
     game.set("time.max_steps", 3);
     game.loop.frame(10.5 * tick);
     CHECK(game.get("time.step").integer() == 3);
     CHECK(game.get("time.dropped_steps").integer() == 7);
-    game.loop.frame(0.25 * tick);  // nothing is owed any more
+    game.loop.frame(0.25 * tick);  // no time is left over
     CHECK(game.get("time.step").integer() == 3);
     game.loop.frame(0.5 * tick);
     CHECK(game.get("time.step").integer() == 4);
     CHECK(game.get("time.dropped_steps").integer() == 7);
 }
 
-TEST_CASE("update is told of no more time than the frame may step through") {
+TEST_CASE("update gets no more time than the steps of the frame") {
     Game game("function update(dt) print(dt < 0.1) end");
     game.loop.frame(3);
     CHECK(game.heard() == "true");
@@ -96,7 +96,7 @@ TEST_CASE("scale makes time pass slower or faster") {
     CHECK(game.get("time.step").integer() == 150);
 }
 
-TEST_CASE("a length of step changed in the run counts from the next step on") {
+TEST_CASE("a length of a step that is changed in the run applies from the next step") {
     Game game("function step(dt) game.last_dt = dt end");
     for (int i = 0; i < 30; ++i) game.loop.frame(tick);
     game.set("time.dt", 0.01);
@@ -106,7 +106,7 @@ TEST_CASE("a length of step changed in the run counts from the next step on") {
     CHECK(game.get("time.now").number() == Approx(0.53));
 }
 
-TEST_CASE("a paused game makes no steps but still updates") {
+TEST_CASE("a paused game makes no steps but calls update") {
     Game game("function update(dt) print('update ' .. dt) end function step() print('step') end");
     game.set("time.paused", true);
     game.loop.frame(1);
@@ -114,10 +114,11 @@ TEST_CASE("a paused game makes no steps but still updates") {
     CHECK(game.get("time.alpha").number() == 1.0);
     game.set("time.paused", false);
     game.loop.frame(0.001);
-    CHECK(game.get("time.step").integer() == 1);  // goes on at once and makes up for nothing
+    CHECK(game.get("time.step").integer() ==
+          1);  // continues at once; the time of the pause is not made up for
 }
 
-TEST_CASE("step_once makes one step of a paused game and tells its watchers") {
+TEST_CASE("step_once makes one step of a paused game and notifies its watchers") {
     Game game(R"(
         time:watch("step_once", function(new) print("once " .. tostring(new)) end)
         function step() print("step") end
@@ -140,7 +141,7 @@ TEST_CASE("a game that pauses itself in a step makes no further step in the fram
     CHECK(game.get("time.step").integer() == 1);
 }
 
-TEST_CASE("a headless turn makes one update and one step whatever the scale") {
+TEST_CASE("a headless turn makes one update and one step whatever the scale is") {
     Game game("function update() print('update') end function step() print('step') end");
     game.set("time.scale", 0.1);
     game.loop.turn();
@@ -167,7 +168,7 @@ TEST_CASE("the hook of step n runs before the callbacks of step n") {
         game.loop.frame(tick);
         CHECK(game.heard() == "1 update step");
     }
-    SECTION("in a headless turn of a paused game it can wake it") {
+    SECTION("in a headless turn of a paused game it can end the pause") {
         game.loop.before_step([&](std::uint64_t n) {
             if (n == 3) game.set("time.paused", false);
         });
@@ -181,7 +182,7 @@ TEST_CASE("no step is made beyond the limit") {
     Game game;
     game.loop.frame(4 * tick, 2);
     CHECK(game.get("time.step").integer() == 2);
-    CHECK(game.get("time.alpha").number() == 1.0);  // the picture shows that very step
+    CHECK(game.get("time.alpha").number() == 1.0);  // exactly that step is drawn
 }
 
 TEST_CASE("an error stops the frame at once and edits still take effect") {
@@ -203,7 +204,7 @@ TEST_CASE("an error stops the frame at once and edits still take effect") {
     CHECK(game.get("time.step").integer() == 0);
 }
 
-TEST_CASE("after an error the game can go on") {
+TEST_CASE("the game can continue after an error") {
     Game game("function update() if not game:has('mended') then error('wrong') end end");
     game.loop.frame(tick);
     CHECK(game.loop.halted());
@@ -214,7 +215,7 @@ TEST_CASE("after an error the game can go on") {
     CHECK(game.get("time.step").integer() == 1);
 }
 
-TEST_CASE("quit ends the frame where it is called") {
+TEST_CASE("quit ends the frame immediately") {
     Game game("function update() quit(4) end function step() print('step') end");
     game.loop.frame(tick);
     CHECK(game.loop.stopped());
@@ -222,20 +223,20 @@ TEST_CASE("quit ends the frame where it is called") {
     CHECK(game.heard() == "");
 }
 
-TEST_CASE("handlers that never come to rest are an error and not the end") {
+TEST_CASE("handlers that change things without end cause an error and do not end the game") {
     Game game(R"(
         game.mark = Object {}
         game.mark.n = 0
         game.mark:watch("n", function(new) game.mark.n = new + 1 end)
     )");
-    int told = 0;
-    game.loop.on_error([&](const script::ScriptError&) { ++told; });
+    int reported = 0;
+    game.loop.on_error([&](const script::ScriptError&) { ++reported; });
     game.set("mark.n", 1);
     game.loop.frame(tick);
-    CHECK(told + static_cast<int>(game.errors.size()) == 1);
+    CHECK(reported + static_cast<int>(game.errors.size()) == 1);
 }
 
-TEST_CASE("equal runs have equal hashes and a difference shows") {
+TEST_CASE("equal runs have equal hashes and different runs have different ones") {
     constexpr auto script = "game.score = 0 function step() game.score = game.score + 1 end";
     Game one(script), two(script);
     for (int i = 0; i < 10; ++i) one.loop.turn();
@@ -245,20 +246,20 @@ TEST_CASE("equal runs have equal hashes and a difference shows") {
     CHECK(one.loop.hash() != two.loop.hash());
     one.set("score", 11);
     CHECK(one.loop.hash() == two.loop.hash());
-    one.set("view.height", 5);  // how it is looked at is no part of the state
+    one.set("view.height", 5);  // the view is not a part of the state
     CHECK(one.loop.hash() == two.loop.hash());
     one.loop.turn();
     CHECK(one.loop.hash() != two.loop.hash());
 }
 
-TEST_CASE("what a module hashes counts") {
+TEST_CASE("the hash contains the hashes of modules") {
     Game one, two;
     one.loop.add({.name = "m", .step = [](double) {}, .hash = [] { return std::uint64_t{1}; }});
     two.loop.add({.name = "m", .step = [](double) {}, .hash = [] { return std::uint64_t{2}; }});
     CHECK(one.loop.hash() != two.loop.hash());
 }
 
-TEST_CASE("the clock refuses what makes no sense") {
+TEST_CASE("the clock refuses invalid values") {
     Game game;
     CHECK_THROWS_WITH(game.set("time.dt", 0.0), contains("time.dt"));
     CHECK_THROWS_WITH(game.set("time.max_steps", 0), contains("time.max_steps"));

@@ -24,7 +24,7 @@ bool has(const Points& points, float x, float y) {
 
 }  // namespace
 
-TEST_CASE("a ring inside a box is a smaller box whichever way its corners go round") {
+TEST_CASE("a ring inside a box is a smaller box in either orientation") {
     Points corners{{0, 0}, {10, 0}, {10, 6}, {0, 6}};
     if (GENERATE(false, true)) std::reverse(corners.begin(), corners.end());
     Outline outline;
@@ -39,7 +39,7 @@ TEST_CASE("a ring inside a box is a smaller box whichever way its corners go rou
     CHECK(outline.depth_limit() == Approx(3).epsilon(0.03));
 }
 
-TEST_CASE("a ring within the rounding is round and beyond it is sharp") {
+TEST_CASE("a ring within the rounding has round corners and one beyond it has sharp corners") {
     const Points corners{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
     Outline outline;
     outline.set(corners, 10);
@@ -56,7 +56,7 @@ TEST_CASE("a ring within the rounding is round and beyond it is sharp") {
     }
 }
 
-TEST_CASE("one corner with a rounding is a circle that looks round") {
+TEST_CASE("one corner with a rounding is a smooth circle") {
     Outline outline;
     const float radius = GENERATE(2.0f, 20.0f, 500.0f);
     outline.set(Points{{50, 50}}, radius);
@@ -64,7 +64,7 @@ TEST_CASE("one corner with a rounding is a circle that looks round") {
     for (std::size_t i = 0; i < rim.size(); ++i) {
         const sf::Vector2f middle = (rim[i] + rim[(i + 1) % rim.size()]) * 0.5f;
         CHECK(std::hypot(rim[i].x - 50, rim[i].y - 50) == Approx(radius));
-        // The chord misses the arc by no more than can be seen.
+        // The error of the chord is too small to be visible.
         CHECK(radius - std::hypot(middle.x - 50, middle.y - 50) < 0.35f);
     }
     CHECK(outline.depth_limit() == Approx(radius));
@@ -83,7 +83,7 @@ TEST_CASE("two corners with a rounding are a capsule") {
     CHECK(right == Approx(23).epsilon(0.05));
 }
 
-TEST_CASE("an outline of nothing much is finite") {
+TEST_CASE("degenerate outlines give finite rings") {
     const Points corners = GENERATE(Points{}, Points{{1, 1}}, Points{{1, 1}, {1, 1}},
                                     Points{{0, 0}, {1, 0}, {2, 0}}, Points{{0, 0}, {5, 0}, {0, 0}});
     const float rounding = GENERATE(0.0f, 4.0f);
@@ -109,7 +109,7 @@ TEST_CASE("a border at a sharp corner keeps its width on both sides") {
         }
 }
 
-TEST_CASE("an outline is convex when it bulges everywhere and goes round once") {
+TEST_CASE("an outline is convex when it always turns to the same side and goes around once") {
     CHECK(is_convex(Points{{0, 0}, {10, 0}, {10, 6}, {0, 6}}));
     CHECK(is_convex(Points{{0, 6}, {10, 6}, {10, 0}, {0, 0}}));
     CHECK(is_convex(Points{{0, 0}, {5, 0}, {10, 0}, {10, 6}, {5, 6.0001f}, {0, 6}}));
@@ -119,7 +119,7 @@ TEST_CASE("an outline is convex when it bulges everywhere and goes round once") 
     for (int i = 0; i < 5; ++i)
         star.push_back({100 * std::cos(2.5132741f * static_cast<float>(i)),
                         100 * std::sin(2.5132741f * static_cast<float>(i))});
-    CHECK_FALSE(is_convex(star));  // turns left everywhere, twice round
+    CHECK_FALSE(is_convex(star));  // always turns left, but goes around twice
     Points circle;
     for (int i = 0; i < 20'000; ++i)
         circle.push_back({300 * std::cos(0.00031415927f * static_cast<float>(i)),
@@ -129,7 +129,7 @@ TEST_CASE("an outline is convex when it bulges everywhere and goes round once") 
     CHECK(is_convex(circle));
 }
 
-TEST_CASE("an outline that crosses itself is told from one that does not") {
+TEST_CASE("self intersecting outlines are detected") {
     Outline outline;
     outline.set_any(Points{{0, 0}, {10, 0}, {5, 3}, {10, 6}, {0, 6}});
     CHECK(outline.goes_round_once());
@@ -137,14 +137,14 @@ TEST_CASE("an outline that crosses itself is told from one that does not") {
     CHECK_FALSE(outline.goes_round_once());
 }
 
-TEST_CASE("a side along the rows of pixels is crisp and a slanted one fades over a whole pixel") {
+TEST_CASE("an edge along the rows of pixels is sharp and a slanted one fades over a whole pixel") {
     CHECK(Side({0, 0}, {40, 0}).halo == 0.5f);
     CHECK(Side({0, 0}, {0, 40}).halo == 0.5f);
     CHECK(Side({0, 0}, {40, 0.01f}).halo == 0.5f);
     CHECK(Side({0, 0}, {40, 3}).halo == 1);
 }
 
-TEST_CASE("a sharp corner does not stick out far") {
+TEST_CASE("the border at a sharp corner does not extend far") {
     Outline outline;
     outline.set(Points{{0, 0}, {100, -1}, {100, 1}}, 0);
     for (const sf::Vector2f p : ring(outline, -0.5f)) CHECK(p.x > -2.5f);

@@ -12,7 +12,7 @@ using Point = Sight::Point;
 
 const Sight sight({-20, -20}, {1300, 820});
 
-/// How far the outline is from a circle, where it can be seen.
+/// Largest distance between the outline and a circle within the visible part.
 double farthest_from_circle(const std::vector<Point>& outline, const Point& center, double radius) {
     double worst = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -28,7 +28,7 @@ double farthest_from_circle(const std::vector<Point>& outline, const Point& cent
 
 }  // namespace
 
-TEST_CASE("a circle that is much larger than the screen is round where it is seen") {
+TEST_CASE("a circle that is much larger than the screen is round in the visible part") {
     const double radius = GENERATE(300.0, 5e3, 1e6, 1e9, 1e12);
     const double angle = GENERATE(0.0, 0.3, 1.6, 4.0);
     const Point on_rim(600, 380);
@@ -38,7 +38,7 @@ TEST_CASE("a circle that is much larger than the screen is round where it is see
     CHECK(farthest_from_circle(outline, center, radius) < 0.06 + 1e-15 * radius);
 }
 
-TEST_CASE("what is cut off lies where nobody sees it") {
+TEST_CASE("the edges made by cutting are outside the screen") {
     const Point center(640, 1e6 + 400);
     std::vector<Point> outline = sight.rounded({&center, 1}, 1e6);
     sight.cut(outline);
@@ -54,7 +54,7 @@ TEST_CASE("what is cut off lies where nobody sees it") {
     CHECK(lowest == Approx(400).margin(0.3));
 }
 
-TEST_CASE("a screen that lies in a figure is covered by it and one outside is not") {
+TEST_CASE("a figure that contains the screen covers it and a figure outside is dropped") {
     const Point center(640, 5e5);
     std::vector<Point> around = sight.rounded({&center, 1}, 1e6);
     sight.cut(around);
@@ -64,7 +64,7 @@ TEST_CASE("a screen that lies in a figure is covered by it and one outside is no
     CHECK(elsewhere.size() < 3);
 }
 
-TEST_CASE("a long line is cut and goes where it went") {
+TEST_CASE("a long line is cut and keeps its direction") {
     Point from(-1e9, 400 - 1e8), to(1e9, 400 + 1e8);
     REQUIRE(sight.cut(from, to));
     CHECK(from.x() == Approx(-20));
@@ -77,7 +77,7 @@ TEST_CASE("a long line is cut and goes where it went") {
     CHECK(sight.cut(still, same));
 }
 
-TEST_CASE("a rounding round a line or a polygon keeps its distance") {
+TEST_CASE("the rounding of a line or a polygon keeps its distance") {
     const std::vector<Point> line{{100, 400}, {5e5, 400}};
     for (const Point& p : sight.rounded(line, 2000)) {
         const double past = std::max({100 - p.x(), p.x() - 5e5, 0.0});

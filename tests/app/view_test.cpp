@@ -22,7 +22,7 @@ TEST_CASE("up in the world is up on the screen") {
     CHECK(view.to_screen({16, 0}).x() == 1280);
 }
 
-TEST_CASE("to_world undoes to_screen") {
+TEST_CASE("to_world is the inverse of to_screen") {
     View view;
     view.center = {-7.5, 12.25};
     view.height = 3.7;
@@ -33,7 +33,7 @@ TEST_CASE("to_world undoes to_screen") {
     CHECK(back.y() == Approx(point.y()));
 }
 
-TEST_CASE("width and corners follow height and size of the screen") {
+TEST_CASE("width and corners follow the height and the size of the screen") {
     Game game;
     CHECK(game.get("view.width").number() == 32);
     CHECK(game.get("view.lower").vec2() == Vec2(-16, -10));
@@ -44,7 +44,7 @@ TEST_CASE("width and corners follow height and size of the screen") {
     CHECK_THROWS_WITH(game.set("view.width", 3.0), contains("view.width"));
 }
 
-TEST_CASE("zoom is another word for height") {
+TEST_CASE("zoom is computed from height and sets it") {
     Game game;
     game.set("view.zoom", 100);
     CHECK(game.get("view.height").number() == 8);
@@ -54,7 +54,7 @@ TEST_CASE("zoom is another word for height") {
     CHECK(game.get("view.height").number() == 8);
 }
 
-TEST_CASE("a watcher of what is derived from the view hears of its source") {
+TEST_CASE("a watcher of a property derived from the view is notified when the source changes") {
     Game game(R"(view:watch("width", function(new) print(new) end))");
     game.loop.frame(tick);
     game.set("view.height", 10);
@@ -70,7 +70,7 @@ TEST_CASE("scripts convert between world and screen") {
     CHECK(game.heard() == "0.0\t10.0");
 }
 
-TEST_CASE("an overlay is shown when its property says so") {
+TEST_CASE("an overlay is shown while its property is true") {
     Game game;
     CHECK_FALSE(game.services.view.show.overlay(property::Overlay::contacts));
     game.set("view.show.contacts", true);
@@ -78,7 +78,7 @@ TEST_CASE("an overlay is shown when its property says so") {
     CHECK_FALSE(game.services.view.show.overlay(property::Overlay::aabbs));
 }
 
-TEST_CASE("every property of the services tells what it is") {
+TEST_CASE("every property of the services has a description") {
     Game game;
     game.tree.each_below(game.tree.root(), [&](property::Handle instance) {
         for (const property::Property* property : game.tree.class_of(instance).properties()) {

@@ -1,4 +1,4 @@
-// The map of the project for its readers, which has to be true.
+// Checks the map of the project in the documents: the paths and rooms that it names.
 
 #include <algorithm>
 #include <regex>
@@ -18,7 +18,8 @@ bool is_path(const std::string& code) {
 
 bool exists(const SourceTree& tree, std::string path) {
     for (const char* root : {"", "framework/include/", "physics/include/", "console/include/"})
-        if (tree.contains(root + path)) return true;  // from there as it is included
+        if (tree.contains(root + path))
+            return true;  // as in an #include, relative to an include folder
     if (!path.ends_with('/')) path += '/';
     const auto next = tree.files().lower_bound(path);
     return next != tree.files().end() && next->first.starts_with(path);

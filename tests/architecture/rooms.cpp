@@ -7,25 +7,25 @@
 namespace fettle::architecture {
 namespace {
 
-/// A room: a folder of a part, and which other rooms of that part it may include.
+/// A room: a folder of a part, and the other rooms of that part that it may include.
 struct Room {
     std::string_view name;
     std::set<std::string_view> may_know;
 };
 
-/// A part that is divided into rooms. From the bottom to the top: a room knows only rooms above it
-/// in this table, so no two rooms know each other.
+/// A part that is divided into rooms. A room includes only rooms above it in this table, so no two
+/// rooms include each other.
 struct DividedPart {
     std::string_view name;
     std::string_view folder;            // ends in a slash
-    std::set<std::string_view> beside;  // folders in it that are no rooms
+    std::set<std::string_view> beside;  // folders in it that are not rooms
     std::vector<Room> rooms;
 
     const Room* room_named(std::string_view wanted) const {
         const auto found = std::ranges::find(rooms, wanted, &Room::name);
         return found == rooms.end() ? nullptr : &*found;
     }
-    /// The name of the room that `path` lies in; empty where there are no rooms.
+    /// The name of the room that contains `path`; empty if no room does.
     std::string_view room_of(std::string_view path) const {
         if (!path.starts_with(folder)) return {};
         path.remove_prefix(folder.size());
@@ -36,7 +36,7 @@ struct DividedPart {
 
 const std::vector<DividedPart>& divided_parts() {
     static const std::vector<DividedPart> table = {
-        // Headers of the public interface and the module of physics lie in no room.
+        // The public headers and the module of physics are not in a room.
         {"physics",
          "physics/",
          {"include", "module"},
@@ -71,7 +71,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"saving", {"collision", "state", "checks", "world"}},
              {"joints", {"constraints", "state", "checks", "solver", "world"}},
          }},
-        // The public `PhysicsModule`, which knows all rooms, lies in none.
+        // The public `PhysicsModule`, which uses all rooms, is not in a room.
         {"physics_module",
          "physics/module/",
          {"plugin"},

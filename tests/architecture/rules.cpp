@@ -12,8 +12,8 @@
 namespace fettle::architecture {
 namespace {
 
-/// A part of the project: where it lies, which parts it may know besides itself, and which outside
-/// libraries besides the standard one. Parts and libraries are named as in the tables below.
+/// A part of the project: its folders, the other parts that it may include, and the external
+/// libraries that it may include. Parts and libraries are named as in the tables below.
 struct Part {
     std::string_view name;
     std::vector<std::string_view> folders;
@@ -22,9 +22,9 @@ struct Part {
     std::set<std::string_view> sees_inside = {};  // parts whose private headers it may include
 };
 
-// The table of the architecture page. Storage is the part of the property tree that touches files;
-// the outside libraries follow from "the only place that includes ...". The two libraries that are
-// to run anywhere, property and physics, do without the operating system's own headers.
+// The table of the architecture page. Storage is the part of the property tree that accesses files;
+// the external libraries follow from "the only place that includes ...". Property and physics must
+// run on any system, so they may not include headers of the operating system.
 const std::vector<Part>& parts() {
     static const std::vector<Part> table = {
         {"property", {"framework/property", "framework/include/fettle/property"}, {}, {"Eigen"}},
@@ -37,8 +37,8 @@ const std::vector<Part>& parts() {
          {"framework/module", "framework/include/fettle/module"},
          {"property"},
          {"Eigen", "POSIX"}},
-        // What becomes part of a module that plugs in: the tree's own classes around another
-        // inside.
+        // The code that is linked into a loaded module: the classes of the tree with other private
+        // members.
         {"guest",
          {"framework/module/guest"},
          {"module", "property"},
@@ -70,8 +70,8 @@ const std::vector<Part>& parts() {
 
 struct Library {
     std::string_view name;
-    std::regex header;  // matches the whole of what stands between the brackets
-    std::regex target;  // matches the whole of a CMake target's name
+    std::regex header;  // matches the whole text between the brackets
+    std::regex target;  // matches the whole name of a CMake target
 };
 
 const std::vector<Library>& libraries() {
@@ -88,7 +88,7 @@ const std::vector<Library>& libraries() {
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
         {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
          std::regex("dl")},
-        {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // the compiler's own
+        {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // from the compiler
         {"Catch2", std::regex("catch2/.*"), std::regex("Catch2::.*|fettle_catch")},
         {"rapidcheck", std::regex("rapidcheck.*"), std::regex("rapidcheck")},
         {"benchmark", std::regex("benchmark/.*"), std::regex("benchmark::.*")},
@@ -102,7 +102,8 @@ bool lies_in(std::string_view path, std::string_view folder) {
     return path.starts_with(folder) && path.size() > folder.size() && path[folder.size()] == '/';
 }
 
-/// The part with the longest folder that holds `path`; null for tests, benchmarks and the rest.
+/// The part with the longest folder that contains `path`; null for tests, benchmarks and other
+/// files.
 const Part* part_of(std::string_view path) {
     const Part* best = nullptr;
     std::size_t length = 0;
@@ -260,11 +261,12 @@ Violations public_header_violations(const SourceTree& tree) {
 }
 
 Violations unmarked_declarations(const SourceTree& tree) {
-    // Types in C that both sides of the border have, and a library that is static in any case.
+    // These contain types in C that both sides of the interface have, and a library that is always
+    // static.
     static const std::set<std::string_view> without = {"framework/include/fettle/module/abi.h",
                                                        "framework/include/fettle/module/guest.h"};
     static const std::regex comment(R"(//.*|/\*.*?\*/|/\*.*)");
-    // Names of other libraries, which are not this one's to show.
+    // Names of other libraries; this library does not export them.
     static const std::regex of_others(R"((namespace [a-z:_]+ \{|(class|struct) \w+;|\}| )*)");
     Violations found;
     for (const auto& [path, file] : tree.files()) {
@@ -287,7 +289,7 @@ Violations unmarked_declarations(const SourceTree& tree) {
                        !std::regex_match(code, of_others)) {
                 found.push_back(at(file, static_cast<int>(i) + 1,
                                    "a declaration outside of " + begin + " and " + end));
-                break;  // one is enough to know where the marks are missing
+                break;  // one is enough to show where the marks are missing
             }
         }
     }
@@ -301,7 +303,8 @@ Violations borrowed_private_headers(const SourceTree& tree) {
         for (const Include& include : file.includes()) {
             const std::string target = tree.resolve(file, include);
             if (target.empty() || tree.files().at(target).is_public_header()) continue;
-            // Programs of other people see what is public; a part sees what is its own.
+            // Programs outside the project use only public headers; a part also uses its private
+            // ones.
             const Part* of = part_of(target);
             const Part* by = part_of(path);
             if (of != by && !(of && by && by->sees_inside.contains(of->name))) {
@@ -342,19 +345,19 @@ Violations vague_names(const SourceTree& tree) {
 }
 
 Violations overlong_files(const SourceTree& tree) {
-    constexpr std::size_t most = 500;
+    constexpr std::size_t max_lines = 500;
     Violations found;
     for (const auto& [path, file] : tree.files()) {
-        if (file.lines.size() > most) {
+        if (file.lines.size() > max_lines) {
             found.push_back(path + ": " + std::to_string(file.lines.size()) + " lines, at most " +
-                            std::to_string(most) + " make one idea");
+                            std::to_string(max_lines) + " make one idea");
         }
     }
     return found;
 }
 
 Violations careless_headers(const SourceTree& tree) {
-    static const std::regex opens("^using namespace .*");  // in a function it is indented
+    static const std::regex opens("^using namespace .*");  // inside a function it would be indented
     Violations found;
     for (const auto& [path, file] : tree.files()) {
         if (file.is_header() && std::ranges::count(file.lines, "#pragma once") != 1) {
@@ -394,7 +397,7 @@ Violations scattered_version_checks(const SourceTree& tree) {
     Violations found;
     for (const auto& [library, files] : where) {
         if (files.size() < 2) continue;
-        std::string text = library + ": its versions are told apart in more than one file:";
+        std::string text = library + ": more than one file tests its version:";
         for (const std::string& path : files) text += " " + path;
         found.push_back(text);
     }
@@ -402,7 +405,7 @@ Violations scattered_version_checks(const SourceTree& tree) {
 }
 
 Violations unfinished_marks(const SourceTree& tree) {
-    // Written so that this file does not carry the marks it looks for.
+    // The pattern is split, so that this file does not contain the marks.
     static const std::regex mark(
         "\\b(TO"
         "DO|FIX"

@@ -1,6 +1,7 @@
 #pragma once
-// The rules of the architecture that a compiler cannot enforce. Each returns its violations as
-// "path:line: what is wrong and what the rule says"; none means that the rule holds.
+// The rules of the architecture that a compiler cannot enforce. Each function returns the
+// violations as "path:line: what is wrong and what the rule says"; an empty list means that the
+// rule holds.
 
 #include <string>
 #include <vector>
@@ -11,18 +12,18 @@ namespace fettle::architecture {
 
 using Violations = std::vector<std::string>;
 
-/// Every C++ file lies in a folder that the architecture names.
+/// Every C++ file is in a folder that the architecture page names.
 Violations unknown_places(const SourceTree& tree);
 
-/// A part includes only the parts and the outside libraries that it may know: this makes
-/// framework/script the only place with Lua, framework/app with SFML, console with ImGui.
+/// A part includes only the parts and the external libraries that the table allows. So only
+/// framework/script includes Lua, only framework/app SFML, and only console ImGui.
 Violations forbidden_includes(const SourceTree& tree);
 
-/// Within a part that is divided into rooms, a room includes only the rooms that it may know, none
-/// of which knows it.
+/// In a part that is divided into rooms, a room includes only the rooms that its table allows; no
+/// two rooms include each other.
 Violations forbidden_rooms(const SourceTree& tree);
 
-/// Of all parts that are divided: "physics/geometry".
+/// The folders of the rooms of all divided parts, as "physics/geometry".
 std::vector<std::string> folders_of_rooms();
 
 /// Every path between backticks in a text exists, as a file or as a folder of files.
@@ -31,34 +32,34 @@ Violations lost_paths(const SourceTree& tree, const std::string& text);
 /// Every room has a line in the text.
 Violations rooms_without_line(const std::string& text);
 
-/// A part links only the targets of parts and libraries that it may know.
+/// A part links only the targets of parts and libraries that the table allows.
 Violations forbidden_links(const SourceTree& tree);
 
-/// A public header includes public headers, the standard library and Eigen, nothing else, so that
-/// its user needs no SFML, ImGui or Lua; and it lies in include/fettle/<library>/.
+/// A public header includes only public headers, the standard library and Eigen, so that its user
+/// needs no SFML, ImGui or Lua. It is in include/fettle/<library>/.
 Violations public_header_violations(const SourceTree& tree);
 
-/// What a public header declares stands between the marks FETTLE_<PART>_BEGIN and _END: a shared
-/// library shows nothing else.
+/// The declarations of a public header are between the marks FETTLE_<PART>_BEGIN and _END: a shared
+/// library exports nothing else.
 Violations unmarked_declarations(const SourceTree& tree);
 
-/// A private header is included only by its own part and by tests and benchmarks.
+/// A private header is included only by its own part, by tests and by benchmarks.
 Violations borrowed_private_headers(const SourceTree& tree);
 
-/// File names are snake_case and name an idea: no utils, helpers, common, misc, manager.
+/// File names are snake_case and name an idea: not utils, helpers, common, misc, manager.
 Violations vague_names(const SourceTree& tree);
 
-/// A file is one idea: at most 500 lines.
+/// A file contains one idea: at most 500 lines.
 Violations overlong_files(const SourceTree& tree);
 
-/// Headers guard themselves with `#pragma once`; those of a part open no namespace for whoever
-/// includes them.
+/// Headers have `#pragma once`. Headers of a part contain no `using namespace`, which would affect
+/// every file that includes them.
 Violations careless_headers(const SourceTree& tree);
 
-/// One file a library knows that there are several versions of it.
+/// For each library, only one file tests its version.
 Violations scattered_version_checks(const SourceTree& tree);
 
-/// Work that its author marked as unfinished.
+/// No source contains a mark of unfinished work.
 Violations unfinished_marks(const SourceTree& tree);
 
 }  // namespace fettle::architecture

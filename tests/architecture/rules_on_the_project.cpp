@@ -1,4 +1,4 @@
-// Every rule of the architecture, held against the project's own sources.
+// Tests every rule of the architecture on the sources of the project.
 
 #include <fstream>
 #include <sstream>
@@ -32,7 +32,7 @@ std::string text_of(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the rules see the sources of the project") {
+TEST_CASE("the rules read the sources of the project") {
     CHECK(project().contains("framework/include/fettle/property/tree.h"));
     CHECK(project().contains("physics/include/fettle/physics/world.h"));
     CHECK(project().contains("tests/architecture/rules_on_the_project.cpp"));
@@ -41,19 +41,19 @@ TEST_CASE("the rules see the sources of the project") {
     CHECK(project().resolve(own, own.includes().back()) == "tests/architecture/rules.h");
 }
 
-TEST_CASE("every file lies in a part of the project") {
+TEST_CASE("every file is in a part of the project") {
     CHECK(listed(unknown_places(project())) == "");
 }
 
-TEST_CASE("a part includes only the parts and libraries that it may know") {
+TEST_CASE("a part includes only the parts and libraries that it may include") {
     CHECK(listed(forbidden_includes(project())) == "");
 }
 
-TEST_CASE("a room of a part includes only the rooms that it may know") {
+TEST_CASE("a room of a part includes only the rooms that it may include") {
     CHECK(listed(forbidden_rooms(project())) == "");
 }
 
-TEST_CASE("the map of the project names every room, and nothing that is not there") {
+TEST_CASE("the map of the project names every room and only existing paths") {
     const std::string map = text_of("docs/design/architecture.md");
     CHECK(listed(lost_paths(project(), map)) == "");
     CHECK(listed(rooms_without_line(map)) == "");
@@ -64,7 +64,7 @@ TEST_CASE("the map of the project names every room, and nothing that is not ther
               "");
 }
 
-TEST_CASE("a part links only the parts and libraries that it may know") {
+TEST_CASE("a part links only the parts and libraries that it may link") {
     CHECK(listed(forbidden_links(project())) == "");
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("public headers need no header of SFML or ImGui or Lua") {
     CHECK(listed(public_header_violations(project())) == "");
 }
 
-TEST_CASE("public headers mark what a shared library shows") {
+TEST_CASE("public headers mark what a shared library exports") {
     CHECK(listed(unmarked_declarations(project())) == "");
 }
 
@@ -80,22 +80,22 @@ TEST_CASE("private headers stay in their part") {
     CHECK(listed(borrowed_private_headers(project())) == "");
 }
 
-TEST_CASE("files are named after what is in them") {
+TEST_CASE("files are named after their contents") {
     CHECK(listed(vague_names(project())) == "");
 }
 
-TEST_CASE("no file is longer than one idea") {
+TEST_CASE("no file is longer than the limit") {
     CHECK(listed(overlong_files(project())) == "");
 }
 
-TEST_CASE("headers guard themselves and open no namespace") {
+TEST_CASE("headers have pragma once and contain no using namespace") {
     CHECK(listed(careless_headers(project())) == "");
 }
 
-TEST_CASE("versions of a library are told apart in one place") {
+TEST_CASE("for each library only one file tests its version") {
     CHECK(listed(scattered_version_checks(project())) == "");
 }
 
-TEST_CASE("no unfinished work is marked in the sources") {
+TEST_CASE("the sources contain no marks of unfinished work") {
     CHECK(listed(unfinished_marks(project())) == "");
 }

@@ -1,4 +1,4 @@
-// Every rule of the architecture, held against small trees that break it and trees that keep it.
+// Tests every rule of the architecture on small source trees that break it or keep it.
 
 #include <string>
 
@@ -13,7 +13,8 @@ const std::string property_tree = "framework/include/fettle/property/tree.h";
 const std::string physics_world = "physics/include/fettle/physics/world.h";
 const std::string script_runtime = "framework/include/fettle/script/runtime.h";
 
-/// The violations of `rule` in a tree of a few well-behaved headers and `path` with `text`.
+/// The violations of `rule` in a source tree with a few correct headers and the file `path` with
+/// `text`.
 Violations of(Violations (*rule)(const SourceTree&), const std::string& path,
               const std::string& text) {
     std::map<std::string, std::string> texts = {
@@ -28,7 +29,7 @@ Violations of(Violations (*rule)(const SourceTree&), const std::string& path,
 
 }  // namespace
 
-TEST_CASE("a part that includes what it may not know is named with file and line") {
+TEST_CASE("a forbidden include of a part is reported with file and line") {
     const Violations found = of(forbidden_includes, "physics/world/world.cpp",
                                 "#include <vector>\n#include <fettle/property/tree.h>\n");
     REQUIRE(found.size() == 1);
@@ -36,7 +37,7 @@ TEST_CASE("a part that includes what it may not know is named with file and line
           0);
 }
 
-TEST_CASE("a room that includes a room above it is named with file and line") {
+TEST_CASE("a forbidden include of a room is reported with file and line") {
     const auto verdict = [](const char* path, const char* header) {
         return of(forbidden_rooms, path, "#include <" + std::string(header) + ">\n");
     };
@@ -53,7 +54,7 @@ TEST_CASE("a room that includes a room above it is named with file and line") {
     CHECK(verdict("console/panel.cpp", "vector").empty());
 }
 
-TEST_CASE("property and physics do not know each other") {
+TEST_CASE("property and physics may not include each other") {
     CHECK(of(forbidden_includes, "framework/property/tree.cpp", "#include <fettle/physics/world.h>")
               .size() == 1);
     CHECK(of(forbidden_includes, "physics/module/bodies/body_class.cpp",
@@ -64,7 +65,7 @@ TEST_CASE("property and physics do not know each other") {
               .size() == 1);
 }
 
-TEST_CASE("one part includes Lua and one SFML and one ImGui") {
+TEST_CASE("only one part includes Lua and one SFML and one ImGui") {
     const auto verdict = [](const char* path, const char* header) {
         return of(forbidden_includes, path, "#include <" + std::string(header) + ">\n").size();
     };
@@ -84,16 +85,16 @@ TEST_CASE("one part includes Lua and one SFML and one ImGui") {
     CHECK(verdict("physics/world/world.cpp", "Eigen/Core") == 0);
 }
 
-TEST_CASE("an include that denotes no file of the project is an error") {
+TEST_CASE("an include of a file that does not exist is an error") {
     CHECK(of(forbidden_includes, "console/panel.cpp", "#include \"panell.h\"\n").size() == 1);
     CHECK(of(forbidden_includes, "console/panel.cpp", "#include <fettle/app/no.h>\n").size() == 1);
 }
 
-TEST_CASE("an include in a comment counts for nothing") {
+TEST_CASE("an include in a comment is ignored") {
     CHECK(of(forbidden_includes, "physics/world/world.cpp", "// #include <lua.h>\n").empty());
 }
 
-TEST_CASE("a part that links what it may not know is named") {
+TEST_CASE("a forbidden link of a part is reported") {
     CHECK(of(forbidden_links, "physics/CMakeLists.txt",
              "target_link_libraries(fettle_physics PUBLIC Eigen3::Eigen)")
               .empty());
@@ -108,7 +109,7 @@ TEST_CASE("a part that links what it may not know is named") {
               .size() == 1);
 }
 
-TEST_CASE("a public header that includes a private or foreign one is named") {
+TEST_CASE("a public header that includes a private or foreign one is reported") {
     const char* path = "physics/include/fettle/physics/body.h";
     CHECK(of(public_header_violations, path, "#include <fettle/physics/world.h>\n").empty());
     CHECK(of(public_header_violations, path, "#include <Eigen/Core>\n#include <span>\n").empty());
@@ -118,7 +119,7 @@ TEST_CASE("a public header that includes a private or foreign one is named") {
     CHECK(of(public_header_violations, "physics/include/body.h", "").size() == 1);
 }
 
-TEST_CASE("a declaration in a public header outside of the marks is named") {
+TEST_CASE("a declaration in a public header outside of the marks is reported") {
     const auto verdict = [](const std::string& text) {
         return of(unmarked_declarations, property_tree, "#pragma once\n" + text);
     };
@@ -131,7 +132,7 @@ TEST_CASE("a declaration in a public header outside of the marks is named") {
     CHECK(late[0].find(property_tree + ":4: ") == 0);
 }
 
-TEST_CASE("a private header used by another part is named") {
+TEST_CASE("a private header used by another part is reported") {
     CHECK(of(borrowed_private_headers, "physics/solver/solve.cpp", "#include \"island.h\"\n")
               .empty());
     CHECK(of(borrowed_private_headers, "physics/world/step.cpp", "#include \"solver/island.h\"\n")
@@ -144,7 +145,7 @@ TEST_CASE("a private header used by another part is named") {
               .size() == 1);
 }
 
-TEST_CASE("a name that says nothing is named") {
+TEST_CASE("a vague file name is reported") {
     CHECK(of(vague_names, "physics/solver/contact_graph.h", "").empty());
     CHECK(of(vague_names, "console/string_utils.h", "").size() == 1);
     CHECK(of(vague_names, "framework/helpers/text.h", "").size() == 1);
@@ -160,14 +161,14 @@ TEST_CASE("a file of 501 lines is too long") {
     CHECK(of(overlong_files, "physics/world/world.cpp", text + "int b;\n").size() == 1);
 }
 
-TEST_CASE("a header without a guard or with an open namespace is named") {
+TEST_CASE("a header without pragma once or with using namespace is reported") {
     const char* path = "console/panel.h";
     CHECK(of(careless_headers, path, "#pragma once\n    using namespace std;\n").empty());
     CHECK(of(careless_headers, path, "int a;\n").size() == 1);
     CHECK(of(careless_headers, path, "#pragma once\nusing namespace std;\n").size() == 1);
 }
 
-TEST_CASE("a second file that asks for a version of a library is named") {
+TEST_CASE("a second file that tests the version of a library is reported") {
     const std::string check = "#if SFML_VERSION_MAJOR >= 3\n";
     SourceTree once({{"framework/app/window.cpp", check}});
     SourceTree twice({{"framework/app/window.cpp", check}, {"framework/app/sound.cpp", check}});
@@ -175,21 +176,21 @@ TEST_CASE("a second file that asks for a version of a library is named") {
     CHECK(scattered_version_checks(twice).size() == 1);
 }
 
-TEST_CASE("a mark of unfinished work is named with file and line") {
+TEST_CASE("a mark of unfinished work is reported with file and line") {
     const std::string mark = std::string("TO") + "DO";
     CHECK(of(unfinished_marks, "physics/world/world.cpp", "int a;  // " + mark + ": b\n") ==
           Violations{"physics/world/world.cpp:1: unfinished: int a;  // " + mark + ": b"});
     CHECK(of(unfinished_marks, "physics/world/world.cpp", "int " + mark + "s;\n").empty());
 }
 
-TEST_CASE("a path that is not there is found in a document") {
+TEST_CASE("a path in a document that does not exist is reported") {
     const SourceTree tree(std::map<std::string, std::string>{{"physics/world/step.cpp", ""}});
     CHECK(lost_paths(tree, "`physics/world/step.cpp`, `physics/world`, `std::sort`").empty());
     CHECK(lost_paths(tree, "`physics/world/stop.cpp` and `physics/word`").size() == 2);
     CHECK(rooms_without_line("").size() == folders_of_rooms().size());
 }
 
-TEST_CASE("a file outside every part is named") {
+TEST_CASE("a file outside every part is reported") {
     CHECK(of(unknown_places, "framework/drawing/pen.cpp", "").size() == 1);
     CHECK(of(unknown_places, "tests/physics/friction.cpp", "").empty());
 }

@@ -82,7 +82,8 @@ void SourceTree::add(const std::string& path, const std::string& text) {
 std::string SourceTree::resolve(const SourceFile& from, const Include& include) const {
     namespace fs = std::filesystem;
     std::vector<fs::path> roots;
-    // Beside the file, or from a folder above it: a part's own folder is on its include path.
+    // The included file is in the folder of the including file or in a folder above, because the
+    // folder of a part is on its include path.
     const fs::path beside = fs::path(from.path).parent_path();
     for (fs::path folder = beside; !folder.empty(); folder = folder.parent_path()) {
         roots.push_back(folder);

@@ -1,5 +1,5 @@
 #pragma once
-// The project's own sources as the rules of the architecture see them: paths and lines of text.
+// The sources of the project, as the rules of the architecture read them: paths and lines of text.
 
 #include <filesystem>
 #include <map>
@@ -11,11 +11,11 @@ namespace fettle::architecture {
 struct Include {
     std::string name;  // between the brackets or quotes
     bool quoted = false;
-    int line = 0;  // from 1
+    int line = 0;  // the first line is 1
 };
 
 struct SourceFile {
-    std::string path;  // from the project's root, with forward slashes
+    std::string path;  // relative to the root of the project, with forward slashes
     std::vector<std::string> lines;
 
     bool is_header() const;
@@ -25,19 +25,21 @@ struct SourceFile {
     std::vector<Include> includes() const;
 };
 
-/// Sources by path. Made from a folder on disk, or from texts, so that a rule can be shown to fail.
+/// Sources by path. They are read from a folder, or given as texts, so that a test can show that a
+/// rule reports a violation.
 class SourceTree {
   public:
     SourceTree() = default;
     explicit SourceTree(const std::map<std::string, std::string>& texts);
 
-    /// Everything under `root` that is code, Lua or CMake; skips `build` and hidden folders.
+    /// Reads all C++, C, Lua and CMake files below `root`; skips `build` and hidden folders.
     static SourceTree read(const std::filesystem::path& root);
 
     const std::map<std::string, SourceFile>& files() const { return files_; }
     bool contains(const std::string& path) const { return files_.contains(path); }
 
-    /// The project's file that `include` in `from` denotes, or "" when it is none of the project's.
+    /// Path of the file of the project that `include` in `from` denotes; "" if it is not a file of
+    /// the project.
     std::string resolve(const SourceFile& from, const Include& include) const;
 
   private:

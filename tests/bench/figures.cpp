@@ -1,4 +1,4 @@
-// What the benchmarks make of their measurements.
+// Statistics and formatting of the measurements of benchmarks.
 
 #include <algorithm>
 #include <limits>
@@ -29,27 +29,27 @@ std::vector<double> ranks(int n) {
 
 }  // namespace
 
-TEST_CASE("the median is the middle or the mean of the middle two") {
+TEST_CASE("the median is the middle value or the mean of the middle two") {
     CHECK(median({3}) == 3);
     CHECK(median({5, 1, 3}) == 3);
     CHECK(median({4, 1, 3, 2}) == 2.5);
 }
 
-TEST_CASE("the interval of the median leaves out what the tables of order statistics say") {
+TEST_CASE("the interval of the median agrees with the tables of order statistics") {
     // P(X <= 5) = 2.07 %, P(X <= 6) = 5.77 % for 20 fair coins: the 6th and the 15th value.
     CHECK(median_interval(ranks(20)).low == 6);
     CHECK(median_interval(ranks(20)).high == 15);
     // P(X <= 9) = 2.14 %, P(X <= 10) = 4.94 % for 30.
     CHECK(median_interval(ranks(30)).low == 10);
     CHECK(median_interval(ranks(30)).high == 21);
-    // One in 32 that five values all lie on one side is too many.
+    // P(X <= 0) = 3.13 % for 5 is too much, so the interval contains all five values.
     CHECK(median_interval(ranks(5)).low == 1);
     CHECK(median_interval(ranks(5)).high == 5);
     CHECK(median_interval(ranks(6)).low == 1);
     CHECK(median_interval(ranks(9)).low == 2);
 }
 
-TEST_CASE("a figure has three digits that matter") {
+TEST_CASE("a figure is printed with three significant digits") {
     CHECK(figure(0) == "0");
     CHECK(figure(0.12345) == "0.123");
     CHECK(figure(1.2345) == "1.23");
@@ -60,7 +60,7 @@ TEST_CASE("a figure has three digits that matter") {
     CHECK(figure(0.0000123) == "1.23e-05");
 }
 
-TEST_CASE("a bound holds for the figures it is meant for and for no NaN") {
+TEST_CASE("a bound applies to its figures and never holds for NaN") {
     CHECK(below(50).holds(49.9));
     CHECK_FALSE(below(50).holds(50));
     CHECK(at_most(1.75).holds(1.75));
@@ -77,7 +77,7 @@ TEST_CASE("a bound holds for the figures it is meant for and for no NaN") {
         CHECK_FALSE(bound.holds(nan));
 }
 
-TEST_CASE("a table marks the figures beyond their bounds and names each at the end") {
+TEST_CASE("a table marks the figures beyond their bounds and lists them at the end") {
     Verdict verdict("tree");
     CHECK(verdict.look("get ball.mass", 1.5, at_most(1.75), "1.50", "of the barest") == "1.50");
     CHECK(verdict.look("get ball.mass", 2, at_most(1.75), "2.00", "of the barest") == "2.00 !");
@@ -103,7 +103,7 @@ TEST_CASE("columns of a table are as wide as their widest cell") {
           "smash          12.5\n");
 }
 
-TEST_CASE("a JSON line keeps its order and has no numbers that JSON lacks") {
+TEST_CASE("a JSON line keeps the order and writes NaN as null") {
     CHECK(json_line({{"scene", std::string("a \"b\"")},
                      {"steps", 3LL},
                      {"ms", 1.5},
@@ -112,7 +112,7 @@ TEST_CASE("a JSON line keeps its order and has no numbers that JSON lacks") {
           R"({"scene":"a \"b\"","steps":3,"ms":1.5,"ratio":null,"nan":null})");
 }
 
-TEST_CASE("the longest bar of a group fills the chart and a missing value has none") {
+TEST_CASE("the longest bar of a group fills the chart and a missing value has no bar") {
     const Chart chart{.title = "a < b",
                       .unit = "ms",
                       .series = {"one", "two", "three"},
@@ -130,7 +130,7 @@ TEST_CASE("the longest bar of a group fills the chart and a missing value has no
     CHECK(bars == 2);
 }
 
-TEST_CASE("a chart that cannot be written names the file") {
+TEST_CASE("a chart that cannot be written is reported with the file") {
     CHECK_THROWS_WITH(write_svg({}, "/no/such/folder/chart.svg"),
                       contains("/no/such/folder/chart.svg"));
 }

@@ -1,4 +1,4 @@
-// Figures of step times compare only if the scenes are what they are said to be.
+// Step times are comparable only if the scenes match their descriptions.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ const SceneBody& last(const Scene& scene) {
     return scene.bodies.back();
 }
 
-/// Twice the area that three corners in a row span: positive where they turn left.
+/// Twice the signed area of three consecutive corners: positive if they turn left.
 float turn(Point a, Point b, Point c) {
     return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
@@ -55,11 +55,12 @@ TEST_CASE("there are four hundred small pyramids on twenty grounds") {
     CHECK(last(scene).position == Point{-110 + 11 * 19 + 1 + 4.5f, 11 * 19 + 9.5f});
 }
 
-TEST_CASE("the grid hangs by seven circles and every neighbor is tied to the next") {
+TEST_CASE("the grid hangs from seven circles and all neighbors are connected") {
     const Scene scene = joint_grid();
     CHECK(scene.bodies.size() == 10000);
     CHECK(count(scene, Motion::fixed) == 7);
-    // Two a body, but for the first row and the first column, and the six between those held.
+    // Each body has two joints, except in the first row and the first column; the seven fixed
+    // bodies are neighbors and have no joints with each other.
     CHECK(scene.joints.size() == 2 * 100 * 99 - 6);
     for (const SceneJoint& joint : scene.joints) {
         const Point a = scene.anchor_a(joint), b = scene.anchor_b(joint);
@@ -78,7 +79,7 @@ TEST_CASE("the tumbler is a dynamic drum that a motor turns") {
     CHECK(scene.anchor_b(scene.joints[0]) == Point{0, 0});
 }
 
-TEST_CASE("only the ram of the smash is awake") {
+TEST_CASE("only the ram of the smash scene is awake") {
     const Scene scene = smash();
     CHECK(scene.steps == 300);
     CHECK(scene.gravity == Point{0, 0});
@@ -89,7 +90,7 @@ TEST_CASE("only the ram of the smash is awake") {
     CHECK(scene.bodies[0].shapes[0].density == 8);
 }
 
-TEST_CASE("the compounds are of two triangles each") {
+TEST_CASE("each compound has two triangles") {
     const Scene scene = compounds();
     CHECK(count(scene, Motion::fixed) == 81 + 200 + 1);
     CHECK(count(scene, Motion::dynamic) == 20 * 150);
@@ -112,7 +113,7 @@ TEST_CASE("the washer is a drum with four fins around its load") {
     }
 }
 
-TEST_CASE("the junkyard is pushed about by one body on a path") {
+TEST_CASE("one body that moves on a path pushes the bodies of the junkyard") {
     const Scene scene = junkyard();
     CHECK(scene.steps == 800);
     CHECK(count(scene, Motion::fixed) == 161 + 100);
@@ -150,7 +151,7 @@ TEST_CASE("every polygon of a scene is convex and counter-clockwise") {
     }
 }
 
-TEST_CASE("a scene is found by its name and says why it is not there") {
+TEST_CASE("a scene is found by its name and an unknown name is reported") {
     std::set<std::string> names;
     for (const CatalogueEntry& entry : catalogue()) {
         CHECK(names.insert(std::string(entry.name)).second);
@@ -161,7 +162,7 @@ TEST_CASE("a scene is found by its name and says why it is not there") {
     CHECK_THROWS_WITH(scene_named("smsh"), contains("there are large_pyramid, many"));
 }
 
-TEST_CASE("it rains a column of twenty five dolls every eight steps") {
+TEST_CASE("the rain adds a column of twenty five ragdolls every eight steps") {
     const Scene scene = rain();
     CHECK(scene.steps == 1000);
     CHECK(scene.bodies.size() == 5);
@@ -177,7 +178,7 @@ TEST_CASE("it rains a column of twenty five dolls every eight steps") {
     CHECK_FALSE(scene.runs_on("box2d"));
 }
 
-TEST_CASE("the spinner stirs six thousand bodies in a ring") {
+TEST_CASE("the spinner moves six thousand bodies in a ring") {
     const Scene scene = spinner();
     const auto& ring = std::get<ChainShape>(scene.bodies[0].shapes.at(0).geometry);
     CHECK(ring.closed);

@@ -27,7 +27,7 @@ void put(const fs::path& file, const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("history is there again in the next run") {
+TEST_CASE("the next run has the history of the run before") {
     Folder folder;
     fs::path file = folder.path / "deep" / "down" / "history";
     {
@@ -65,7 +65,7 @@ TEST_CASE("two consoles on one history file both keep their commands") {
           std::vector<std::string>{"from one", "from two", "from one again"});
 }
 
-TEST_CASE("a history file grown long is cut down and nothing recent is lost") {
+TEST_CASE("a history file that became too long is cut and keeps recent commands") {
     Folder folder;
     fs::path file = folder.path / "history";
     std::ostringstream lines;
@@ -76,11 +76,11 @@ TEST_CASE("a history file grown long is cut down and nothing recent is lost") {
     CHECK(history.entries().back() == "command 9999");
     CHECK(history.entries().front() == "command 8000");
     CHECK(fs::file_size(file) < 40'000);
-    // Nothing is left beside it.
+    // No temporary file is left.
     CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("a damaged history file gives what can be read") {
+TEST_CASE("the readable lines of a damaged history file are loaded") {
     Folder folder;
     fs::path file = folder.path / "history";
     put(file, std::string("good\n\xff\xfe bad\n\n\0\x01\nlast without newline", 36));
@@ -90,7 +90,7 @@ TEST_CASE("a damaged history file gives what can be read") {
     CHECK(history.entries().back() == "last without newline");
 }
 
-TEST_CASE("a history that is a folder is reported once and goes on in memory") {
+TEST_CASE("a history file that is a folder is reported once and the history stays in memory") {
     Folder folder;
     History history(folder.path);
     CHECK(history.take_problem().find("not a regular file") != std::string::npos);
@@ -99,7 +99,7 @@ TEST_CASE("a history that is a folder is reported once and goes on in memory") {
     CHECK(history.entries().size() == 1);
 }
 
-TEST_CASE("a history whose folder cannot be made is reported and goes on in memory") {
+TEST_CASE("a history whose folder cannot be made is reported and stays in memory") {
     Folder folder;
     put(folder.path / "file", "in the way");
     History history(folder.path / "file" / "history");
@@ -110,7 +110,7 @@ TEST_CASE("a history whose folder cannot be made is reported and goes on in memo
     CHECK(history.entries().size() == 2);
 }
 
-TEST_CASE("history is walked by prefix and searched by part") {
+TEST_CASE("the history is searched by prefix and by part of a command") {
     History history;
     for (const char* command : {"world.a = 1", "print(2)", "world.b = 3", "Print(4)"})
         history.add(command);
@@ -119,12 +119,12 @@ TEST_CASE("history is walked by prefix and searched by part") {
     CHECK(history.older("world", 0) == std::nullopt);
     CHECK(history.newer("world", 0) == 2u);
     CHECK(history.newer("world", 2) == std::nullopt);
-    CHECK(history.containing("print", 4) == 3u);  // small letters: either case
+    CHECK(history.containing("print", 4) == 3u);  // a pattern in lower case ignores case
     CHECK(history.containing("Print", 3) == std::nullopt);
     CHECK(history.containing("print", 3) == 1u);
 }
 
-TEST_CASE("the history lies in the state folder of the user") {
+TEST_CASE("the history file is in the state folder of the user") {
     ::setenv("XDG_STATE_HOME", "/state", 1);
     CHECK(fettle::console::default_history_file() == "/state/fettle/console_history");
     ::setenv("XDG_STATE_HOME", "relative is to be ignored", 1);

@@ -1,4 +1,4 @@
-// Who gets an event: the game, the prompt, or a widget.
+// Whether the game, the prompt or a widget gets an event.
 
 #include "catch.h"
 #include "rig.h"
@@ -10,7 +10,7 @@ using console::test::Rig;
 using property::Value;
 using property::Vec2;
 
-TEST_CASE("the grave key opens and closes the console and never types itself") {
+TEST_CASE("the grave key opens and closes the console and is never typed") {
     Rig rig;
     CHECK_FALSE(rig.console.is_open());
     CHECK(rig.press("grave"));
@@ -46,7 +46,7 @@ TEST_CASE("a grave key held down toggles once") {
     CHECK(rig.input().empty());
 }
 
-TEST_CASE("a letter typed while the grave key is still down is not lost") {
+TEST_CASE("a letter typed while the grave key is still down is typed") {
     Rig rig;
     rig.press("grave");
     rig.character('`');
@@ -66,7 +66,7 @@ TEST_CASE("shift and the grave key type a tilde") {
     CHECK(rig.input() == "~");
 }
 
-TEST_CASE("another key can open the console") {
+TEST_CASE("another key can be set to open the console") {
     Rig rig;
     property::set(rig.tree, "console.key", Value("f1"));
     CHECK_FALSE(rig.key("grave"));
@@ -77,7 +77,7 @@ TEST_CASE("another key can open the console") {
     CHECK(rig.input() == "`");
 }
 
-TEST_CASE("what is no key cannot open the console") {
+TEST_CASE("a name that is not a key is refused as the key of the console") {
     Rig rig;
     CHECK_THROWS_WITH(property::set(rig.tree, "console.key", Value("esc")),
                       contains("console.key: expected one of"));
@@ -118,24 +118,24 @@ TEST_CASE("a key released after the console closed does not reach the game") {
     CHECK_FALSE(rig.release("a"));
 }
 
-TEST_CASE("the mouse over the console is the console's and beside it the game's") {
+TEST_CASE("the console gets the mouse over it and the game gets the mouse beside it") {
     Rig rig;
     rig.key("grave");
     rig.draw();
     CHECK(rig.move(300, 100));
     CHECK(rig.button(true, 300, 100));
-    CHECK(rig.move(300, 600));  // dragged out: still the console's
+    CHECK(rig.move(300, 600));  // a drag that left the console is still the console's
     CHECK(rig.button(false, 300, 600));
     CHECK_FALSE(rig.move(300, 600));
     CHECK_FALSE(rig.button(true, 300, 600, "right"));
-    CHECK_FALSE(rig.move(300, 100));  // dragged in: still the game's
+    CHECK_FALSE(rig.move(300, 100));  // a drag that entered the console is still the game's
     CHECK_FALSE(rig.button(false, 300, 100, "right"));
     rig.key("grave");
     CHECK_FALSE(rig.move(300, 100));
     CHECK_FALSE(rig.button(true, 300, 100));
 }
 
-TEST_CASE("clicking a body makes it it and opens it in the inspector") {
+TEST_CASE("a click on a body selects it and sets it") {
     Rig rig;
     rig.key("grave");
     rig.draw();
@@ -149,13 +149,13 @@ TEST_CASE("clicking a body makes it it and opens it in the inspector") {
                     .inspector.editor()
                     .widget_rect(rig.tree.property(rig.console.selected(), "position"))
                     .empty());
-    // Beside every body nothing changes.
+    // A click beside every body changes nothing.
     CHECK(rig.button(true, 600, 700));
     rig.button(false, 600, 700);
     CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
 }
 
-TEST_CASE("a click does not select when picking is off or the console closed") {
+TEST_CASE("a click does not select when picking is off or the console is closed") {
     Rig rig;
     Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));
     auto x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
@@ -170,7 +170,7 @@ TEST_CASE("a click does not select when picking is off or the console closed") {
     CHECK_FALSE(rig.console.selected());
 }
 
-TEST_CASE("the console pauses the game while it is open when told so") {
+TEST_CASE("the console pauses the game while it is open if the option is set") {
     Rig rig;
     property::set(rig.tree, "console.pauses", Value(true));
     CHECK(rig.value("time.paused") == Value(false));
@@ -195,7 +195,7 @@ TEST_CASE("a game that was paused stays paused when the console closes") {
     CHECK(rig.value("time.paused") == Value(true));
 }
 
-TEST_CASE("the console is opened by its property too") {
+TEST_CASE("the console can be opened by its property") {
     Rig rig;
     property::set(rig.tree, "console.open", Value(true));
     CHECK(rig.key("x"));
@@ -206,7 +206,7 @@ TEST_CASE("the console is opened by its property too") {
     CHECK(rig.surface.triangle_count() == 0);
 }
 
-TEST_CASE("a console deleted from the tree comes back") {
+TEST_CASE("a console deleted from the tree is made again") {
     Rig rig;
     rig.tree.destroy(rig.tree.child(rig.tree.root(), "console"));
     rig.tree.barrier();
@@ -216,7 +216,7 @@ TEST_CASE("a console deleted from the tree comes back") {
     CHECK(rig.value("console.open") == Value(true));
 }
 
-TEST_CASE("losing the focus forgets held keys") {
+TEST_CASE("losing the focus releases held keys") {
     Rig rig;
     rig.key("grave");
     rig.press("left_control");
@@ -228,7 +228,7 @@ TEST_CASE("losing the focus forgets held keys") {
     CHECK(rig.input() == "a");
 }
 
-TEST_CASE("everything typed and clicked within one frame arrives in order") {
+TEST_CASE("the events of one frame arrive in order") {
     Rig rig;
     rig.key("grave");
     rig.type("world.ball.mass = 7");

@@ -1,4 +1,4 @@
-// The inspector, with a mouse.
+// The inspector, used with a mouse.
 
 #include <inspector/instance_tree.h>
 #include "catch.h"
@@ -54,7 +54,7 @@ TEST_CASE("dragging a number edits the property") {
     CHECK(rig.commands.empty());
 }
 
-TEST_CASE("a drag is written as an edit of the inspector") {
+TEST_CASE("a drag is recorded as an edit by the inspector") {
     BallRig rig;
     std::vector<property::Writer> writers;
     auto connection = rig.tree.watch(rig.ball, "mass", [&](const property::Change& change) {
@@ -80,7 +80,7 @@ TEST_CASE("a drag is one step of undo") {
     CHECK_FALSE(rig.tree.undo().done);
 }
 
-TEST_CASE("dragging stays within the range of the property") {
+TEST_CASE("a drag stays within the range of the property") {
     BallRig rig;
     rig.drag_by("friction", 600);
     CHECK(rig.value("world.ball.friction") == Value(1.0));
@@ -91,7 +91,7 @@ TEST_CASE("dragging stays within the range of the property") {
     CHECK(rig.value("world.ball.lives") == Value(9));
 }
 
-TEST_CASE("shift drags slower and alt slower still") {
+TEST_CASE("a drag with shift is slower and with alt even slower") {
     BallRig rig;
     auto travelled = [&](const char* modifier) {
         rig.tree.set(rig.ball, "angle", Value(0.0));
@@ -118,7 +118,7 @@ TEST_CASE("a vector has a field for each component") {
     CHECK(rig.value("world.ball.position").vec2().y() > -4);
 }
 
-TEST_CASE("a number is clicked and typed") {
+TEST_CASE("a number field that is clicked can be typed into") {
     BallRig rig;
     rig.replace_text("mass", "2.5");
     CHECK(rig.value("world.ball.mass") == Value(2.5));
@@ -126,7 +126,7 @@ TEST_CASE("a number is clicked and typed") {
     CHECK(rig.value("world.ball.mass") == Value(7.0));
     rig.replace_text("mass", "inf");
     CHECK(rig.value("world.ball.mass") == Value(std::numeric_limits<double>::infinity()));
-    CHECK(rig.input().empty());  // nothing of it reached the prompt
+    CHECK(rig.input().empty());  // the prompt got no text
     CHECK(rig.console.is_open());
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("an expression typed into a number field is calculated") {
     CHECK(rig.value("world.ball.mass") == Value(1.25));
 }
 
-TEST_CASE("a refused edit shows why and changes nothing") {
+TEST_CASE("a refused edit shows the reason and changes nothing") {
     BallRig rig;
     rig.replace_text("mass", "-3");
     CHECK(rig.value("world.ball.mass") == Value(1.0));
@@ -156,7 +156,7 @@ TEST_CASE("a refused edit shows why and changes nothing") {
     CHECK_FALSE(rig.warns());
 }
 
-TEST_CASE("Escape leaves a field without a change and the console open") {
+TEST_CASE("Escape cancels the edit of a field and keeps the console open") {
     BallRig rig;
     ImVec2 at = rig.widget("mass");
     rig.click(at.x, at.y);
@@ -178,7 +178,7 @@ TEST_CASE("a check box writes a boolean") {
     CHECK(rig.value("world.ball.awake") == Value(false));
 }
 
-TEST_CASE("a text is typed and kept when the field is left") {
+TEST_CASE("a typed text is written when the field loses the focus") {
     BallRig rig;
     rig.replace_text("label", "hello");
     CHECK(rig.value("world.ball.label") == Value("hello"));
@@ -203,13 +203,13 @@ TEST_CASE("an enumerator is chosen from its list") {
     rig.click(at.x, at.y);
     rig.draw(2);
     REQUIRE(rig.state().popup_open);
-    rig.click(at.x, at.y + 24);  // the first of the list below
+    rig.click(at.x, at.y + 24);  // the first entry of the list below the field
     rig.draw(2);
     CHECK(rig.value("world.ball.type") == Value("static"));
     CHECK_FALSE(rig.state().popup_open);
 }
 
-TEST_CASE("Escape closes a list that popped up and not the console") {
+TEST_CASE("Escape closes an open list and keeps the console open") {
     BallRig rig;
     ImVec2 at = rig.widget("type");
     rig.click(at.x, at.y);
@@ -222,7 +222,7 @@ TEST_CASE("Escape closes a list that popped up and not the console") {
     CHECK(rig.value("world.ball.type") == Value("dynamic"));
 }
 
-TEST_CASE("a reference is chosen from the instances that fit") {
+TEST_CASE("a reference is chosen from the instances of the required class") {
     BallRig rig;
     ImVec2 at = rig.widget("target", 1.0f);
     rig.click(at.x - 8, at.y);
@@ -237,7 +237,7 @@ TEST_CASE("a reference is chosen from the instances that fit") {
     CHECK(rig.input().empty());
 }
 
-TEST_CASE("the reset mark takes a property back to its default") {
+TEST_CASE("the reset mark sets a property back to its default") {
     BallRig rig;
     rig.tree.set(rig.ball, "mass", Value(8.0));
     ImVec2 at = rig.widget("mass", 1.0f);
@@ -253,7 +253,7 @@ TEST_CASE("a read-only property cannot be dragged") {
     CHECK_FALSE(rig.warns());
 }
 
-TEST_CASE("a reference is a link") {
+TEST_CASE("a reference is shown as a link") {
     BallRig rig;
     Handle crate = rig.tree.child(rig.tree.parent(rig.ball), "crate");
     rig.tree.set(rig.ball, "target", Value(crate));
@@ -263,7 +263,7 @@ TEST_CASE("a reference is a link") {
     CHECK(rig.console.selected() == crate);
 }
 
-TEST_CASE("elements of a list are edited added and removed") {
+TEST_CASE("elements of a list are edited and added and removed") {
     BallRig rig;
     ImVec2 head = rig.widget("vertices", 0.2f);
     rig.click(head.x, head.y);
@@ -275,18 +275,18 @@ TEST_CASE("elements of a list are edited added and removed") {
     console::Rect rect = editor.widget_rect(vertices);
     REQUIRE(rect.high.y - rect.low.y > 80);
     float row = (rect.high.y - rect.low.y) / 5;
-    // The x of the second vertex, dragged.
+    // Drags the x of the second vertex.
     float x = rect.low.x + 50, y = rect.low.y + row * 2.4f;
     rig.drag(x, y, x + 40, y);
     rig.draw();
     List list = rig.value("world.ball.vertices").list();
     CHECK(list[1].vec2().x() > 1.2);
     CHECK(list[1].vec2().y() == 0);
-    // The last line adds one.
+    // Clicks the last line, which adds a vertex.
     rig.click(rect.low.x + 15, rect.high.y - 8);
     rig.draw(2);
     CHECK(rig.value("world.ball.vertices").list().size() == 4);
-    // Its last column removes one.
+    // Clicks the last column, which removes a vertex.
     rig.click(rect.high.x - 10, rect.low.y + row * 1.45f);
     rig.draw(2);
     list = rig.value("world.ball.vertices").list();
@@ -294,7 +294,7 @@ TEST_CASE("elements of a list are edited added and removed") {
     CHECK(list[0].vec2().x() > 1.2);
 }
 
-TEST_CASE("ad-hoc properties are shown edited and removed") {
+TEST_CASE("ad-hoc properties are shown and edited and removed") {
     BallRig rig;
     rig.tree.set_or_add(rig.ball, "score", Value(10.0));
     rig.drag_by("score", 50);
@@ -308,7 +308,7 @@ TEST_CASE("ad-hoc properties are shown edited and removed") {
     CHECK(rig.tree.find(rig.ball, "score") == nullptr);
 }
 
-TEST_CASE("a formula in error shows what is wrong and an edit replaces it") {
+TEST_CASE("a formula in error is shown with its error and an edit replaces it") {
     BallRig rig;
     bool works = true;
     rig.tree.set_formula(rig.ball, "angle",
@@ -331,7 +331,7 @@ TEST_CASE("a formula in error shows what is wrong and an edit replaces it") {
     CHECK(rig.tree.formula(rig.ball, rig.tree.property(rig.ball, "angle")) == nullptr);
 }
 
-TEST_CASE("values shown follow the game") {
+TEST_CASE("the values shown follow the game") {
     BallRig rig;
     rig.draw(2);
     auto before = rig.surface.pixels();
@@ -382,12 +382,12 @@ TEST_CASE("the outline is searched by name and class") {
     CHECK(outline.rows(0).size() == 7);
 }
 
-TEST_CASE("a hundred thousand instances are inspected without reading them all") {
+TEST_CASE("a hundred thousand instances are shown without reading all of them") {
     BallRig rig;
     Handle world = rig.tree.parent(rig.ball);
     const property::Class& object = rig.tree.object_class();
     for (int i = 0; i < 100'000; ++i) rig.tree.create(object, world, "thing_" + std::to_string(i));
-    rig.draw(30);  // past the refresh
+    rig.draw(30);  // until after the refresh
     std::size_t first = rig.surface.triangle_count();
     CHECK(first < 20'000);
     Handle last = rig.tree.child(world, "thing_99999");

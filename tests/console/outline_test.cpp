@@ -1,4 +1,4 @@
-// The line round what is selected.
+// The outline of the selected instance.
 
 #include <catch.h>
 
@@ -17,8 +17,8 @@ using property::Vec2;
 
 namespace {
 
-/// Draws a disc of a metre's radius that has come from (0, -2) to (4, -2) in the last step, below
-/// it an ellipse and a line, all beside the console's windows.
+/// Draws a disc with radius 1 m that moved from (0, -2) to (4, -2) in the last step, an ellipse
+/// below it, and a line; none of them is under a window of the console.
 void draw_ghost(void*, const property::Tree&, Handle, property::Row, property::Painter& painter,
                 double alpha) {
     painter.circle(Vec2(4 * alpha, -2), 1, {});
@@ -38,8 +38,8 @@ struct Haunted : Rig {
         key("grave");
         console.select(ghost);
     }
-    /// How many pixels have the color of what is selected, at most so far from a point of the
-    /// world along x and y.
+    /// Number of pixels with the color of the selection within `reach` pixels of a point of the
+    /// world.
     int lit(const Vec2& world, int reach) {
         const Vec2 p = state().options.to_pixels(world);
         const auto& pixels = surface.pixels();
@@ -58,7 +58,7 @@ struct Haunted : Rig {
 
 }  // namespace
 
-TEST_CASE_METHOD(Haunted, "the line round what is selected is where the picture shows it") {
+TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the instance is drawn") {
     const double alpha = GENERATE(0.0, 0.5, 1.0);
     {
         const property::Drawing drawing(alpha);
@@ -70,11 +70,11 @@ TEST_CASE_METHOD(Haunted, "the line round what is selected is where the picture 
         CHECK(lined(rim));
     CHECK(lined({x + 2, -5}));
     CHECK(lined({x, -4.5}));
-    // A line with a rounding: half a metre off its ends and sides.
+    // A line with a rounding: the outline is half a metre from its ends and sides.
     CHECK(lined({x + 1.5, -7.5}));
     CHECK(lined({x, -8}));
     CHECK_FALSE(lined({x + 2, -2}));
-    // Where the line begins and ends it is as wide as anywhere.
+    // The outline has the same width at the ends of the line as elsewhere.
     CHECK(std::abs(lit({x + 1, -2}, 8) - lit({x - 1, -2}, 8)) < 6);
     CHECK(std::abs(lit({x + 2, -5}, 8) - lit({x - 2, -5}, 8)) < 6);
 }

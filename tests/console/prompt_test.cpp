@@ -24,7 +24,7 @@ struct OpenRig : Rig {
 
 }  // namespace
 
-TEST_CASE("Enter runs the command and the log shows it and what came of it") {
+TEST_CASE("Enter runs the command and the log shows the command and the result") {
     OpenRig rig;
     rig.run("world.ball.mass = 5");
     CHECK(rig.value("world.ball.mass") == Value(5.0));
@@ -32,7 +32,7 @@ TEST_CASE("Enter runs the command and the log shows it and what came of it") {
     CHECK(rig.logged("world.ball.mass = 5\nworld.ball.mass: 5"));
 }
 
-TEST_CASE("Enter on nothing runs nothing") {
+TEST_CASE("Enter on an empty prompt runs nothing") {
     OpenRig rig;
     rig.run("");
     rig.run("   ");
@@ -40,7 +40,7 @@ TEST_CASE("Enter on nothing runs nothing") {
     CHECK(rig.input().empty());
 }
 
-TEST_CASE("a command that is not complete gets another line with its indent") {
+TEST_CASE("Enter on an incomplete command adds an indented line") {
     OpenRig rig;
     rig.type("  for i = 1, 3 do");
     rig.key("enter");
@@ -52,7 +52,7 @@ TEST_CASE("a command that is not complete gets another line with its indent") {
     CHECK(rig.commands[0] == "  for i = 1, 3 do\n  end");
 }
 
-TEST_CASE("ctrl Enter runs what is there and shift Enter adds a line") {
+TEST_CASE("ctrl Enter runs the prompt and shift Enter adds a line") {
     OpenRig rig;
     rig.type("world.ball.mass");
     rig.key("shift+enter");
@@ -66,7 +66,7 @@ TEST_CASE("ctrl Enter runs what is there and shift Enter adds a line") {
     CHECK(rig.logged("not complete"));
 }
 
-TEST_CASE("Up and Down walk the commands that begin with what is typed") {
+TEST_CASE("Up and Down visit the commands that begin with the typed text") {
     OpenRig rig;
     for (const char* command : {"world.ball.mass", "time.paused", "world.crate.mass"})
         rig.run(command);
@@ -88,7 +88,7 @@ TEST_CASE("Up and Down walk the commands that begin with what is typed") {
     CHECK(rig.input() == "time.paused");
 }
 
-TEST_CASE("Up inside several lines moves the cursor first") {
+TEST_CASE("Up within several lines moves the cursor first") {
     OpenRig rig;
     rig.run("time.paused");
     rig.type("a");
@@ -111,7 +111,7 @@ TEST_CASE("reverse search finds older and older commands") {
     CHECK(rig.input() == "world.ball.mass");
     rig.key("ctrl+r");
     CHECK(rig.state().prompt.search_failed());
-    rig.key("ctrl+r");  // around
+    rig.key("ctrl+r");  // starts again with the newest
     CHECK(rig.input() == "world.crate.mass");
     rig.key("escape");
     CHECK(rig.input() == "draft");
@@ -134,7 +134,7 @@ TEST_CASE("reverse search is narrowed and widened by typing") {
     rig.key("backspace");
     CHECK_FALSE(rig.state().prompt.search_failed());
     CHECK(rig.input() == "world.ball.mass");
-    rig.key("left");  // keeps it, to be edited
+    rig.key("left");  // accepts the command for editing
     CHECK_FALSE(rig.state().prompt.search());
     CHECK(rig.input() == "world.ball.mass");
 }
@@ -147,7 +147,7 @@ TEST_CASE("Tab completes at once when there is one candidate") {
     CHECK_FALSE(rig.menu().open());
 }
 
-TEST_CASE("Tab shows candidates which typing narrows") {
+TEST_CASE("Tab shows candidates and typing narrows them") {
     OpenRig rig;
     rig.type("world.ball.f");
     rig.key("tab");
@@ -164,7 +164,7 @@ TEST_CASE("Tab shows candidates which typing narrows") {
     CHECK_FALSE(rig.menu().open());
 }
 
-TEST_CASE("the arrows choose a candidate and Enter takes it without running") {
+TEST_CASE("the arrow keys choose a candidate and Enter inserts it without running") {
     OpenRig rig;
     rig.type("world.ball.f");
     rig.key("tab");
@@ -184,7 +184,7 @@ TEST_CASE("the arrows choose a candidate and Enter takes it without running") {
     CHECK(rig.commands.size() == 1);
 }
 
-TEST_CASE("Enter on a name already typed in full runs it") {
+TEST_CASE("Enter on a completely typed name runs it") {
     OpenRig rig;
     rig.type("world.ball.f");
     rig.key("tab");
@@ -194,7 +194,7 @@ TEST_CASE("Enter on a name already typed in full runs it") {
     CHECK(rig.commands.size() == 1);
 }
 
-TEST_CASE("the candidates go when something else is typed") {
+TEST_CASE("the candidates are closed when other text is typed") {
     OpenRig rig;
     rig.type("world.ball.f");
     rig.key("tab");
@@ -220,10 +220,10 @@ TEST_CASE("Escape closes the candidates before the console") {
     rig.key("escape");
     CHECK_FALSE(rig.console.is_open());
     rig.key("grave");
-    CHECK(rig.input() == "f");  // what was typed is still there
+    CHECK(rig.input() == "f");  // the typed text is unchanged
 }
 
-TEST_CASE("the latest command with the same beginning is suggested and taken by Right") {
+TEST_CASE("the latest command with the same beginning is suggested and accepted by Right") {
     OpenRig rig;
     rig.run("world.ball.mass = 4");
     rig.type("world.b");
@@ -233,7 +233,7 @@ TEST_CASE("the latest command with the same beginning is suggested and taken by 
     CHECK(rig.state().prompt.suggestion().empty());
 }
 
-TEST_CASE("copy cut and paste go through the clipboard") {
+TEST_CASE("copy and cut and paste use the clipboard") {
     OpenRig rig;
     rig.type("world.ball");
     rig.key("ctrl+a");
@@ -243,7 +243,7 @@ TEST_CASE("copy cut and paste go through the clipboard") {
     rig.clipboard.text = ".mass = 3\r\n";
     rig.key("ctrl+v");
     CHECK(rig.input() == "world.ball.mass = 3");
-    CHECK(rig.commands.empty());  // a line end pasted does not run
+    CHECK(rig.commands.empty());  // a pasted line end does not run the command
     rig.key("shift+home");
     rig.key("ctrl+x");
     CHECK(rig.input().empty());
@@ -252,7 +252,7 @@ TEST_CASE("copy cut and paste go through the clipboard") {
     CHECK(rig.input() == "world.ball.mass = 3");
 }
 
-TEST_CASE("several lines pasted are one command") {
+TEST_CASE("several pasted lines are one command") {
     OpenRig rig;
     rig.clipboard.text = "for i = 1, 2 do\n\tprint(i)\nend\n";
     rig.key("ctrl+v");

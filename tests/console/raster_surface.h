@@ -1,5 +1,5 @@
 #pragma once
-// A surface that draws in memory, so that pictures of the console can be looked at and compared
+// A surface that draws in memory, so that pictures of the console can be viewed and compared
 // without a window.
 
 #include <array>
@@ -30,13 +30,13 @@ class RasterSurface : public app::Surface {
                    const app::ClipRectangle& clip) override;
 
     void clear();
-    /// Painted when asked for: most tests never look.
+    /// Drawn at the first call: most tests do not read the pixels.
     const std::vector<Pixel>& pixels() const;
     std::size_t triangle_count() const { return triangle_count_; }
     std::size_t textures() const { return textures_.size(); }
-    /// Triangles with an index or a texture that does not exist.
+    /// Number of triangles with an index or a texture that does not exist.
     std::size_t faults() const { return faults_; }
-    /// Binary PPM.
+    /// Writes binary PPM.
     void save(const std::filesystem::path& file) const;
 
   private:
@@ -45,7 +45,7 @@ class RasterSurface : public app::Surface {
         std::vector<std::uint8_t> rgba;
     };
     struct Call {
-        std::vector<app::SurfaceVertex> corners;  // three a triangle
+        std::vector<app::SurfaceVertex> corners;  // three for each triangle
         Texture texture;
         app::ClipRectangle clip;
     };
@@ -55,7 +55,7 @@ class RasterSurface : public app::Surface {
     unsigned width_, height_;
     Pixel background_;
     std::vector<Call> calls_;
-    mutable std::size_t painted_ = 0;  // calls
+    mutable std::size_t painted_ = 0;  // number of calls that are drawn
     mutable std::vector<Pixel> pixels_;
     std::map<Texture, Image> textures_;
     Texture next_ = 1;

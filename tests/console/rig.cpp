@@ -128,23 +128,23 @@ Rig::Rig(Options options, const std::filesystem::path& game)
       surface(1280, 720),
       console((make_game(tree), tree), stand_in(), with_view(std::move(options))) {}
 
-/// What a command did to tweaks; "" when it is none of these.
+/// The tweaks that a command changed, as text; "" for other commands.
 std::string Rig::tweaked(const std::string& command) {
     const std::size_t open = command.find("(\"");
     if (tweaks == nullptr || open == std::string::npos) return {};
     const std::string function = command.substr(0, open);
     const std::string pattern = command.substr(open + 2, command.size() - open - 4);
     const property::Tree::CauseScope cause(tree, property::Writer::console);
-    const auto told = [](const char* done, const property::TweakReport& report) {
+    const auto reported = [](const char* done, const property::TweakReport& report) {
         std::string line = std::string(done) + " " + std::to_string(report.count) +
                            (report.count == 1 ? " tweak" : " tweaks");
         for (const std::string& file : report.files)
             line += " in " + std::filesystem::path(file).filename().string();
         return line;
     };
-    if (function == "keep") return told("kept", tweaks->keep(pattern));
-    if (function == "drop_tweaks") return told("dropped", tweaks->drop(pattern));
-    if (function == "reapply_tweaks") return told("made again", tweaks->reapply(pattern));
+    if (function == "keep") return reported("kept", tweaks->keep(pattern));
+    if (function == "drop_tweaks") return reported("dropped", tweaks->drop(pattern));
+    if (function == "reapply_tweaks") return reported("made again", tweaks->reapply(pattern));
     return {};
 }
 

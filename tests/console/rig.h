@@ -1,5 +1,5 @@
 #pragma once
-// A small world with a console over it, driven by events as a window would send them.
+// A small world with a console, driven by the events that a window would send.
 
 #include <filesystem>
 #include <memory>
@@ -24,7 +24,8 @@ class TextClipboard : public app::Clipboard {
     std::string text;
 };
 
-/// Classes like those of a game: `World` with `at`, `Body` with a property of every type.
+/// Defines classes similar to those of a game: `World` with `at`, `Body` with a property of every
+/// type.
 void define_game(property::Tree& tree);
 /// A tree with `world`, three bodies in it, and `time.paused`.
 void make_game(property::Tree& tree);
@@ -33,17 +34,17 @@ app::InputEvent key_event(std::string_view name, bool pressed);
 
 class Rig {
   public:
-    /// Commands are understood by a stand-in: `path = value` sets, `path` prints.
-    /// `game`: a file whose tweaks are journaled; none without.
+    /// Commands are evaluated by a simple replacement of Lua: `path = value` sets, `path` prints.
+    /// `game`: a file whose tweaks are journaled; empty: no journal.
     explicit Rig(Options options = {}, const std::filesystem::path& game = {});
 
-    /// A key pressed and released; "ctrl+r", "shift+enter". Returns what the console said to the
-    /// press: true when the game does not get it.
+    /// Presses and releases a key; for example "ctrl+r", "shift+enter". Returns true if the
+    /// console consumed the press, so that the game does not get it.
     bool key(std::string_view combination);
     bool press(std::string_view name);
     bool release(std::string_view name);
     bool character(char32_t character);
-    /// Key, text and release of each character of ASCII text, as a keyboard sends them.
+    /// Sends key, text and release for each character of ASCII text, as a keyboard does.
     void type(std::string_view text);
     bool move(float x, float y);
     bool button(bool pressed, float x, float y, std::string_view name = "left");
@@ -53,18 +54,19 @@ class Rig {
 
     Console::State& state() { return console.state(); }
     std::string input() { return state().prompt.edit().text(); }
-    /// The lines of the log, one string.
+    /// The lines of the log as one string.
     std::string log_text();
     bool logged(std::string_view part) { return log_text().find(part) != std::string::npos; }
     property::Value value(std::string_view path) { return property::get(tree, path); }
-    /// Middle of the widget of a property of the selected instance; draws until it is in sight.
+    /// Middle of the widget of a property of the selected instance; draws frames until the widget
+    /// is visible.
     ImVec2 widget(std::string_view property, float share_x = 0.5f);
     void save(const std::string& name);
 
     property::Tree tree;
     std::unique_ptr<property::Tweaks> tweaks;
     TextClipboard clipboard;
-    std::vector<std::string> commands;  // what was evaluated
+    std::vector<std::string> commands;  // evaluated commands
     RasterSurface surface;
     Console console;
 

@@ -1,4 +1,4 @@
-// The console on the real Lua runtime.
+// The console with the Lua runtime.
 
 #include "catch.h"
 #include "rig.h"
@@ -12,7 +12,7 @@ using property::Vec2;
 
 namespace {
 
-/// A rig whose commands are Lua.
+/// A rig that evaluates commands with Lua.
 class LuaRig : public Rig {
   public:
     explicit LuaRig(script::Options options = {}) : runtime(tree, options), lua(tree, runtime, {}) {
@@ -46,7 +46,7 @@ class LuaRig : public Rig {
 
 }  // namespace
 
-TEST_CASE("gravity typed into the console changes and the echo tells from what to what") {
+TEST_CASE("an assignment to gravity in the console is echoed with old and new value") {
     LuaRig rig;
     rig.run("world.gravity = vec(0, -2)");
     CHECK(rig.value("world.gravity") == Value(Vec2(0, -2)));
@@ -63,7 +63,7 @@ TEST_CASE("an expression prints its value") {
     CHECK(rig.says("world.ball.mass * 3\n3"));
 }
 
-TEST_CASE("a slip is an error with the nearest spelling and a caret") {
+TEST_CASE("a misspelled name is an error with the nearest name and a caret") {
     LuaRig rig;
     rig.run("world.bal.mass = 2");
     INFO(rig.text());
@@ -72,7 +72,7 @@ TEST_CASE("a slip is an error with the nearest spelling and a caret") {
     CHECK(rig.lua.state().prompt.edit().empty());
 }
 
-TEST_CASE("a block goes on until it is closed") {
+TEST_CASE("the prompt of a block stays open until the block is closed") {
     LuaRig rig;
     rig.run("for i = 1, 3 do");
     CHECK(rig.lua.state().prompt.edit().text() == "for i = 1, 3 do\n");
@@ -82,7 +82,7 @@ TEST_CASE("a block goes on until it is closed") {
     CHECK(rig.lua.state().prompt.edit().empty());
 }
 
-TEST_CASE("a runaway command is stopped") {
+TEST_CASE("an endless command is stopped") {
     script::Options options;
     options.console_budget = 200'000;
     LuaRig rig(options);
@@ -97,7 +97,7 @@ TEST_CASE("a runaway command is stopped") {
     CHECK(rig.text().ends_with("2 + 2\n4\n"));
 }
 
-TEST_CASE("what is selected is it") {
+TEST_CASE("the variable it is the selected instance") {
     LuaRig rig;
     rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "crate"));
     rig.run("it.mass = 9");
@@ -118,7 +118,7 @@ TEST_CASE("Tab completes the paths of the tree") {
     CHECK(rig.lua.state().prompt.edit().text() == "world.ball.friction");
 }
 
-TEST_CASE("candidates show value type range and default") {
+TEST_CASE("candidates show value and type and range and default") {
     LuaRig rig;
     rig.lua.open();
     auto& prompt = rig.lua.state().prompt;
@@ -144,7 +144,7 @@ TEST_CASE("help is printed for a path with a question mark") {
     CHECK(rig.says("Resists being moved"));
 }
 
-TEST_CASE("a console command is written as the console's") {
+TEST_CASE("a write by a console command is recorded as the console's") {
     LuaRig rig;
     property::Writer writer = property::Writer::module;
     auto connection =
@@ -155,7 +155,7 @@ TEST_CASE("a console command is written as the console's") {
     connection.stop();
 }
 
-TEST_CASE("the console is reached through its own properties") {
+TEST_CASE("the properties of the console can be used in the console") {
     LuaRig rig;
     rig.run("console.height = 0.7");
     rig.lua.draw(rig.surface, 1.0 / 60);

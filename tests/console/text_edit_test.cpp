@@ -9,7 +9,7 @@ using fettle::console::clean_text;
 using fettle::console::Motion;
 using fettle::console::TextEdit;
 
-TEST_CASE("typing over a selection replaces it") {
+TEST_CASE("typing replaces the selection") {
     TextEdit edit;
     edit.insert("world.ball");
     edit.select(6, 10);
@@ -19,13 +19,13 @@ TEST_CASE("typing over a selection replaces it") {
     CHECK_FALSE(edit.selecting());
 }
 
-TEST_CASE("motions move by whole characters and words") {
+TEST_CASE("the cursor moves by whole characters and words") {
     TextEdit edit;
     edit.insert("für world.ball");
     edit.move(Motion::text_start, false);
     edit.move(Motion::right, false);
     edit.move(Motion::right, false);
-    CHECK(edit.cursor() == 3);  // f and the two bytes of ü
+    CHECK(edit.cursor() == 3);  // after f and the two bytes of ü
     edit.move(Motion::left, false);
     CHECK(edit.cursor() == 1);
     edit.move(Motion::word_right, false);
@@ -53,7 +53,7 @@ TEST_CASE("up and down keep the column where the line is long enough") {
     CHECK(edit.line_count() == 3);
 }
 
-TEST_CASE("undo takes back a word at a time and redo brings it back") {
+TEST_CASE("undo removes one word at a time and redo adds it again") {
     TextEdit edit;
     for (const char* c : {"a", "b", " ", "c", "d"}) edit.insert(c);
     CHECK(edit.undo());
@@ -68,7 +68,7 @@ TEST_CASE("undo takes back a word at a time and redo brings it back") {
     CHECK_FALSE(edit.redo());
 }
 
-TEST_CASE("deleting without a selection deletes what the motion passes") {
+TEST_CASE("deleting without a selection deletes the text that the motion passes") {
     TextEdit edit;
     edit.insert("one two");
     edit.erase(Motion::left);
@@ -82,7 +82,7 @@ TEST_CASE("deleting without a selection deletes what the motion passes") {
     CHECK(edit.empty());
 }
 
-TEST_CASE("a text longer than the limit is cut at a character") {
+TEST_CASE("a text longer than the limit is cut between characters") {
     TextEdit edit;
     edit.insert(std::string(TextEdit::max_bytes - 1, 'x'));
     edit.insert("ü");
@@ -93,7 +93,7 @@ TEST_CASE("a text longer than the limit is cut at a character") {
     CHECK(edit.text().back() == 'y');
 }
 
-TEST_CASE("pasted text loses what a line cannot hold") {
+TEST_CASE("characters that a line cannot contain are removed from pasted text") {
     CHECK(clean_text("a\r\nb\rc\td\x07") == "a\nb\nc  d");
     CHECK(clean_text("ü→") == "ü→");
     CHECK(clean_text("\xff\xc3") == "\xef\xbf\xbd\xef\xbf\xbd");
@@ -102,7 +102,7 @@ TEST_CASE("pasted text loses what a line cannot hold") {
     CHECK(clean_text(std::string_view("a\0b", 3)) == "ab");
 }
 
-TEST_CASE("a word is selected with underscores and digits") {
+TEST_CASE("the selection of a word includes underscores and digits") {
     TextEdit edit;
     edit.insert("world.body_1.mass");
     edit.select_word(8);

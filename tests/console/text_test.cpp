@@ -1,4 +1,4 @@
-// Fuzzy matching, coloring, the log.
+// Fuzzy matching, coloring and the log.
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ bool has(std::string_view line, const std::vector<Span>& spans, std::string_view
 
 }  // namespace
 
-TEST_CASE("a command is colored by what its parts are") {
+TEST_CASE("the parts of a command are colored by their kind") {
     std::string_view line = "if world[\"my ball\"].mass >= 0x1F then x = 'a' -- why";
     auto spans = highlight_command(line);
     CHECK(has(line, spans, "if", Token::keyword));
@@ -36,7 +36,7 @@ TEST_CASE("a command is colored by what its parts are") {
     CHECK(has(line, spans, "-- why", Token::comment));
 }
 
-TEST_CASE("an echo is colored and prose is not") {
+TEST_CASE("an echo is colored and other text is not") {
     std::string_view line = "world.ball.mass: 2 → 5.5e-3 kg, don't \"stop\" here";
     auto spans = highlight_output(line);
     CHECK(has(line, spans, "world.ball.mass", Token::path));
@@ -46,7 +46,7 @@ TEST_CASE("an echo is colored and prose is not") {
     CHECK(has(line, spans, "here", Token::plain));
 }
 
-TEST_CASE("coloring takes any bytes") {
+TEST_CASE("coloring accepts any bytes") {
     for (std::string_view line : {"\"unclosed", "world[", "world[\"", "a.", "\\", "\xff\xfe", "[[",
                                   "world[\"x\\", "1e+", "'\\"})
         for (auto& spans : {highlight_command(line), highlight_output(line)})
@@ -56,7 +56,7 @@ TEST_CASE("coloring takes any bytes") {
             }
 }
 
-TEST_CASE("the caret stands below the name the message is about") {
+TEST_CASE("the caret is below the name in the message") {
     auto marked = [](std::string_view line, std::string_view message) {
         return piece(line, error_span(line, message));
     };
@@ -68,7 +68,7 @@ TEST_CASE("the caret stands below the name the message is about") {
     CHECK(marked("", "something failed").empty());
 }
 
-TEST_CASE("an error in the log shows message line and caret") {
+TEST_CASE("an error in the log shows message and line and caret") {
     Log log;
     ScriptError error;
     error.message = "console:1: no \"bal\" in world";
@@ -82,7 +82,7 @@ TEST_CASE("an error in the log shows message line and caret") {
     CHECK(log.lines()[5].text == "^^^^^");
 }
 
-TEST_CASE("a traceback is shown when it leads elsewhere") {
+TEST_CASE("a traceback is shown if it contains another place") {
     Log log;
     ScriptError error;
     error.message = "console:1: oh no";
@@ -95,7 +95,7 @@ TEST_CASE("a traceback is shown when it leads elsewhere") {
     CHECK(log.lines().back().kind == LineKind::trace);
 }
 
-TEST_CASE("the log drops its oldest lines and cuts endless ones") {
+TEST_CASE("the log drops its oldest lines and cuts very long ones") {
     Log log;
     for (std::size_t i = 0; i < Log::max_lines + 10; ++i) log.output("line " + std::to_string(i));
     CHECK(log.lines().size() == Log::max_lines);
@@ -108,7 +108,7 @@ TEST_CASE("the log drops its oldest lines and cuts endless ones") {
     CHECK(log.lines().empty());
 }
 
-TEST_CASE("several lines printed at once are several lines") {
+TEST_CASE("a printed text with several lines makes several lines") {
     Log log;
     log.output("a\nb\n");
     log.output("");

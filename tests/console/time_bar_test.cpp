@@ -1,4 +1,4 @@
-// The time bar: what its buttons and its track do to `time`.
+// The time bar: the effects of its buttons and its track on `time`.
 
 #include "catch.h"
 #include "rig.h"
@@ -11,7 +11,7 @@ using property::Value;
 
 namespace {
 
-/// A game at step 300 whose past is kept from step 100 on; commands are what was asked for.
+/// A game at step 300 that can go back to step 100; `commands` are the requested ones.
 struct Bar {
     Rig rig;
     explicit Bar(std::int64_t step = 300, bool paused = false) {
@@ -41,7 +41,7 @@ struct Bar {
 
 }  // namespace
 
-TEST_CASE("the time bar is there where a game has a past") {
+TEST_CASE("the time bar is shown if the game has a timeline") {
     Rig without;
     without.key("grave");
     without.draw(3);
@@ -58,7 +58,7 @@ TEST_CASE("the time bar is there where a game has a past") {
     CHECK(with.bar().rect().empty());
 }
 
-TEST_CASE("the play button pauses and goes on and is no edit") {
+TEST_CASE("the play button toggles the pause and makes no edit") {
     Bar bar;
     bar.click(bar.bar().play_button());
     bar.rig.draw(2);
@@ -69,7 +69,7 @@ TEST_CASE("the play button pauses and goes on and is no edit") {
     CHECK(bar.rig.tree.history().empty());
 }
 
-TEST_CASE("the step button makes one step in the present and goes one on in the past") {
+TEST_CASE("the step button makes one step in the present and moves one step in the past") {
     Bar bar;
     bar.click(bar.bar().step_button());
     bar.rig.draw(2);
@@ -81,7 +81,7 @@ TEST_CASE("the step button makes one step in the present and goes one on in the 
     CHECK(past.rig.commands == std::vector<std::string>{"time:go_to(201)"});
 }
 
-TEST_CASE("a drag over the track goes through the past and pauses the game") {
+TEST_CASE("a drag over the track moves through the past and pauses the game") {
     Bar bar;
     const console::Rect track = bar.bar().track();
     const float y = track.middle().y;
@@ -90,12 +90,12 @@ TEST_CASE("a drag over the track goes through the past and pauses the game") {
     CHECK(bar.paused());
     REQUIRE_FALSE(bar.rig.commands.empty());
     CHECK(bar.rig.commands.back() == "time:go_to(200)");
-    // The game underneath hears nothing of it.
+    // The game does not get these events.
     CHECK(bar.rig.button(true, track.middle().x, y));
     bar.rig.button(false, track.middle().x, y);
 }
 
-TEST_CASE("one returns from the past to the present with one click") {
+TEST_CASE("one click returns from the past to the present") {
     Bar bar(150, true);
     REQUIRE_FALSE(bar.bar().return_button().empty());
     bar.click(bar.bar().return_button());

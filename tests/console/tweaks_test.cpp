@@ -1,4 +1,4 @@
-// The list of tweaks, with a mouse.
+// The list of tweaks, used with a mouse.
 
 #include <fstream>
 #include <iterator>
@@ -44,14 +44,14 @@ struct TweakedRig : Place, Rig {
 
 }  // namespace
 
-TEST_CASE("the list of tweaks keeps and drops what is clicked") {
+TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     TweakedRig rig;
     REQUIRE(rig.tweaks->list().size() == 2);
     CHECK(rig.state().tweak_list.open_count() == 2);
     rig.save("tweaks");
     CHECK(rig.surface.faults() == 0);
     rig.press(1, "drop");
-    // As a person types it: so it is part of a recording, too.
+    // It is a typed command, so a recording contains it.
     CHECK(rig.commands.back() == "drop_tweaks(\"world.ball.angle\")");
     CHECK(rig.logged("dropped 1 tweak"));
     REQUIRE(rig.tweaks->list().size() == 1);
@@ -67,7 +67,7 @@ TEST_CASE("the list of tweaks keeps and drops what is clicked") {
     CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
 }
 
-TEST_CASE("what an earlier run left is made again from the list as one edit") {
+TEST_CASE("tweaks of an earlier run are applied again from the list as one edit") {
     const Place place;
     {
         Rig first({}, place.game());
@@ -92,11 +92,11 @@ TEST_CASE("what an earlier run left is made again from the list as one edit") {
     rig.tree.undo();
     rig.draw();
     CHECK(rig.value("world.ball.mass").number() == before);
-    CHECK(rig.tweaks->open_earlier() == 2);  // undone, they are as they were
+    CHECK(rig.tweaks->open_earlier() == 2);  // after undo they are open again
     CHECK(rig.tweaks->list().size() == 2);
 }
 
-TEST_CASE("a console without a journal shows nothing of tweaks") {
+TEST_CASE("a console without a journal shows no list of tweaks") {
     Rig rig;
     rig.key("grave");
     property::set(rig.tree, "console.tweaks", true);

@@ -1,4 +1,4 @@
-// What is seen: the log with its selection and links, sizes, fonts, drawing on any surface.
+// What the console draws: the log with selection and links, sizes, fonts, any surface.
 
 #include <deque>
 
@@ -14,7 +14,7 @@ using property::Value;
 
 namespace {
 
-/// Pixel position of a character of the last row that shows a line of the log.
+/// Pixel position of a character in the last row of a line of the log.
 ImVec2 log_position(Rig& rig, std::size_t lines_from_end, float column) {
     rig.draw(2);
     float line = rig.state().log_view.line_height();
@@ -25,7 +25,7 @@ ImVec2 log_position(Rig& rig, std::size_t lines_from_end, float column) {
 
 }  // namespace
 
-TEST_CASE("what is typed changes the picture") {
+TEST_CASE("typed text changes the picture") {
     Rig rig;
     rig.key("grave");
     rig.draw(3);
@@ -37,7 +37,7 @@ TEST_CASE("what is typed changes the picture") {
     CHECK(rig.surface.pixels() != before);
 }
 
-TEST_CASE("text dragged over in the log is copied") {
+TEST_CASE("text in the log selected with a drag is copied") {
     Rig rig;
     rig.key("grave");
     rig.console.print("first line");
@@ -71,13 +71,13 @@ TEST_CASE("a path in the log is a link to its instance") {
     rig.draw();
     CHECK(rig.tree.path(rig.console.selected()) == "world.crate");
     rig.press("left_control");
-    at = log_position(rig, 1, 8);  // one line up: choosing has printed one
+    at = log_position(rig, 1, 8);  // one line higher, because the choice printed one line
     rig.click(at.x, at.y);
     rig.release("left_control");
     CHECK(rig.input() == "world.crate.friction");
 }
 
-TEST_CASE("a word that is no path is no link") {
+TEST_CASE("a word in the log that is not a path is not a link") {
     Rig rig;
     rig.key("grave");
     rig.console.print("world.nothing.here is not there");
@@ -100,7 +100,7 @@ TEST_CASE("the log scrolls by pages and returns to the end with the next command
     float up = rig.state().log_view.scrolled();
     rig.console.print("more");
     rig.draw(2);
-    CHECK(rig.state().log_view.scrolled() == Approx(up));  // what one reads stays
+    CHECK(rig.state().log_view.scrolled() == Approx(up));  // the lines that are shown stay
     rig.type("world.ball.mass");
     rig.key("enter");
     rig.draw(3);
@@ -119,7 +119,7 @@ TEST_CASE("long lines are wrapped and any text can be drawn") {
     CHECK(rig.surface.triangle_count() > 1000);
 }
 
-TEST_CASE("sizes are live properties") {
+TEST_CASE("changes of the size properties take effect at once") {
     Rig rig;
     rig.key("grave");
     rig.draw(2);
@@ -151,7 +151,8 @@ TEST_CASE("the console draws on another surface and on tiny ones") {
     Rig rig;
     rig.key("grave");
     rig.draw(2);
-    std::deque<RasterSurface> others;  // alive together, as surfaces are told apart by address
+    std::deque<RasterSurface>
+        others;  // all exist at the same time, because surfaces are distinguished by address
     for (auto [width, height] : {std::pair{1920u, 1080u}, {320u, 200u}, {40u, 30u}, {1u, 1u}}) {
         RasterSurface& other = others.emplace_back(width, height);
         rig.console.draw(other, 1.0 / 60);
@@ -161,7 +162,7 @@ TEST_CASE("the console draws on another surface and on tiny ones") {
     CHECK(rig.surface.faults() == 0);
 }
 
-TEST_CASE("two consoles at once do not disturb each other") {
+TEST_CASE("two consoles at the same time do not affect each other") {
     Rig one, two;
     one.key("grave");
     two.key("grave");
@@ -192,7 +193,7 @@ TEST_CASE("a candidate is chosen with the mouse") {
     CHECK(rig.console.is_open());
 }
 
-TEST_CASE("the mouse places the cursor and selects in the prompt") {
+TEST_CASE("the mouse sets the cursor and selects in the prompt") {
     Rig rig;
     rig.key("grave");
     rig.type("world.ball.mass");
@@ -206,7 +207,7 @@ TEST_CASE("the mouse places the cursor and selects in the prompt") {
     CHECK(rig.input() == "world.x.mass");
 }
 
-TEST_CASE("errors and printed text of the game appear in the console") {
+TEST_CASE("errors and printed text of the game are shown in the console") {
     Rig rig;
     rig.console.print("hello\nworld");
     script::ScriptError error;

@@ -1,5 +1,6 @@
-// Equal inputs make equal bits: over runs, instruction sets, and what is saved and restored on the
-// way. Over compilers and their optimizations: `scene_hashes`, which ./check --full builds.
+// Equal inputs give equal bits: in every run, with every instruction set, and after saving and
+// restoring. For compilers and optimization levels, see `scene_hashes`, which ./check --full
+// builds.
 
 #include <fettle/physics/instruction_set.h>
 
@@ -29,13 +30,14 @@ void save_disturb_and_restore(World& world) {
     CHECK(world.hash() == before);
 }
 
-/// Run again, by every instruction set that this machine has, and restored in the middle.
+/// Runs the scene again, with every instruction set of this machine, and with a restore in the
+/// middle.
 void check_scene(const ShortScene& scene, const RunOptions& plain = {}) {
     INFO(scene.name << ", solver " << static_cast<int>(plain.solver));
     const std::uint64_t expected = run_scene(scene, plain);
     CHECK(run_scene(scene, plain) == expected);
     for (const int width : {4, 8}) {
-        if (width >= fettle::physics::simd_width()) continue;  // the runs above had the widest
+        if (width >= fettle::physics::simd_width()) continue;  // the runs above used the widest
         RunOptions narrow = plain;
         narrow.simd_width = width;
         INFO("instructions of " << width << " numbers");
@@ -56,37 +58,37 @@ const ShortScene& scene_of(std::string_view name) {
 
 }  // namespace
 
-TEST_CASE("a grid of joints ends in the same state however it is computed") {
+TEST_CASE("a grid of joints ends in the same state in every kind of run") {
     check_scene(scene_of("joint_grid"));
 }
-TEST_CASE("a large pyramid ends in the same state however it is computed") {
+TEST_CASE("a large pyramid ends in the same state in every kind of run") {
     check_scene(scene_of("large_pyramid"));
 }
-TEST_CASE("many pyramids end in the same state however they are computed") {
+TEST_CASE("many pyramids end in the same state in every kind of run") {
     check_scene(scene_of("many_pyramids"));
 }
-TEST_CASE("a smashed wall ends in the same state however it is computed") {
+TEST_CASE("a smashed wall ends in the same state in every kind of run") {
     check_scene(scene_of("smash"));
 }
-TEST_CASE("a tumbler ends in the same state however it is computed") {
+TEST_CASE("a tumbler ends in the same state in every kind of run") {
     check_scene(scene_of("tumbler"));
 }
-TEST_CASE("a spinner ends in the same state however it is computed") {
+TEST_CASE("a spinner ends in the same state in every kind of run") {
     check_scene(scene_of("spinner"));
 }
-TEST_CASE("a washer ends in the same state however it is computed") {
+TEST_CASE("a washer ends in the same state in every kind of run") {
     check_scene(scene_of("washer"));
 }
-TEST_CASE("falling compounds end in the same state however they are computed") {
+TEST_CASE("falling compounds end in the same state in every kind of run") {
     check_scene(scene_of("compounds"));
 }
-TEST_CASE("a junkyard ends in the same state however it is computed") {
+TEST_CASE("a junkyard ends in the same state in every kind of run") {
     check_scene(scene_of("junkyard"));
 }
-TEST_CASE("raining ragdolls end in the same state however they are computed") {
+TEST_CASE("raining ragdolls end in the same state in every kind of run") {
     check_scene(scene_of("rain"));
 }
-TEST_CASE("a crowd ends in the same state under every solver however it is computed") {
+TEST_CASE("a crowd ends in the same state with every solver in every kind of run") {
     for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct})
         check_scene(small_crowd, {.solver = solver});
 }

@@ -1,6 +1,6 @@
-// Scenes that go on and on: nothing becomes infinite, leaves where it is shut in, or piles up in
-// memory. FETTLE_SOAK=10 runs each ten times as long as the benchmark does; without it they are
-// short.
+// Long runs of scenes: no number becomes infinite, no body leaves its container, and the memory
+// does not grow. With FETTLE_SOAK=10, each scene runs ten times as long as in the benchmark;
+// without it the runs are short.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ using namespace fettle::physics;
 
 namespace {
 
-/// Where a scene keeps its bodies, m; a side that is open is infinite. `lost`: how many it may
-/// lose.
+/// The region in which a scene keeps its bodies, m; an open side is infinite. `lost`: the number of
+/// bodies that may leave it.
 struct Pen {
     std::string_view scene;
     Aabb box;
@@ -32,8 +32,8 @@ Pen pen_of(std::string_view scene) {
         {"large_pyramid", {{-infinity, -2}, {infinity, infinity}}},
         {"many_pyramids", {{-infinity, -2}, {infinity, infinity}}},
         {"tumbler", {{-16, -6}, {16, 26}}},
-        // The tip of the rotor, which no torque stops, grazes the ring: what is between is pressed
-        // through.
+        // The tip of the rotor, whose torque is unlimited, touches the ring, so bodies between them
+        // are pressed through the ring.
         {"spinner", {{-42, -10}, {42, 74}}, 12},
         {"washer", {{-20, -10}, {20, 30}}},
         {"compounds", {{-800, -82}, {800, infinity}}},
@@ -67,7 +67,7 @@ class Watch {
     }
 
     bool finite = true, inside = true;
-    std::vector<std::size_t> sizes;  // of the world, bytes
+    std::vector<std::size_t> sizes;  // of the world, in bytes, at intervals
 
   private:
     Pen pen_;
@@ -77,7 +77,7 @@ class Watch {
 
 }  // namespace
 
-TEST_CASE("scenes run on without infinities or escape or growing memory", "[soak]") {
+TEST_CASE("long runs have no infinite numbers or escaped bodies or growing memory", "[soak]") {
     const char* wanted = std::getenv("FETTLE_SOAK");
     const int times = wanted != nullptr ? std::atoi(wanted) : 0;
     for (const ShortScene& scene : short_scenes()) {

@@ -1,11 +1,11 @@
-# Sourced: the blocks of a Markdown document, as its tests see them.
+# To be sourced: reads the blocks of a Markdown document for its tests.
 # shellcheck shell=bash
 
 # read_blocks FILE fills these arrays, an element for each block of the document, in its order:
-#   block_line   the line of its fence, or its first line where it is only indented
-#   block_kind   the language behind the fence; "" when there is none, "indented", "html" (<pre>) or "open" (no end)
-#   block_file   what stands behind the language: the name of a file
-#   block_mark   what the comment <!-- test: ... --> before it says
+#   block_line   the line of its fence, or its first line if it is only indented
+#   block_kind   the language after the fence; "" if there is none, "indented", "html" (<pre>) or "open" (no end)
+#   block_file   the text after the language: the name of a file
+#   block_mark   the text of the comment <!-- test: ... --> before it
 #   block_text   its lines, without the indentation of its fence
 read_blocks() {
     block_line=() block_kind=() block_file=() block_mark=() block_text=()
@@ -24,7 +24,7 @@ read_blocks() {
             mark = ""
         }
         function end_of_indented() { if (indented) put(indented, "indented", "", text); indented = 0 }
-        # Inside a fence: until one at least as long of the same kind.
+        # Inside a block: it ends at a fence of the same kind that is at least as long.
         fence != "" {
             rest = $0
             sub(/^ +/, "", rest)
@@ -70,14 +70,14 @@ read_blocks() {
         }
         /^ *<pre/ { end_of_indented(); put(FNR, "html", "", $0 "\n"); next }
         /^$/ { if (indented) text = text "\n"; blank = 1; next }
-        # Four spaces after an empty line make a block, but in a list, whose items are indented so.
+        # Four spaces after an empty line begin a block, except in a list, whose items have the same indentation.
         /^(    |\t)/ && (indented || (blank && !list)) {
             if (!indented) { indented = FNR; text = "" }
             sub(/^(    |\t)/, "")
             text = text $0 "\n"
             next
         }
-        # What stands between a mark and a block belongs to neither.
+        # Text between a mark and a block: the mark does not belong to the block.
         { end_of_indented(); mark = ""; blank = /^#/; list = /^ *([-*+]|[0-9]+[.)]) / || (list && /^ /) }
         END {
             end_of_indented()

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# How documents are tested, tried on small ones. Each case_* function is one test; CTest runs `cases.sh NAME`.
+# Tests of the tests of documents, with small documents. Each case_* function is one test; CTest runs `cases.sh NAME`.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 
-# A small project with the commands, and what follows documents.
+# A small project with the commands and the scripts that test documents.
 project=$work/project folder=$work/followed
 mkdir -p "$project/tests" "$project/cmake"
 cp -r "$here" "$project/tests/documents"
@@ -17,7 +17,7 @@ mkdir -p "$work/build/bin"
 printf '#!/bin/sh\nfor a; do echo "[$a]"; done\n' >"$work/build/bin/fettle"
 chmod +x "$work/build/bin/fettle"
 
-# follow: the document that comes on the standard input.
+# follow: tests the document on the standard input.
 follow() {
     cat >"$work/page.md"
     status=0
@@ -106,7 +106,7 @@ echo after
 ```
 PAGE
     expect_failure "page.md:1: these commands fail"
-    [[ $output == *before* && $output != *$'\nafter\n'*before* ]] || wrong "what was printed should be told"
+    [[ $output == *before* && $output != *$'\nafter\n'*before* ]] || wrong "the output should be reported"
 }
 
 case_all_commands_are_typed_into_one_terminal() {
@@ -253,7 +253,7 @@ case_what_is_typed_into_a_console_goes_to_the_game() {
 › c
 ```
 PAGE
-    # The program here prints what it is told: not what the page shows.
+    # The program of this project prints its arguments, which is not what the page shows.
     expect_failure "the output is another one"
     [[ $output == *'+[10:a = 1]'*'+[20:b]'*'+[21:c]'* ]] || wrong "the commands should have their steps"
     [[ $output == *'+[scripts/showcase]'*'+[--steps]'*'+[22]'* ]] || wrong "the game should be played to the end"

@@ -18,7 +18,7 @@ finished=$(cd -- "$2" && pwd -P)
 [[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
 if [[ $document == /* ]]; then read_blocks "$document"; else read_blocks "$sources/$document"; fi
 
-# --- Where it happens -----------------------------------------------------------------------------------------------------
+# --- The checkout ---------------------------------------------------------------------------------------------------------
 
 rm -rf -- "$folder"
 # Home folders have no spaces in their names, and documents need not quote them.
@@ -31,7 +31,7 @@ folder=$(cd -- "$folder" && pwd -P)
 terminal=$folder/terminal
 checkout=$folder/fettle
 
-# What git would hand out, with what has been changed but not committed.
+# The files of the repository, with changes that are not committed.
 make_checkout() {
     mkdir -- "$checkout"
     if git -C "$sources" rev-parse --git-dir >/dev/null 2>&1; then
@@ -43,7 +43,7 @@ make_checkout() {
     done | tar -C "$sources" --null -T - -cf - | tar -C "$checkout" -xf -
 }
 
-# The terminal: a new user's environment, and the tools that stand for those which would build and test everything.
+# The terminal: a new user's environment, and the programs that replace those which would build and test everything.
 environment=(
     env -i HOME="$folder/home" USER=reader TERM=dumb LANG=C.UTF-8 TMPDIR="${TMPDIR:-/tmp}"
     PATH="$here/stand-ins:$PATH" FETTLE_CHECKOUT="$checkout" FETTLE_FINISHED="$finished" FETTLE_PATH="$PATH")
@@ -58,7 +58,7 @@ else
 fi
 printf 'cd %q\n' "$checkout" >"$terminal"
 
-# in_terminal COMMANDS: runs them where the commands before left off; what they print goes to $said.
+# in_terminal COMMANDS: runs them in the same terminal as the commands before; their output goes to $said.
 in_terminal() {
     local status=0
     # shellcheck disable=SC2016
@@ -70,7 +70,7 @@ in_terminal() {
     return "$status"
 }
 
-# --- What is done with each block -----------------------------------------------------------------------------------------
+# --- The test of each block -----------------------------------------------------------------------------------------------
 
 fail() {
     printf '%s:%s: %s\n' "$document" "${block_line[i]}" "$*"
@@ -90,7 +90,7 @@ write_file() {
     printf '%s' "${block_text[i]}" >"${said%$'\n'}/${block_file[i]}"
 }
 
-# The time of day is the only thing that no document can know.
+# The time of day is the only part of an output that may differ from the document.
 without_clock() { sed -E 's/\b[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\b/HH:MM:SS/g'; }
 
 compare_output() {

@@ -1,5 +1,6 @@
-// What functions of a game may do while they are asked in the middle of a step or of a search:
-// each question times each action, one of them a step, in one game.
+// What functions of a game may do when the physics calls them in the middle of a step or of a
+// search: every question is combined with every action; one test is one game, and each combination
+// is one of its steps.
 
 #include <catch.h>
 
@@ -11,7 +12,7 @@ using namespace program_test;
 
 namespace {
 
-/// Builds what is asked about anew, and knows all that could be done to it.
+/// Builds the objects that the questions are about, and defines all actions that could change them.
 const std::string stage = R"lua(
 function build()
     if world:has("stage") then world.stage = nil end
@@ -129,7 +130,7 @@ Outcome run(const Folder& folder, const std::string& script, int steps) {
 
 }  // namespace
 
-TEST_CASE("a function asked in a search is refused whatever would change the game") {
+TEST_CASE("a function called in a search is refused every change of the game") {
     const Folder folder;
     const Outcome done = run(folder, R"lua(
 local queries = {
@@ -189,7 +190,7 @@ end
     CHECK(done.out == "true\t0\n");
 }
 
-TEST_CASE("a handler asked in a step is refused whatever would change the game") {
+TEST_CASE("a handler called in a step is refused every change of the game") {
     const Folder folder;
     const Outcome done = run(folder, R"lua(
 local events = { "before_solve", "before_solve_shape", "mix_surfaces", "filter_pair" }
@@ -232,7 +233,7 @@ end
     CHECK(done.out == "true\t0\n");
 }
 
-TEST_CASE("a function asked in a search may read and search on") {
+TEST_CASE("a function called in a search may read and search") {
     const Folder folder;
     const Outcome done = run(folder, R"lua(
 build()
@@ -280,7 +281,7 @@ print(world:at(vec(0, 0.6)).name)
     CHECK(contains(done.out, "true\tfalse\n"));
 }
 
-TEST_CASE("an explosion that spares some spares them again when time is gone back over") {
+TEST_CASE("an explosion that spares some bodies spares them again in a replay after rewinding") {
     const Folder folder;
     const Outcome done = run(folder, R"lua(
 world.a = Body { position = vec(1, 5), Circle {} }
@@ -305,7 +306,7 @@ end)
     CHECK(done.out == "true\ttrue\ttrue\ttrue\n");
 }
 
-TEST_CASE("a function that stands too early in a call is told where it belongs") {
+TEST_CASE("a function given as the wrong argument is reported with the right argument") {
     const Folder folder;
     const std::string game = folder.write(
         "main.lua", "world:raycast(vec(0, 0), vec(1, 0), function() return true end)\n");
@@ -316,7 +317,7 @@ TEST_CASE("a function that stands too early in a call is told where it belongs")
                         "accept: raycast(from, to [, mask] [, group] [, accept])"));
 }
 
-TEST_CASE("who wrote what going back took back is told as restored") {
+TEST_CASE("values that rewinding restored are reported as restored") {
     const Folder folder;
     const std::string game = folder.write("main.lua", "world.ball = Body { mass = 2 }\n");
     const Outcome outcome = fettle(

@@ -18,7 +18,7 @@ Outcome run(const std::string& script, int steps = 120) {
 
 }  // namespace
 
-TEST_CASE("a cloned world goes on as the original does") {
+TEST_CASE("a cloned world moves as the original does") {
     const Outcome done = run(R"lua(
         world.gravity = vec(1, -9)
         world.bounds = { vec(-9, -9), vec(9, 9) }
@@ -55,7 +55,7 @@ TEST_CASE("a cloned world goes on as the original does") {
           "true\n");
 }
 
-TEST_CASE("what Fettle alone can make says that it cannot be cloned") {
+TEST_CASE("cloning an instance that only Fettle can make is refused") {
     const Outcome done = run(R"lua(
         world.a = Body { Circle {} }
         local before = #game:all()

@@ -1,5 +1,5 @@
-// `fettle docs`: annotations and reference pages hold all there is, and the committed ones are
-// those that the program writes.
+// `fettle docs`: annotations and reference pages contain everything, and the committed files equal
+// the output of the program.
 
 #include <catch.h>
 #include <sys/wait.h>
@@ -29,7 +29,8 @@ std::string text_of(const fs::path& file) {
 
 using Folder = TemporaryFolder;
 
-/// Exit status of `fettle ARGUMENTS`, run without a display; what it printed goes to out and err.
+/// Exit status of `fettle ARGUMENTS`, run without a display; its output goes to the files out and
+/// err.
 int fettle(const Folder& folder, const std::string& arguments) {
     const std::string here = "'" + folder.path.string() + "'";
     const std::string command = "cd " + here +
@@ -51,7 +52,7 @@ std::vector<std::vector<std::string>> table(const std::string& text) {
     return rows;
 }
 
-/// The row of a Markdown table that is about `name`, cell by cell; empty when there is none.
+/// The cells of the row for `name` in a Markdown table; empty if there is no such row.
 std::vector<std::string> row_about(const std::string& page, const std::string& name) {
     const std::size_t start = page.find("\n| `" + name + "` |");
     if (start == std::string::npos) return {};
@@ -69,7 +70,7 @@ std::vector<std::string> row_about(const std::string& page, const std::string& n
     return cells;
 }
 
-// What a running game finds by walking over its own classes and globals.
+// Lists the classes and globals of a running game.
 const char* walk = R"lua(
 local function line(...) print(table.concat({ ... }, "\t")) end
 for _, c in ipairs(classes) do
@@ -96,7 +97,7 @@ for _, c in ipairs(classes) do
     if e.owner == c then
       line("event", c.name, e.name, e.doc)
       for _, f in ipairs(e.fields) do
-        line("told", c.name, e.name, f.name, f.unit == "" and "-" or f.unit, f.doc)
+        line("reported", c.name, e.name, f.name, f.unit == "" and "-" or f.unit, f.doc)
       end
     end
   end
@@ -120,7 +121,7 @@ std::vector<std::vector<std::string>> walk_over_everything(const Folder& folder)
 
 }  // namespace
 
-TEST_CASE("the committed reference is what the program writes") {
+TEST_CASE("the committed reference equals the output of the program") {
     const Folder folder;
     REQUIRE(fettle(folder, "docs new") == 0);
     const fs::path committed = "docs/reference", written = folder.path / "new";
@@ -157,7 +158,7 @@ TEST_CASE("every line of the annotations is valid and every type in them is defi
     }
 }
 
-TEST_CASE("annotations that are no annotations are refused") {
+TEST_CASE("invalid annotations are refused") {
     for (const std::string bad :
          {"---@clas Body", "---@class Body", "---@class Body\nlocal b = {}", "---@field x number a",
           "---A\n---@class B\n---@field x number\nlocal b = {}", "function f() end",
@@ -172,7 +173,7 @@ TEST_CASE("annotations that are no annotations are refused") {
                       "Y[]|\"z\", W>\nfunction f(a) end\n"));
 }
 
-TEST_CASE("all that a game can use is in annotations and pages with unit and range") {
+TEST_CASE("annotations and pages contain everything that a game can use with unit and range") {
     const Folder folder;
     REQUIRE(fettle(folder, "docs new") == 0);
     const fs::path pages = folder.path / "new";
@@ -211,26 +212,27 @@ TEST_CASE("all that a game can use is in annotations and pages with unit and ran
             CHECK(contains(page, row[3]));
             CHECK(contains(index, "[" + row[1] + "](classes/" + row[1] + ".md)"));
         } else if (kind == "property") {
-            REQUIRE(row.size() == 8);  // so no doc text is empty
+            REQUIRE(row.size() == 8);  // fails if a description is empty
             REQUIRE(annotated.fields.contains(row[2]));
-            const std::string& told = annotated.fields.at(row[2]).doc;
-            CHECK(told.starts_with(row[7] + " · "));
+            const std::string& reported = annotated.fields.at(row[2]).doc;
+            CHECK(reported.starts_with(row[7] + " · "));
             const auto cells = row_about(page, row[2]);
             REQUIRE(cells.size() == 7);
             CHECK(cells[2] == (row[3] == "-" ? "–" : row[3]));
-            if (row[3] != "-") CHECK(contains(told, " · " + row[3]));
+            if (row[3] != "-") CHECK(contains(reported, " · " + row[3]));
             CHECK(cells[3] != "–");
             for (const std::string& bound : {row[5], row[6]}) {
                 if (bound == "-" || bound == "inf" || bound == "-inf") continue;
                 std::string number = bound;
                 if (number.ends_with(".0")) number.resize(number.size() - 2);
                 CHECK(contains(cells[3], number));
-                CHECK(contains(told, number));
+                CHECK(contains(reported, number));
             }
             CHECK(contains(cells[6], row[7].substr(0, row[7].find('|'))));
         } else if (kind == "enumerator") {
             CHECK(contains(annotated.fields.at(row[2]).type, "\"" + row[3] + "\""));
-            // Keys would fill the page; it tells how many there are, and its text where they stand.
+            // The names of keys would fill the page, so it has their number; in lists that name
+            // each one, the name is found.
             const std::string taken = row_about(page, row[2])[3];
             CHECK((contains(taken, "\"" + row[3] + "\"") || taken.ends_with(" texts")));
         } else if (kind == "method") {
@@ -240,15 +242,15 @@ TEST_CASE("all that a game can use is in annotations and pages with unit and ran
             CHECK(contains(page, "### `:" + row[2] + "("));
         } else if (kind == "event") {
             REQUIRE(row.size() == 4);
-            const std::string told = row[2] == "deleted" ? "Existence" : row[1] + "." + row[2];
-            CHECK(file.classes.contains(told));
+            const std::string reported = row[2] == "deleted" ? "Existence" : row[1] + "." + row[2];
+            CHECK(file.classes.contains(reported));
             bool typed = false;
             for (const std::string& overload : annotated.methods.at("on").overloads)
-                typed |=
-                    contains(overload, "event: \"" + row[2] + "\", handler: fun(told: " + told);
+                typed |= contains(overload,
+                                  "event: \"" + row[2] + "\", handler: fun(record: " + reported);
             CHECK(typed);
             CHECK(contains(page, "### `" + row[2] + "`"));
-        } else {  // a parameter, a result, or what an event tells
+        } else {  // a parameter, a result, or a field of an event
             REQUIRE(row.size() == 6);
             CHECK(contains(page, "| `" + row[3] + "` |"));
             CHECK(contains(page, "| " + (row[4] == "-" ? "–" : row[4]) + " | " + row[5]));
@@ -270,7 +272,7 @@ TEST_CASE("all that a game can use is in annotations and pages with unit and ran
     CHECK(counts["enumerator"] > 2);
 }
 
-TEST_CASE("the classes of a game are described with it") {
+TEST_CASE("the reference of a game describes its classes") {
     const Folder folder;
     fs::create_directories(folder.path / "my game");
     std::ofstream(folder.path / "my game/main.lua")
@@ -284,7 +286,7 @@ TEST_CASE("the classes of a game are described with it") {
           "Tries left.");
 }
 
-TEST_CASE("a class without an explanation stands in the index without a dash") {
+TEST_CASE("a class without a description has no dash in the index") {
     const Folder folder;
     std::ofstream(folder.path / "main.lua") << "class('Bare', Body) {}\n";
     REQUIRE(fettle(folder, "docs out_pages main.lua") == 0);
@@ -293,7 +295,7 @@ TEST_CASE("a class without an explanation stands in the index without a dash") {
     CHECK(index.find("In a game that plugs in modules there is `modules`") != std::string::npos);
 }
 
-TEST_CASE("documents that cannot be written are named") {
+TEST_CASE("reference files that cannot be written are reported") {
     const Folder folder;
     std::ofstream(folder.path / "taken") << "a file";
     CHECK(fettle(folder, "docs taken/here") == 3);

@@ -1,4 +1,4 @@
-// A run that a signal asks to end: it ends in order, whatever its script does; a second signal ends
+// A signal asks a run to end. The run ends in order, whatever its script does; a second signal ends
 // it at once.
 
 #include <catch.h>
@@ -13,7 +13,7 @@ using namespace program_test;
 
 namespace {
 
-/// Plays on until somebody ends it, and tells in files how far it is.
+/// Runs until it is asked to end, and writes its progress to files.
 const char* const game = R"lua(
 game.o = Object {}
 game.o.steps = 0
@@ -53,7 +53,7 @@ TEST_CASE("a signal ends a run in order") {
     CHECK(contains(next.out, "o.last: nothing → 1"));
 }
 
-TEST_CASE("a script that lets nothing end is stopped and closing is still called") {
+TEST_CASE("an endless script is stopped and closing is still called") {
     const std::string loop =
         GENERATE(as<std::string>{}, "while true do end", "while true do pcall(error) end",
                  "while true do pcall(function() while true do end end) end",
@@ -82,7 +82,7 @@ TEST_CASE("a script that lets nothing end is stopped and closing is still called
     CHECK(contains(end.err, "stopped: the run is to end"));
 }
 
-TEST_CASE("closing has some seconds and no more") {
+TEST_CASE("closing is stopped after some seconds") {
     const Folder folder;
     const std::string file = folder.write(
         "main.lua",
@@ -114,9 +114,9 @@ TEST_CASE("a second signal ends a run at once") {
     CHECK(contains(end.err, "fettle: a second signal: the run ends at once\n"));
 }
 
-TEST_CASE("what is stuck and no script is ended after some seconds with a message") {
+TEST_CASE("an endless call outside of scripts is ended after some seconds with a message") {
     const Folder folder;
-    // A search that nothing stops, of a minute and more: as a step of the physics can be.
+    // A search that takes more than a minute and that nothing stops, as a step of the physics may.
     const std::string file =
         folder.write("main.lua",
                      "function step() scene.save('playing.json', Object {})\n"
@@ -130,7 +130,7 @@ TEST_CASE("what is stuck and no script is ended after some seconds with a messag
     CHECK(contains(end.err, "fettle: the run did not end in time: it ends at once\n"));
 }
 
-TEST_CASE("a signal that the program was told to ignore stays ignored") {
+TEST_CASE("a signal that the program inherited as ignored stays ignored") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     RunningProgram program(folder, run(file), SIGINT);
@@ -140,7 +140,7 @@ TEST_CASE("a signal that the program was told to ignore stays ignored") {
     CHECK(program.end().status == 143);
 }
 
-TEST_CASE("a replay and a recording end in order too") {
+TEST_CASE("a signal ends a replay and a recording in order") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     const std::string record = (folder / "rec").string();

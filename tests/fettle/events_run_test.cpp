@@ -1,4 +1,4 @@
-// Events as games in Lua hear them: of what another handler has just deleted, of the bounds.
+// Events in Lua games: about instances that another handler has just deleted, and about the bounds.
 
 #include <catch.h>
 
@@ -46,7 +46,7 @@ TEST_CASE("two balls that hit a brick in the same step break it once") {
     CHECK(done.out == "hit\tbrick\nend\tfalse\tbrick\tBrick\ttrue\tfalse\tBox\ttrue\n0\n");
 }
 
-TEST_CASE("two shots that come upon a foe in the same step take it once") {
+TEST_CASE("two shots that hit a foe in the same step reduce its lives once") {
     const Outcome done = run(R"lua(
         world.gravity = vec(0, 0)
         Foe = class("Foe", Body) {}
@@ -66,7 +66,7 @@ TEST_CASE("two shots that come upon a foe in the same step take it once") {
     CHECK(done.out == "hit\tfoe\nend\tfoe\t0\n");
 }
 
-TEST_CASE("a handler that loads another level hears of no coin of the last one") {
+TEST_CASE("a handler that loads another level gets no event of a coin of the last one") {
     const Outcome done = run(R"lua(
         world.level = Object {}
         Coin = class("Coin", Body) { type = "static" }
@@ -84,7 +84,7 @@ TEST_CASE("a handler that loads another level hears of no coin of the last one")
     CHECK(done.out.find('\n') == done.out.size() - 1);
 }
 
-TEST_CASE("whoever handles an event after what it names was deleted is not called") {
+TEST_CASE("a handler is not called for an event that names a deleted instance") {
     const Outcome done = run(R"lua(
         world.floor = Body { type = "static", Box { width = 9 } }
         world.ball = Body { position = vec(0, 2), Circle {}, Circle { center = vec(0, 1) } }
@@ -97,15 +97,16 @@ TEST_CASE("whoever handles an event after what it names was deleted is not calle
         end
     )lua",
                              200);
-    CHECK(done.status ==
-          1);  // only an end names what was deleted, and a deleted circle has no radius
+    CHECK(
+        done.status ==
+        1);  // only the event of an end names deleted instances, and a deleted circle has no radius
     CHECK(contains(done.out, "contact_begin\ttrue\ttrue\n"));
     CHECK_FALSE(contains(done.out, "second\tcontact_begin"));
     CHECK(contains(done.out, "contact_end\ttrue\tfalse\n"));
     CHECK(contains(done.err, "circle was deleted at step"));
 }
 
-TEST_CASE("using what an end names says who deleted it") {
+TEST_CASE("an error about a deleted instance of an event says who deleted it") {
     const Outcome done = run(R"lua(
         world.floor = Body { type = "static", Box { width = 9 } }
         world.ball = Body { position = vec(0, 0.9), Circle {} }
@@ -129,7 +130,7 @@ TEST_CASE("every event and question of contacts with the bounds can be read and 
     const Outcome done = run(R"lua(
         world.bounds = { vec(-25, 0), vec(25, 40) }
         world.ball = Body { position = vec(0, 2), Circle { restitution = 0.5 } }
-        local told = {}
+        local reported = {}
         local function note(e)
             for _, field in ipairs { "other", "shape", "other_shape" } do
                 assert(e[field] == (field == "other" and world or field == "shape" and world.ball[1] or nil))
@@ -138,20 +139,20 @@ TEST_CASE("every event and question of contacts with the bounds can be read and 
             return kind
         end
         for _, name in ipairs { "contact_begin", "contact_persist", "contact_end", "contact_hit", "before_solve" } do
-            told[name] = 0
-            world.ball:on(name, function(e) note(e) told[name] = told[name] + 1 end)
+            reported[name] = 0
+            world.ball:on(name, function(e) note(e) reported[name] = reported[name] + 1 end)
             world.ball[1]:on(name, note)
         end
         for _, name in ipairs { "mix_surfaces", "filter_pair" } do
-            told[name] = 0
+            reported[name] = 0
             world:on(name, function(e)
                 assert(e.body == world and e.shape == nil and e.other == world.ball and e.other_shape == world.ball[1])
-                told[name] = told[name] + 1
+                reported[name] = reported[name] + 1
             end)
         end
         after(2.5, function() world.ball.position.y = 5 end)
         after(3.4, function()
-            for name, count in pairs(told) do print(name, count > 0) end
+            for name, count in pairs(reported) do print(name, count > 0) end
             world.ball:on("before_solve", function(e) e.friction = 0 e.enabled = false end)
         end)
         after(5, function() print(world.ball.position.y < -1) end)
@@ -164,7 +165,8 @@ TEST_CASE("every event and question of contacts with the bounds can be read and 
           "contact_persist\ttrue\nfilter_pair\ttrue\nmix_surfaces\ttrue\ntrue\n");
 }
 
-TEST_CASE("only the fields that a question declares so can be answered with the bounds") {
+TEST_CASE(
+    "only the fields that a question declares as changeable can be answered with the bounds") {
     const Outcome done = run(R"lua(
         world.bounds = { vec(-25, 0), vec(25, 40) }
         world.ball = Body { position = vec(0, 0.4), Circle {} }
@@ -172,10 +174,10 @@ TEST_CASE("only the fields that a question declares so can be answered with the 
     )lua",
                              5);
     CHECK(done.status == 1);
-    CHECK(contains(done.err, "other_shape is only told, and cannot be changed"));
+    CHECK(contains(done.err, "other_shape is read-only"));
 }
 
-TEST_CASE("a misspelt answer is told where it is given and a note of one's own is none") {
+TEST_CASE("a misspelt answer is reported with its place and an own field is no answer") {
     const Outcome done = run(R"lua(
         world.bounds = { vec(-25, 0), vec(25, 40) }
         world.ball = Body { position = vec(0, 0.4), Circle {} }
@@ -190,7 +192,7 @@ TEST_CASE("a misspelt answer is told where it is given and a note of one's own i
     CHECK(contains(done.err, "main.lua:7: enable: no such field (did you mean \"enabled\"?)"));
 }
 
-TEST_CASE("what accepts shapes is a function") {
+TEST_CASE("the filter of shapes must be a function") {
     const Outcome done = run("world:raycast(vec(0, 0), vec(1, 0), nil, nil, 5)", 2);
     CHECK(done.status == 1);
     CHECK(contains(done.err, "accept: expected a function, got an integer"));

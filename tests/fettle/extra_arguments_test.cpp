@@ -1,5 +1,5 @@
-// Every function and method that a script can reach, called with more arguments than it has: what
-// is of no use is left alone, whatever it is.
+// Calls every function and method that a script can reach with more arguments than it has. Extra
+// arguments must be ignored.
 
 #include <catch.h>
 
@@ -12,9 +12,9 @@ namespace extra_arguments_test {
 
 using namespace program_test;
 
-TEST_CASE("arguments that a function does not have do no harm and are not written into") {
+TEST_CASE("extra arguments do no harm and are not changed") {
     const Folder folder;
-    // Methods, with a class that has them, as the reference lists them.
+    // Methods with their classes, read from the reference.
     REQUIRE(fettle(folder, {"docs", (folder / "reference").string()}).status == 0);
     std::istringstream reference(folder.text("reference/fettle.lua"));
     const std::regex method(R"(^function fettle_(\w+):(\w+)\(.*)");

@@ -1,5 +1,5 @@
-// Every function and method that the reference has, called by a formula: a formula gives a value
-// and changes nothing.
+// Calls every function and method of the reference in a formula. A formula computes a value and
+// changes nothing.
 
 #include <algorithm>
 #include <fstream>
@@ -63,7 +63,7 @@ std::string lua_list(const std::vector<std::string>& names) {
     return text + "}";
 }
 
-// What gives a value and changes nothing; all that is not named here has to be refused.
+// Functions that compute a value and change nothing; all others must be refused.
 const char* const pure = R"lua(
 local pure = {}
 for name in ([[assert collectgarbage color deg error formula getmetatable ipairs load next pairs
@@ -99,15 +99,15 @@ end
 
 local function call(callable, label, ...)
     local arguments = table.pack(...)
-    local told
+    local reported
     world.probe.value = formula(function()
         local ok, message = pcall(callable, table.unpack(arguments, 1, arguments.n))
-        if not ok then told = message end
+        if not ok then reported = message end
         return world.ball.mass
     end)
     local value = world.probe.value
     if value ~= world.ball.mass then print("WRONG VALUE", label, value) end
-    return tostring(told)
+    return tostring(reported)
 end
 
 local refusal = "the formula of world.probe.value computes a value: it cannot call "
@@ -120,10 +120,10 @@ local function check(callable, label, name, self)
                   { "world.other.value" }, { values.Snapshot }, { 0 } }
     end
     for _, arguments in ipairs(tries) do
-        local told = call(callable, label, table.unpack(arguments))
-        local refused = told:find(refusal .. name, 1, true) ~= nil
+        local reported = call(callable, label, table.unpack(arguments))
+        local refused = reported:find(refusal .. name, 1, true) ~= nil
         if pure[label] and refused then print("REFUSED", label) end
-        if not pure[label] and not refused then print("NOT REFUSED", label, told) end
+        if not pure[label] and not refused then print("NOT REFUSED", label, reported) end
     end
 end
 
@@ -160,7 +160,7 @@ end
 
 }  // namespace
 
-TEST_CASE("a formula can call what gives a value and nothing that changes anything") {
+TEST_CASE("a formula can call functions that compute a value and none that changes anything") {
     const Names names = names_of_the_reference();
     REQUIRE(names.functions.size() > 100);
     REQUIRE(names.methods.size() > 50);
@@ -176,13 +176,13 @@ TEST_CASE("a formula can call what gives a value and nothing that changes anythi
         INFO(outcome.out.substr(std::min(at, outcome.out.size()), 1000));
         CHECK(at == std::string::npos);
     }
-    // Who adds a method that changes something adds it here.
+    // A new method that changes something must be added here.
     CHECK(contains(outcome.out,
                    "\nBody:apply_angular_impulse Body:apply_force Body:apply_impulse "
                    "Body:apply_torque Polygon:add_vertex Time:go_to World:explode\ndone\t"));
 }
 
-TEST_CASE("a formula that pushes a body moves nothing and says why") {
+TEST_CASE("a formula that pushes a body moves nothing and reports the reason") {
     const Folder folder;
     const std::string game = folder.write("main.lua", R"lua(
 world.gravity = vec(0, 0)

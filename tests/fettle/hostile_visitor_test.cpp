@@ -1,5 +1,5 @@
-// What a stranger's game, a full disk and odd arguments do to the program: it says what is wrong in
-// a line and ends, and nothing outside of the game's folder is read or written.
+// A hostile game, a full disk and unusual arguments: the program reports the problem in one line
+// and ends, and it neither reads nor writes anything outside of the folder of the game.
 
 #include <catch.h>
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ Outcome play(const Folder& folder, const std::string& game, std::vector<std::str
     return fettle(folder, all, before);
 }
 
-// The address sanitizer reserves more address space than any limit leaves.
+// The address sanitizer reserves more address space than any limit allows.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool memory_can_be_limited = false;
 #else
@@ -46,12 +46,12 @@ void pipe_at(const fs::path& where) {
 
 // --- The command line
 
-TEST_CASE("a bad argument is told in one line with what was expected") {
+TEST_CASE("an invalid argument is reported in one line with the expected form") {
     const Folder folder;
     const std::string game = folder.write("a.lua", "print('played')");
     struct Wrong {
         std::vector<std::string> arguments;
-        std::string told;
+        std::string reported;
     };
     const std::string number = "expected a whole number from ";
     const std::vector<Wrong> all = {
@@ -72,10 +72,10 @@ TEST_CASE("a bad argument is told in one line with what was expected") {
     };
     for (const Wrong& each : all) {
         const Outcome run = fettle(folder, each.arguments);
-        INFO(each.told << "\n" << run.err);
+        INFO(each.reported << "\n" << run.err);
         CHECK(run.status == 2);
         CHECK(run.out.empty());
-        CHECK(run.err.starts_with("fettle: " + each.told));
+        CHECK(run.err.starts_with("fettle: " + each.reported));
         CHECK(lines(run.err) == 1);
         CHECK(run.err.size() < 200);
     }
@@ -127,7 +127,7 @@ TEST_CASE("a bad argument is told in one line with what was expected") {
 
 // --- Control characters
 
-TEST_CASE("control characters in messages are shown and not obeyed") {
+TEST_CASE("control characters in messages are escaped") {
     const Folder folder;
     const std::string evil = "\x1b]0;owned\x07\x1b[31m\xc2\x9b\xff";
     folder.write("main.lua", "error('" + evil + "')");
@@ -139,12 +139,12 @@ TEST_CASE("control characters in messages are shown and not obeyed") {
     CHECK(missing.status == 3);
     CHECK(contains(missing.err, "no\\x1b[2J\\ngame.lua: there is no such file or folder\n"));
     CHECK(lines(missing.err) == 1);
-    // What a game prints into a pipe is the game's own.
+    // The output of a game into a pipe is not changed.
     folder.write("print.lua", "print('" + evil + "')");
     CHECK(play(folder, "print.lua").out == evil + "\n");
 }
 
-TEST_CASE("what a game prints to a terminal does not command it") {
+TEST_CASE("the output of a game to a terminal contains no control characters") {
     const Folder folder;
     folder.write("print.lua", "print('a\\27[31mb', 'tab\\tend') print('two\\nlines')");
     // `script` gives the program a terminal; it turns each line end into two characters.
@@ -161,18 +161,19 @@ TEST_CASE("what a game prints to a terminal does not command it") {
     CHECK(folder.text("out") == "a\\x1b[31mb\ttab\tend\r\ntwo\r\nlines\r\n");
 }
 
-// --- Files that are none
+// --- Special files
 
-TEST_CASE("pipes and folders in the place of a game's files are refused at once") {
+TEST_CASE("pipes and folders in the place of files of a game are refused at once") {
     const std::string limited = "timeout 20 ";
-    const auto refused = [&](const char* name, const std::string& told, const std::string& script) {
+    const auto refused = [&](const char* name, const std::string& reported,
+                             const std::string& script) {
         const Folder folder;
         if (std::string(name) != "main.lua") folder.write("game/main.lua", script);
         pipe_at(folder / ("game/" + std::string(name)));
         const Outcome run = play(folder, "game", {}, limited);
         INFO(name << "\n" << run.out << run.err);
         CHECK(run.status != 124);
-        CHECK(contains(run.err + run.out, told));
+        CHECK(contains(run.err + run.out, reported));
         return run.status;
     };
     CHECK(refused("main.lua", "main.lua: expected a file with a script, found a pipe", "") == 3);
@@ -202,12 +203,12 @@ TEST_CASE("pipes and folders in the place of a game's files are refused at once"
         CHECK((run.status == 3 || run.status == 2));
         CHECK((contains(run.err, "found a pipe") || contains(run.err, "needs a display")));
     }
-    // A run without --steps looks through the scripts for a word.
+    // A run without --steps searches the scripts for a word.
     pipe_at(folder / "game/pipe.lua");
     CHECK(fettle(folder, {"run", (folder / "game").string(), "--headless"}, limited).status == 2);
 }
 
-TEST_CASE("huge files and deep ones are refused and not read") {
+TEST_CASE("huge and deeply nested files are refused without being read") {
     const Folder folder;
     const auto huge = [&](const char* name) {
         folder.write(name, "x");
@@ -236,7 +237,7 @@ TEST_CASE("huge files and deep ones are refused and not read") {
 
 // --- Links
 
-TEST_CASE("a game's links do not lead out of its folder") {
+TEST_CASE("links in a game that lead out of its folder are refused") {
     const Folder folder;
     folder.write("outside/secret.lua", "print('read')");
     folder.write("outside/secret.json", "{\"fettle_scene\": 1, \"class\": \"Object\"}");
@@ -263,7 +264,7 @@ TEST_CASE("a game's links do not lead out of its folder") {
 }
 
 TEST_CASE(
-    "a game whose main lua is a link out of it is refused and a link that is named is followed") {
+    "a main lua that is a link out of its folder is refused unless the link itself is named") {
     const Folder folder;
     folder.write("real/main.lua", "print(require('beside'))");
     folder.write("real/beside.lua", "return 'beside the file'");
@@ -281,7 +282,7 @@ TEST_CASE(
     CHECK(contains(play(folder, "dangling.lua").err, "dangling.lua: this link leads nowhere"));
 }
 
-TEST_CASE("saving a scene does not replace what is none") {
+TEST_CASE("saving a scene replaces only regular files") {
     const Folder folder;
     const std::string script =
         "for _, f in ipairs{'main.lua', 'modules.json', 'notes.json', "
@@ -304,9 +305,9 @@ TEST_CASE("saving a scene does not replace what is none") {
     CHECK(folder.text("game/main.lua") == script);
 }
 
-// --- No room
+// --- Full disk
 
-TEST_CASE("on a full disk every message says which file lacks what") {
+TEST_CASE("on a full disk every message names the file") {
     const Folder folder;
     folder.write("game/main.lua",
                  "game.o = Object {} game.o.x = ('x'):rep(100000)\n"
@@ -334,7 +335,7 @@ TEST_CASE("on a full disk every message says which file lacks what") {
     CHECK(contains(recorded.err, "rec: the recording ends here: "));
 }
 
-TEST_CASE("what cannot be printed is told") {
+TEST_CASE("output that cannot be written is reported") {
     if (!fs::exists("/dev/full")) return;
     const Folder folder;
     folder.write("main.lua", "print('hello')");
@@ -349,7 +350,7 @@ TEST_CASE("what cannot be printed is told") {
 
 // --- No memory
 
-TEST_CASE("out of memory is told with its place and limit") {
+TEST_CASE("out of memory is reported with its place and limit") {
     const Folder folder;
     folder.write("table.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end");
     const Outcome table = play(folder, "table.lua");

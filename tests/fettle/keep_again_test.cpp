@@ -1,5 +1,5 @@
-// What was kept and then taken back, moved, or replaced: the next run begins as the game was when
-// it was kept the last time.
+// Edits that were kept and then undone, moved or replaced: the next run begins with the state of
+// the game at the last `keep`.
 
 #include <catch.h>
 
@@ -11,7 +11,7 @@ using namespace program_test;
 
 namespace {
 
-/// A script that prints expressions; "-" where a name in one does not exist.
+/// A script that prints the expressions; "-" for an expression with a name that does not exist.
 std::string print(const std::vector<std::string>& expressions) {
     std::string script =
         "local all = {} local function add(ok, value) all[#all + 1] = ok and tostring(value) or "
@@ -27,7 +27,7 @@ constexpr const char* level =
     "{\"class\": \"Object\", \"name\": \"d\", \"ad_hoc\": {\"y\": 1}},\n"
     "{\"class\": \"Object\", \"name\": \"e\", \"ad_hoc\": {\"y\": 2}}]}\n";
 
-/// A game that loads the level.
+/// A game that loads the level from a scene file.
 struct Level : Folder {
     Level() {
         write("main.lua", loads);
@@ -35,7 +35,7 @@ struct Level : Folder {
     }
 };
 
-/// A game whose script makes the instances.
+/// A game whose script creates the instances.
 struct Script : Folder {
     Script() { write("main.lua", "world.n = Object { y = 1, k = Object { y = 2 } }"); }
 };
@@ -44,7 +44,7 @@ struct Script : Folder {
 
 TEST_CASE("a deletion that was kept can be undone and kept again") {
     const std::string all = print({"world.n.y", "world.n.k.y"});
-    SECTION("of what a script makes, with the values kept of it") {
+    SECTION("of an instance of a script with its kept values") {
         const Script folder;
         run(folder, {"2:world.n.k.y=5", "3:keep(\"**\")"});
         const Outcome kept = run(folder, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()",
@@ -54,13 +54,13 @@ TEST_CASE("a deletion that was kept can be undone and kept again") {
         CHECK(next(folder, all) == "1 5\n");
         CHECK_FALSE(contains(folder.text("main.tweaks.json"), "deleted"));
     }
-    SECTION("of what a scene file says, which is as it was then") {
+    SECTION("of an instance of a scene file which is restored as it was") {
         const Level folder;
         run(folder, {"2:world.lvl.d:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
         CHECK(folder.text("lvl.json") == level);
         CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "1 2\n");
     }
-    SECTION("of what an edit made, in a script's world and in a scene") {
+    SECTION("of an instance made by an edit below an instance of a script or a scene") {
         for (const bool scene : {false, true}) {
             const Level folder;
             const std::string name = scene ? "world.lvl.m" : "world.m";
@@ -73,7 +73,7 @@ TEST_CASE("a deletion that was kept can be undone and kept again") {
             CHECK(next(folder, print({name + ".y"})) == "3\n");
         }
     }
-    SECTION("and in a later run") {
+    SECTION("in a later run") {
         const Script folder;
         run(folder, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()"});
         const Outcome kept = run(folder, {"2:keep(\"**\")"});
@@ -82,7 +82,7 @@ TEST_CASE("a deletion that was kept can be undone and kept again") {
     }
 }
 
-TEST_CASE("a value, name or formula that is put back after it was kept is kept again") {
+TEST_CASE("a value or name or formula that is set back after it was kept is kept again") {
     for (const char* back : {"undo()", "world.lvl.d.y=1"}) {
         const Level folder;
         run(folder,
@@ -100,26 +100,26 @@ TEST_CASE("a value, name or formula that is put back after it was kept is kept a
     CHECK(next(folder, print({"world.n.y"})) == "1\n");
 }
 
-TEST_CASE("an instance in the place of one that a script makes is kept in its place") {
+TEST_CASE("an instance that replaces one of a script is kept in its place") {
     const Script folder;
     run(folder, {"2:world.n=Object{z=7}", "3:keep(\"**\")"});
     CHECK(next(folder, print({"world.n.z", "world.n.y", "world.n.k"})) == "7 - -\n");
-    // Also where the deletion was kept before.
+    // The same if the deletion was kept before.
     const Script other;
     run(other,
         {"2:world.n.k:delete()", "3:keep(\"**\")", "4:world.n.k=Object{z=8}", "5:keep(\"**\")"});
     CHECK(next(other, print({"world.n.y", "world.n.k.y", "world.n.k.z"})) == "1 - 8\n");
 }
 
-TEST_CASE("names are kept as they are in the end") {
+TEST_CASE("the final names are kept") {
     const std::string ys = print({"world.lvl.d.y", "world.lvl.e.y"});
-    SECTION("two that change places") {
+    SECTION("two instances that exchange their names") {
         const Level folder;
         run(folder, {"2:world.lvl.d.name=\"tmp\"", "3:world.lvl.e.name=\"d\"",
                      "4:world.lvl.tmp.name=\"e\"", "5:keep(\"**\")"});
         CHECK(next(folder, ys) == "2 1\n");
     }
-    SECTION("renamed and undone") {
+    SECTION("a renaming that was undone") {
         const Level folder;
         const Outcome kept = run(folder, {"2:world.lvl.d.name=\"a\"", "3:world.lvl.a.name=\"b\"",
                                           "4:world.lvl.b.name=\"c\"", "5:undo()", "5:undo()",
@@ -127,7 +127,7 @@ TEST_CASE("names are kept as they are in the end") {
         CHECK(contains(kept.out, "nothing was tweaked"));
         CHECK(folder.text("lvl.json") == level);
     }
-    SECTION("with values that were set under the new name, and below it") {
+    SECTION("values set on and below an instance with the new name") {
         const Level folder;
         run(folder, {"2:world.lvl.d.name=\"x\"", "3:world.lvl.x.y=5",
                      "4:world.lvl.x.part=Object{z=1}", "5:world.lvl.x.part.z=2", "6:keep(\"**\")"});
@@ -143,7 +143,7 @@ TEST_CASE("names are kept as they are in the end") {
         run(folder, {"2:keep(\"**\")"});
         CHECK(next(folder, ys) == "2 9\n");
     }
-    SECTION("where the scene refers to them") {
+    SECTION("references in the scene to the renamed instance") {
         const Folder folder;
         folder.write("main.lua", loads);
         folder.write("lvl.json",
@@ -156,7 +156,7 @@ TEST_CASE("names are kept as they are in the end") {
         CHECK(next(folder, print({"world.lvl.j.body_a == world.lvl.orb"})) == "true\n");
         CHECK(contains(folder.text("lvl.json"), "\".orb\""));
     }
-    SECTION("of what has a script's name, the values under that name") {
+    SECTION("values set under the new name of an instance of a script") {
         const Script folder;
         const Outcome kept =
             run(folder, {"2:world.n.name=\"m\"", "3:world.m.k.y=6", "4:keep(\"**\")"});
@@ -165,7 +165,7 @@ TEST_CASE("names are kept as they are in the end") {
     }
 }
 
-TEST_CASE("a name that would change other names, or that a script gives, is refused") {
+TEST_CASE("a name that would change other names or that a script sets is refused") {
     const Folder folder;
     folder.write("main.lua", "world.boss = scene.load(\"lvl.json\", world, \"own\")");
     const std::string text =
@@ -180,7 +180,7 @@ TEST_CASE("a name that would change other names, or that a script gives, is refu
     CHECK(folder.text("lvl.json") == text);
 }
 
-TEST_CASE("instances of earlier runs that are made again go and come with undo and redo") {
+TEST_CASE("instances of earlier runs that are made again can be undone and redone") {
     const Script folder;
     run(folder, {"2:world.m=Object{y=3}", "3:world.n.y=4", "3:world.n.k:delete()"});
     const Outcome undone =
@@ -194,13 +194,13 @@ TEST_CASE("instances of earlier runs that are made again go and come with undo a
     CHECK(next(folder, print({"world.m.y", "world.n.y", "world.n.k"})) == "3 4 -\n");
 }
 
-TEST_CASE("a reference to what was deleted later is kept as none") {
+TEST_CASE("a reference to an instance that was deleted later is kept as nil") {
     const Script folder;
     run(folder, {"2:world.a=Object{friend=world.n}", "3:world.n:delete()", "4:keep(\"**\")"});
     CHECK(next(folder, print({"world.a.friend", "world.n"})) == "nil -\n");
 }
 
-TEST_CASE("what is made below an instance that was kept in a scene is kept in that scene") {
+TEST_CASE("an instance made below a kept instance of a scene is kept in that scene") {
     const Folder folder;
     folder.write("main.lua", "after(0.02, function() scene.load(\"lvl.json\", world) end)");
     folder.write("lvl.json", level);
@@ -214,17 +214,17 @@ TEST_CASE("what is made below an instance that was kept in a scene is kept in th
     CHECK(outcome.err.empty());
 }
 
-TEST_CASE("a scene that was deleted as a whole comes back") {
+TEST_CASE("a scene that was deleted as a whole is restored by undo") {
     const Level folder;
     run(folder, {"2:world.lvl:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
     CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "1 2\n");
 }
 
-TEST_CASE("what takes the place of something twice is kept as it is in the end") {
+TEST_CASE("an instance that was replaced twice is kept in its final state") {
     const Script folder;
     run(folder, {"2:world.a=Object{y=8}", "3:world.a=Object{y=9}", "4:undo()", "5:keep(\"**\")"});
     CHECK(next(folder, print({"world.a.y"})) == "8\n");
-    // Also where it was kept before it was taken back.
+    // The same if the replacement was kept before it was undone.
     for (const char* place : {"world.n", "world.lvl.d"}) {
         const Level other;
         other.write("main.lua", std::string(loads) + " world.n = Object { y = 1 }");
@@ -235,7 +235,7 @@ TEST_CASE("what takes the place of something twice is kept as it is in the end")
     }
 }
 
-TEST_CASE("a command that makes, edits and names things is undone and done again as a whole") {
+TEST_CASE("a command that creates and edits and renames is undone and redone as a whole") {
     const Script named;
     run(named, {"2:world.a=Object{} world.a.name=\"w\"", "3:undo()", "4:redo()", "5:keep(\"**\")"});
     CHECK(next(named, print({"world.w", "world.a"})) == "world.w -\n");
@@ -250,7 +250,7 @@ TEST_CASE("a command that makes, edits and names things is undone and done again
     CHECK(next(deleted, print({"world.n.y", "world.n.k.y"})) == "1 2\n");
 }
 
-TEST_CASE("a later run does not delete what an earlier one has moved out") {
+TEST_CASE("a later run does not delete an instance that an earlier run has moved out") {
     const Level folder;
     folder.write("main.lua", std::string(loads) + " world.n = Object {}");
     run(folder, {"2:world.lvl.d.part=Object{y=3}", "3:keep(\"**\")"});
@@ -262,7 +262,7 @@ TEST_CASE("a later run does not delete what an earlier one has moved out") {
     CHECK(folder.text("lvl.json") == before);
 }
 
-TEST_CASE("what is edited after the game has gone back in time is not deleted") {
+TEST_CASE("an instance edited after a rewind that restored it is not deleted") {
     const Level folder;
     const Outcome kept = run(folder, {"4:world.lvl.d:delete()", "5:rewind(0.04)",
                                       "6:world.lvl.d.y=5", "7:keep(\"**\")"});
@@ -270,19 +270,20 @@ TEST_CASE("what is edited after the game has gone back in time is not deleted") 
     CHECK(next(folder, print({"world.lvl.d.y", "world.lvl.e.y"})) == "5 2\n");
 }
 
-TEST_CASE("what was deleted before something above it stays deleted when only that is back") {
+TEST_CASE("an instance deleted before its parent stays deleted when only the parent is restored") {
     const Script folder;
     run(folder, {"2:world.n.k:delete()", "3:world.n:delete()", "4:keep(\"**\")", "5:undo()",
                  "6:keep(\"**\")"});
     CHECK(next(folder, print({"world.n.y", "world.n.k"})) == "1 -\n");
-    // A script's instance in whose place there is a kept one.
+    // The same for an instance of a script that was replaced by a kept one.
     const Script replaced;
     run(replaced, {"2:world.n=Object{y=3}", "3:keep(\"**\")"});
     run(replaced, {"2:world.n:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
     CHECK(next(replaced, print({"world.n.y", "world.n.k"})) == "3 -\n");
 }
 
-TEST_CASE("what is back names what it names now, whatever the file said when it went") {
+TEST_CASE(
+    "a restored reference has its current target and not the one in the file at its deletion") {
     const char* const names =
         "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
         "{\"class\": \"DistanceJoint\", \"name\": \"j\", \"properties\": {\"body_a\": \".d\"}},\n"
@@ -301,7 +302,9 @@ TEST_CASE("what is back names what it names now, whatever the file said when it 
     CHECK(named_after({"3:undo()", "4:world.lvl.d=Body{}"}) == "nil world.lvl.d -\n");
 }
 
-TEST_CASE("a value below what has moved elsewhere is kept under the name that the file has then") {
+TEST_CASE(
+    "a value below an instance that cannot be moved is kept under the name that the file has after "
+    "keeping") {
     const Level folder;
     folder.write("main.lua", std::string(loads) + " world.s = Object {}");
     run(folder, {"1:world.lvl.d.k=Object{}", "2:keep(\"**\")"});
@@ -312,7 +315,7 @@ TEST_CASE("a value below what has moved elsewhere is kept under the name that th
     CHECK(run(folder, {}, print({"world.lvl.n.k.y"})).out == "world.s\n");
 }
 
-TEST_CASE("a new instance in the place of one that has moved away is another one") {
+TEST_CASE("a new instance with the name of one that was renamed is kept as a different instance") {
     const std::string all = print({"world.n.i.y", "world.n.k.y", "world.n.k.z", "world.n.k.b.y"});
     const Script folder;
     run(folder, {"2:world.n.k.name=\"i\"", "3:world.n.k=Object{y=7}", "4:world.n.k.b=Object{y=8}",
@@ -323,7 +326,7 @@ TEST_CASE("a new instance in the place of one that has moved away is another one
     const Outcome kept = run(folder, {"2:keep(\"**\")"});
     CHECK(contains(kept.out, "change the script"));
     CHECK(run(folder, {}, print({"world.n.k.y", "world.n.i"})).out == "2 -\n");
-    // In a scene all of it can be kept.
+    // In a scene both can be kept.
     const Level scene;
     run(scene, {"2:world.lvl.d.name=\"i\"", "3:world.lvl.d=Object{y=7}",
                 "4:world.lvl.e.z=world.lvl.d", "5:world.lvl.e.w=world.lvl.i", "6:keep(\"**\")"});
@@ -331,7 +334,7 @@ TEST_CASE("a new instance in the place of one that has moved away is another one
                              "world.lvl.e.w"})) == "1 7 world.lvl.d world.lvl.i\n");
 }
 
-TEST_CASE("deletions are made again whatever their order was") {
+TEST_CASE("deletions are made again in any order") {
     const Script folder;
     run(folder, {"2:world.n.k:move(world)", "3:world.n:delete()", "4:world.k:delete()"});
     const Outcome again =
@@ -339,7 +342,7 @@ TEST_CASE("deletions are made again whatever their order was") {
     INFO(again.out << again.err);
     CHECK(contains(again.out, "- -"));
     CHECK(contains(again.out, "made again 2 tweaks"));
-    // What was made below something new, which was deleted and came back.
+    // An instance below a new instance that was deleted and restored.
     const Script made;
     run(made, {"2:world.m=Object{}", "3:world.m.c=Object{y=4}", "4:world.m:delete()", "5:undo()"});
     const Outcome made_again =
@@ -349,17 +352,17 @@ TEST_CASE("deletions are made again whatever their order was") {
     CHECK_FALSE(contains(made_again.out, "already"));
 }
 
-TEST_CASE("what names something in another file names it again when that is back") {
+TEST_CASE("a reference in another file is restored with the instance that it names") {
     const Level folder;
     folder.write("main.lua", std::string(loads) + " world.s = DistanceJoint {}");
     folder.write("lvl.json",
                  "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", "
                  "\"children\": [{\"class\": \"Body\", \"name\": \"d\"}]}\n");
     run(folder, {"2:world.s.body_a=world.lvl.d", "3:keep(\"**\")"});
-    SECTION("after it was replaced") {
+    SECTION("after the instance was replaced") {
         run(folder, {"2:world.lvl.d=Body{}", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
     }
-    SECTION("and is something new that was kept without it") {
+    SECTION("in a new instance that was kept without the reference") {
         run(folder,
             {"2:edit(\"both\", function() world.j = DistanceJoint { body_a = world.lvl.d } end)",
              "3:world.lvl.d:delete()", "4:keep(\"**\")", "5:undo()", "6:keep(\"**\")"});
@@ -368,7 +371,7 @@ TEST_CASE("what names something in another file names it again when that is back
     CHECK(next(folder, print({"world.s.body_a"})) == "world.lvl.d\n");
 }
 
-TEST_CASE("new instances that moved into each other are kept where they are") {
+TEST_CASE("new instances that moved into each other are kept in their final places") {
     const Script folder;
     run(folder, {"2:world.a=Object{y=1}", "3:world.b=Object{y=2}", "4:keep(\"**\")"});
     run(folder, {"2:world.a:move(world.b)", "3:world.b:move(world.n)", "4:keep(\"**\")"});

@@ -1,4 +1,5 @@
-// What files say of other files, of what scripts make, and of scenes that are loaded several times.
+// Files that refer to other files, to instances of scripts, and to scenes that are loaded several
+// times.
 
 #include <catch.h>
 
@@ -27,7 +28,7 @@ struct Game : Folder {
 
 }  // namespace
 
-TEST_CASE("a scene file that names its instances from the root says their new names") {
+TEST_CASE("a scene file that refers to its instances from the root gets their new names") {
     const auto joined = [](const std::string& edit, const std::string& joint) {
         const Game game;
         run(game, {"2:" + edit, "3:keep(\"**\")"});
@@ -40,7 +41,7 @@ TEST_CASE("a scene file that names its instances from the root says their new na
           "world.l.c\tworld.l.a\n");
 }
 
-TEST_CASE("a scene file that names instances of another one says their new names") {
+TEST_CASE("a scene file that refers to instances of another one gets their new names") {
     const Game game("scene.load(\"b.json\", world)");
     game.write("b.json",
                "{\"fettle_scene\": 1, \"class\": \"WeldJoint\", \"name\": \"b\",\n"
@@ -51,18 +52,18 @@ TEST_CASE("a scene file that names instances of another one says their new names
         run(game, {"2:world.l.a.name=\"aa\"", "3:keep(\"**\")"});
         CHECK(next(game, joint) == "world.l.aa\n");
     }
-    SECTION("deleted, and back") {
+    SECTION("deleted and not restored") {
         run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:print(1)"});
         CHECK(next(game, joint) == "nil\n");
     }
-    SECTION("deleted and brought back in one run") {
+    SECTION("deleted and restored in one run") {
         run(game, {"2:world.l.a:delete()", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
         CHECK(game.text("b.json") == before);
         CHECK(next(game, joint) == "world.l.a\n");
     }
 }
 
-TEST_CASE("a kept deletion does not delete what gets the name") {
+TEST_CASE("a kept deletion does not delete another instance that gets the name") {
     const Game game("world.ball = Body {}");
     const Outcome kept =
         run(game, {"1:world.ball:delete()", "3:world.l.name=\"ball\"", "6:keep(\"**\")"});
@@ -70,7 +71,7 @@ TEST_CASE("a kept deletion does not delete what gets the name") {
     CHECK(run(game, {}, "print(world.l, world:has(\"ball\"))").out == "world.l\tfalse\n");
 }
 
-TEST_CASE("moves of two runs that contradict each other: one is kept, the other is told") {
+TEST_CASE("of two contradictory moves of two runs one is kept and the other is reported") {
     const Game game;
     run(game, {"1:world.a = Object {}", "1:world.b = Object {}", "3:keep(\"**\")"});
     run(game, {"1:world.a:move(world.b)"});
@@ -81,7 +82,7 @@ TEST_CASE("moves of two runs that contradict each other: one is kept, the other 
     CHECK(contains(kept.out, "kept 1"));
 }
 
-TEST_CASE("names may be anything: none means something to keeping") {
+TEST_CASE("any name can be kept and none has a special meaning") {
     const auto kept = [](const std::string& script, const std::vector<std::string>& edits,
                          const std::string& look) {
         const Game game(script);
@@ -89,7 +90,7 @@ TEST_CASE("names may be anything: none means something to keeping") {
         INFO(first.out << first.err);
         return next(game, look);
     };
-    // In the place of what has moved away, below something with a peculiar name.
+    // Instances in the place of a renamed one, and below an instance with an unusual name.
     for (const char* const name : {"my_new_ball", "_new_", "_deleted_3", "_in_between_1",
                                    "\\\\000x", "a.b", "[1]", "[\\\"\\\"]"}) {
         const std::string n = name;
@@ -109,7 +110,8 @@ TEST_CASE("names may be anything: none means something to keeping") {
                     "4:keep(\"**\")"},
                    l + "print(world.j.body_a == world[n], world.l.j.body_a)") == "true\tnil\n");
     }
-    // Two that change places while others have the names that could be used in between.
+    // Two instances that exchange their names while others have the names that could be used in
+    // between.
     CHECK(kept("",
                {"2:world.l._in_between_1 = Body {}", "3:keep(\"**\")",
                 "4:world.l.a.name = \"x\" world.l.c.name = \"a\" world.l.x.name = \"c\"",
@@ -118,7 +120,7 @@ TEST_CASE("names may be anything: none means something to keeping") {
           "world.l.c\tworld.l.a\ttrue\n");
 }
 
-TEST_CASE("a scene that is loaded by an edit is kept as a copy, with what was made in it") {
+TEST_CASE("a scene that is loaded by an edit is kept as a copy with the instances made in it") {
     const Game game;
     run(game, {"1:world.k = scene.load(\"l.json\")", "2:world.k.a.c = Circle {}",
                "3:world.k.q = Body {}", "4:keep(\"**\")"});
@@ -127,7 +129,7 @@ TEST_CASE("a scene that is loaded by an edit is kept as a copy, with what was ma
           "world.k.a.c\tworld.k.q\tfalse\n");
 }
 
-TEST_CASE("a scene that is loaded twice has one value, and keeping says so") {
+TEST_CASE("keeping a value of a scene that is loaded twice reports that it has one value") {
     const Game game("scene.load(\"l.json\", world, \"m\")");
     const Outcome kept =
         run(game, {"1:world.l.a.angle=1", "2:world.m.a.angle=2", "3:keep(\"**\")"});
@@ -135,7 +137,7 @@ TEST_CASE("a scene that is loaded twice has one value, and keeping says so") {
     CHECK(contains(kept.out, "world.m.a.angle: l.json is the scene of world.l.a.angle as well"));
 }
 
-TEST_CASE("a value that another one of the file forbids is left out and told") {
+TEST_CASE("a value that another value of the file forbids is not kept and reported") {
     const Game game;
     run(game, {"1:world.l.a.velocity=vec(1, 0)", "2:keep(\"**\")", "3:world.l.a.type=\"static\"",
                "4:keep(\"**\")"});
@@ -145,7 +147,7 @@ TEST_CASE("a value that another one of the file forbids is left out and told") {
     CHECK(contains(next_run.out + next_run.err, "a static body does not move"));
 }
 
-TEST_CASE("a child whose comma stands on the next line is deleted") {
+TEST_CASE("a child followed by a comma on the next line is deleted") {
     const Game game;
     game.write("l.json",
                "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"l\", \"children\": "
@@ -155,7 +157,7 @@ TEST_CASE("a child whose comma stands on the next line is deleted") {
     CHECK(next(game, "print(#world.l:children(), world.l.c)") == "1\tworld.l.c\n");
 }
 
-TEST_CASE("what is derived from a kept formula is right before the first step") {
+TEST_CASE("a value derived from a kept formula is right before the first step") {
     const Folder game;
     game.write("main.lua",
                "time.paused = true world.s = Body { Circle { radius = 0.5 } } "
@@ -164,12 +166,12 @@ TEST_CASE("what is derived from a kept formula is right before the first step") 
     CHECK(contains(run(game, {"1:world.foo.mass"}).out, "0.7853982 kg"));
 }
 
-TEST_CASE("what was deleted below something stays deleted when that is back") {
+TEST_CASE("an instance that was deleted below another one stays deleted when that is restored") {
     const Game game("world.s = Object { h = Object {} }");
     run(game, {"1:world.s.h:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
                "5:keep(\"**\")"});
     CHECK(next(game, "print(world.s, world.s:has(\"h\"))") == "world.s\tfalse\n");
-    // Also where an edit has made it in an earlier run.
+    // The same for an instance that was made by an edit in an earlier run.
     run(game, {"1:world.s.k = Object {}", "2:keep(\"**\")"});
     run(game, {"1:world.s.k:delete()", "2:world.s:delete()", "3:keep(\"**\")", "4:undo()",
                "5:keep(\"**\")"});

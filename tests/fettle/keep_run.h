@@ -1,5 +1,5 @@
 #pragma once
-// Runs of a game in which something is typed into the console, kept, and there in the next run.
+// Runs of a game with edits in the console that are kept and must be present in the next run.
 
 #include <catch.h>
 
@@ -23,7 +23,7 @@ inline Outcome run(const Folder& folder, const std::vector<std::string>& command
     return fettle(folder, arguments);
 }
 
-/// What `eval` prints in a run after everything was kept; nothing else may be told.
+/// The output of `eval` in a run after everything was kept; fails if the run prints anything else.
 inline std::string next(const Folder& folder, const std::string& eval) {
     const Outcome outcome = run(folder, {}, eval);
     CHECK(outcome.status == 0);

@@ -1,4 +1,4 @@
-// What was typed into the console and kept is there in the next run, and nothing is told of it.
+// Kept edits of the console are present in the next run, without warnings.
 
 #include <catch.h>
 
@@ -8,7 +8,7 @@ namespace keep_run_test {
 
 using namespace program_test;
 
-TEST_CASE("instances made in the console that name each other are all made again") {
+TEST_CASE("instances made in the console that refer to each other are all made again") {
     const Folder folder;
     folder.write("main.lua", "world.b = Body { Circle {} }");
     const Outcome kept =
@@ -22,18 +22,18 @@ TEST_CASE("instances made in the console that name each other are all made again
                "world.n.other == world.m and world.m.other == world.n)") == "true\ttrue\n");
 }
 
-TEST_CASE("a kept reference to what the script makes later is set without a warning") {
+TEST_CASE("a kept reference to an instance that the script makes later is set without a warning") {
     const Folder folder;
     folder.write("main.lua", "world.joint = DistanceJoint {}  world.ball = Body { Circle {} }");
     run(folder, {"2:world.joint.body_b=world.ball", "3:keep(\"**\")"});
     CHECK(next(folder, "print(world.joint.body_b == world.ball)") == "true\n");
-    // Where it leads nowhere in the end, that is told with the path of the property.
+    // A reference that still has no target at the end is reported with the path of the property.
     folder.write("main.lua", "world.joint = DistanceJoint {}");
     CHECK(contains(run(folder, {}).err,
                    "world.joint.body_b: refers to \"world.ball\", which does not exist"));
 }
 
-TEST_CASE("a kept reference waits for an instance that comes in the same step of the game") {
+TEST_CASE("a kept reference waits for an instance that is made in the same step of the game") {
     const Folder folder;
     folder.write("main.lua",
                  "function make() world.joint = DistanceJoint {} world.ball = Body { Circle {} } "
@@ -55,7 +55,7 @@ TEST_CASE("an instance made directly below the game is kept with everything else
           "3\t4.0\ttrue\n");
 }
 
-TEST_CASE("an instance made in the console is kept under the name and parent it has now") {
+TEST_CASE("an instance made in the console is kept under its current name and parent") {
     const Folder folder;
     folder.write("main.lua", "world.b = Body {}  game.box = Object {}");
     const Outcome kept =
@@ -83,7 +83,7 @@ TEST_CASE("an instance made in the console is kept under the name and parent it 
     CHECK(next(folder, then) == "1.0\t8.0\t0.25\ttrue\ttrue\ttrue\ttrue\n");
 }
 
-TEST_CASE("a scene file gets no reference to what is outside of it") {
+TEST_CASE("a scene file gets no reference to an instance outside of it") {
     const Folder folder;
     folder.write("main.lua",
                  "scene.load(\"s.json\", world)  world.ball = Body { Circle {} } "
@@ -112,7 +112,7 @@ TEST_CASE("a scene file gets no reference to what is outside of it") {
         "s.made.body_a == s.b and s.made.body_b == world.ball, s.inner.body_a == s.b, "
         "s.b.late == s.inner, s.b.odd == s.made)";
     CHECK(next(folder, all) == "true\ttrue\ttrue\ttrue\ttrue\ttrue\ttrue\n");
-    // A later value that the scene can hold counts.
+    // A later value that the scene can contain is kept.
     run(folder, {"2:world.sc.j.body_b=world.sc.b", "3:keep(\"**\")"});
     CHECK(next(folder, "print(world.sc.j.body_b == world.sc.b)") == "true\n");
     CHECK_FALSE(contains(folder.text("main.tweaks.json"), "j.body_b"));

@@ -1,5 +1,5 @@
-// Tweaks that depend on each other: where one cannot be kept, neither can the other, and the game
-// starts as before.
+// Tweaks that depend on each other: if one cannot be kept, the other is not kept either, and the
+// game starts as before.
 
 #include <catch.h>
 
@@ -20,7 +20,7 @@ struct Game : Folder {
     }
 };
 
-/// Everything that the run tells, and the file of the scene is as before.
+/// The output of the run; checks that the scene file is unchanged.
 std::string kept(const Game& game, std::vector<std::string> commands) {
     const std::string before = game.text("s.json");
     commands.emplace_back("6:keep(\"**\")");
@@ -31,7 +31,7 @@ std::string kept(const Game& game, std::vector<std::string> commands) {
 
 }  // namespace
 
-TEST_CASE("what names a new instance that cannot be kept is not kept") {
+TEST_CASE("a reference to a new instance that cannot be kept is not kept") {
     for (const char* const last : {R"({"class": "Object"})", R"({"class": "Body"})",
                                    R"({"class": "Object", "name": "last"})"}) {
         const Game game(std::string(R"({"class": "Object", "name": "a"},
@@ -46,7 +46,8 @@ TEST_CASE("what names a new instance that cannot be kept is not kept") {
     }
 }
 
-TEST_CASE("what was made below a new instance that cannot be kept is not kept, and made again") {
+TEST_CASE(
+    "an instance made below a new instance that cannot be kept is not kept but can be made again") {
     const Game game(R"({"class": "Object", "name": "f"})");
     const std::string out = kept(
         game, {"1:world.top:add(Object {foo = world.top.f}, \"n\")",
@@ -58,7 +59,8 @@ TEST_CASE("what was made below a new instance that cannot be kept is not kept, a
     CHECK(contains(again.out, "world.top.n.d.f"));
 }
 
-TEST_CASE("a name is not kept where it changes that of an instance without one") {
+TEST_CASE(
+    "a name is not kept if it would change the name of an instance that has none in the file") {
     const std::string children = R"({"class": "Object", "name": "object"}, {"class": "Object"})";
     for (const char* const edit :
          {"2:world.top.object.name = \"first\"", "2:world.top.object:move(world.top, \"first\")"}) {
@@ -68,13 +70,13 @@ TEST_CASE("a name is not kept where it changes that of an instance without one")
     const Game taken(R"({"class": "Object", "name": "a"}, {"class": "Object"})");
     CHECK(contains(kept(taken, {"2:world.top.a.name = \"object_2\""}),
                    "an instance beside it has no name in the file"));
-    // Another class is never called so.
+    // An instance of another class never gets this name.
     const Game other(R"({"class": "Object", "name": "a"}, {"class": "Body"})");
     run(other, {"2:world.top.a.name = \"b\"", "3:keep(\"**\")"});
     CHECK(next(other, "print(world.top.b, world.top.body)") == "world.top.b\tworld.top.body\n");
 }
 
-TEST_CASE("a name that a script gives is not kept in a file") {
+TEST_CASE("a name that a script sets is not kept in a file") {
     for (const char* const edit :
          {"2:local t = world.top local a, b = t.a, t.b a.name = \"c\" b.name = \"a\" a.name = "
           "\"b\"",

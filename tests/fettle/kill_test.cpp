@@ -1,5 +1,5 @@
-// Tweaks survive the death of the game: another process kills it at random instants, and what it
-// had told of before must be found by the next run, all of it.
+// Tweaks survive a killed game: another process kills the game at random instants, and the next run
+// must find every tweak that the game reported before.
 
 #include <catch.h>
 #include <fcntl.h>
@@ -28,37 +28,38 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Each step edits as a person does, and tells a step later, when the barrier has passed. Of every
-// tweak it is known what the next run must find: a new value, the latest of many, a formula, or
-// nothing, where the edit was undone.
+// Each step makes edits as a person does and reports them a step later, after the barrier. For each
+// tweak the expected result is known: a new value, the latest of many, a formula, or nothing if the
+// edit was undone.
 const char* const game = R"lua(
 game.o = Object {}
 game.o.often = 0
-local told = {}
+local reported = {}
 local n = 0
 function step()
-    for _, line in ipairs(told) do print(line) end
-    told = {}
+    for _, line in ipairs(reported) do print(line) end
+    reported = {}
     n = n + 1
     local name = "t" .. n
     if n % 5 == 0 then
         edit("again", function() game.o.often = n end)
-        told = { "often " .. n }
+        reported = { "often " .. n }
     elseif n % 7 == 0 and (n - 1) % 5 ~= 0 then
         print("undoing t" .. n - 1)
         undo()
-        told = { "gone t" .. n - 1 }
+        reported = { "gone t" .. n - 1 }
     elseif n % 11 == 0 then
         edit("formula", function() game.o[name] = formula(function() return 1 end) end)
-        told = { "is " .. name }
+        reported = { "is " .. name }
     else
         edit("new", function() game.o[name] = n game.o[name .. "b"] = -n end)
-        told = { "set " .. name .. " " .. n, "set " .. name .. "b " .. -n }
+        reported = { "set " .. name .. " " .. n, "set " .. name .. "b " .. -n }
     end
 end
 )lua";
 
-/// What the game said up to its death. It writes to a terminal, so that each line arrives at once.
+/// The output of the game until it is killed. The game writes to a terminal, so that each line
+/// arrives at once.
 class Victim {
   public:
     explicit Victim(const std::string& file, const std::vector<std::string>& more = {}) {
@@ -72,8 +73,8 @@ class Victim {
         REQUIRE(terminal_ >= 0);
         REQUIRE(grantpt(terminal_) == 0);
         REQUIRE(unlockpt(terminal_) == 0);
-        // Opened by both: of a terminal whose other end nobody ever opened, a reader waits for
-        // ever.
+        // Opened in both processes, because a reader of a terminal waits forever if its other end
+        // was never opened.
         const int out = open(ptsname(terminal_), O_WRONLY | O_NOCTTY);
         REQUIRE(out >= 0);
         process_ = fork();
@@ -97,7 +98,7 @@ class Victim {
     }
     Victim(const Victim&) = delete;
 
-    /// Reads until so long after the first line, or after now when `at_once`.
+    /// Reads for that time after the first line, or from now if `at_once`.
     void listen(std::chrono::microseconds time, bool at_once) {
         Clock::time_point end = Clock::now() + time;
         bool waiting = !at_once;
@@ -113,7 +114,7 @@ class Victim {
             }
         }
     }
-    /// Reads until it has said that; false when it does not in a minute.
+    /// Reads until the output contains the text; false if it does not within a minute.
     bool says(const std::string& text) {
         const Clock::time_point end = Clock::now() + std::chrono::minutes(1);
         while (said_.find(text) == std::string::npos && Clock::now() < end) {
@@ -129,7 +130,7 @@ class Victim {
         process_ = -1;
         while (read_some()) {
         }
-        return said_.substr(0, said_.rfind('\n') + 1);  // not what it was just writing
+        return said_.substr(0, said_.rfind('\n') + 1);  // without the last, incomplete line
     }
 
   private:
@@ -144,7 +145,7 @@ class Victim {
     std::string said_;
 };
 
-/// "o.t1: nothing → 1   step 1, ..." of each line, by path.
+/// Parses lines like "o.t1: nothing → 1   step 1, ..."; the key is the path.
 std::map<std::string, std::string> found_by_next_run(const Folder& folder,
                                                      const std::string& file) {
     const Outcome next = fettle(folder, {"run", file, "--headless", "--steps", "1", "--eval",
@@ -162,7 +163,8 @@ std::map<std::string, std::string> found_by_next_run(const Folder& folder,
     return found;
 }
 
-/// Compares what the game told with what the next run found; how many lines it told.
+/// Compares the tweaks that the game reported with those that the next run found; returns the
+/// number of reported ones.
 int check(const std::string& said, const std::map<std::string, std::string>& found) {
     std::map<std::string, std::string> expected;
     int often = 0, lines = 0;
@@ -175,18 +177,18 @@ int check(const std::string& said, const std::map<std::string, std::string>& fou
         if (what == "often") often = std::stoi(name);
         if (what == "set") expected[path] = value;
         if (what == "is") expected[path] = "is function() return 1 end";
-        // Whether the undo was committed is not known before it tells that, too.
+        // Until the game reports the undo, it is unknown whether it was committed.
         if (what == "undoing") expected.erase(path), expected.erase(path + "b");
         if (what == "gone") CHECK_FALSE(found.contains(path));
     }
     for (const auto& [path, value] : expected) {
-        INFO(path << " was told to be " << value);
+        INFO(path << " was reported as " << value);
         const auto it = found.find(path);
         REQUIRE(it != found.end());
         REQUIRE(it->second == value);
     }
     if (often > 0) {
-        INFO("o.often was told to be " << often);
+        INFO("o.often was reported as " << often);
         REQUIRE(found.contains("o.often"));
         CHECK(std::stoi(found.at("o.often")) >= often);
     }
@@ -195,35 +197,35 @@ int check(const std::string& said, const std::map<std::string, std::string>& fou
 
 }  // namespace
 
-TEST_CASE("every tweak that was told of is found after a kill at any instant") {
+TEST_CASE("every reported tweak is found after a kill at any instant") {
     const char* asked = std::getenv("FETTLE_KILLS");
     const int kills = asked != nullptr ? std::atoi(asked) : 20;
     std::mt19937 random(20081123);
     std::uniform_int_distribution<int> instant(0, 60'000);
-    int told = 0, silent = 0;
+    int reported = 0, silent = 0;
     auto folder = std::make_unique<Folder>();
     std::string file = folder->write("main.lua", game);
     for (int i = 0; i < kills; ++i) {
-        if (i % 10 == 0) {  // a journal that has to be made first
+        if (i % 10 == 0) {  // the journal must be created first
             folder = std::make_unique<Folder>();
             file = folder->write("main.lua", game);
         }
         Victim victim(file);
-        // Also while it starts.
+        // Some kills happen while the game starts.
         victim.listen(std::chrono::microseconds(instant(random)), i % 5 == 4);
         const std::string said = victim.die();
         INFO("kill " << i + 1 << " of " << kills);
         const int lines = check(said, found_by_next_run(*folder, file));
-        told += lines;
+        reported += lines;
         silent += lines == 0 ? 1 : 0;
     }
-    std::printf("%d kills, %d lines told and found again, %d before the first line\n", kills, told,
-                silent);
-    CHECK(told >= kills - silent);
+    std::printf("%d kills, %d lines reported and found again, %d before the first line\n", kills,
+                reported, silent);
+    CHECK(reported >= kills - silent);
     CHECK(silent < kills);
 }
 
-TEST_CASE("what is edited undone rewound and kept in the console is there after a kill") {
+TEST_CASE("edits and undo and rewind and keep in the console survive a kill") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"(
         scene.load("things.json", world)

@@ -21,7 +21,7 @@ bool is_keyword(const std::string& word) {
     return words.contains(word);
 }
 
-/// Reads along one line; whatever does not fit is an error.
+/// Reads along one line; throws Malformed at an unexpected character.
 class Line {
   public:
     Line(std::string text, int number, std::set<std::string>& types)
@@ -46,7 +46,7 @@ class Line {
         at_ = text_.size();
         return text;
     }
-    /// A doc text, which must say something.
+    /// Reads a description, which must not be empty.
     std::string doc() {
         const std::string text = rest();
         if (text.empty() || text.front() == ' ' || text.back() == ' ') fail("expected a text");

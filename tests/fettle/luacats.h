@@ -1,6 +1,6 @@
 #pragma once
-// A strict reader of LuaCATS annotations: every line must be one it knows, and every type must
-// parse. It is written from the format, and knows nothing of the writer.
+// A strict reader of LuaCATS annotations: it refuses every unknown line and every invalid type. It
+// is written from the description of the format, independently of the writer.
 
 #include <map>
 #include <set>
@@ -11,7 +11,7 @@
 
 namespace luacats {
 
-/// A line that is no annotation, named by its number.
+/// The error for an invalid line, with its number.
 class Malformed : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -43,7 +43,7 @@ struct File {
     std::map<std::string, Class> classes;
     std::map<std::string, Function> functions;  // globals, by dotted name
     std::map<std::string, Field> variables;     // globals, by dotted name
-    std::set<std::string> types;                // every type that is named anywhere
+    std::set<std::string> types;                // every type that is used
 };
 
 /// Throws Malformed.

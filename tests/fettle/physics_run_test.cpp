@@ -1,4 +1,4 @@
-// Physics as games in Lua use it: what is asked in a step, joints that break, the two demos.
+// Physics in Lua games: questions in a step, joints that break, the two demos.
 
 #include <catch.h>
 #include <fstream>
@@ -24,7 +24,7 @@ Outcome run(const std::string& script, const std::string& steps, const std::stri
 
 }  // namespace
 
-TEST_CASE("a script makes a platform that is jumped through from below") {
+TEST_CASE("a script makes a platform that bodies can pass from below") {
     const Outcome done =
         run(ground +
                 "world.platform = Body { type = 'static', position = vec(0, 2), "
@@ -39,7 +39,7 @@ TEST_CASE("a script makes a platform that is jumped through from below") {
     CHECK(done.out == "2.40\n");
 }
 
-TEST_CASE("a class of a script answers what its bodies are asked") {
+TEST_CASE("a class of a script answers questions about its bodies") {
     const Outcome done =
         run(ground +
                 "Ice = class('Ice', Body) {} "
@@ -51,7 +51,7 @@ TEST_CASE("a class of a script answers what its bodies are asked") {
     CHECK(done.out == "true\ttrue\n");
 }
 
-TEST_CASE("a world mixes surfaces by a function of the script and by its rules") {
+TEST_CASE("a world mixes surfaces with a function of the script and with its own rules") {
     const Outcome done = run(ground +
                                  "world:on('mix_surfaces', function(contact) "
                                  "contact.restitution = contact.point.x < 0 and 0.9 or 0 end) "
@@ -65,7 +65,7 @@ TEST_CASE("a world mixes surfaces by a function of the script and by its rules")
     CHECK(done.out == "true\ttrue\n");
 }
 
-TEST_CASE("a handler in a step that writes to the tree is refused with its place") {
+TEST_CASE("a handler in a step that writes to the tree is refused with the place of the call") {
     const Outcome done = run(ground +
                                  "world.ball = Body { position = vec(0, 0.5), Circle {} }\n"
                                  "world.ball:on('before_solve', function(contact)\n"
@@ -76,7 +76,7 @@ TEST_CASE("a handler in a step that writes to the tree is refused with its place
     CHECK(contains(done.err, "main.lua:3"));
 }
 
-TEST_CASE("a joint that breaks tells the script") {
+TEST_CASE("a joint that breaks notifies the script") {
     const Outcome done =
         run("world.ball = Body { position = vec(0, 5), Circle {} } "
             "world.rope = DistanceJoint { body_b = world.ball, anchor_a = vec(0, 8), "
@@ -88,7 +88,7 @@ TEST_CASE("a joint that breaks tells the script") {
     CHECK(done.out == "7.9\ttrue\ntrue\n");
 }
 
-TEST_CASE("queries count what a function of the script accepts") {
+TEST_CASE("queries use only shapes that a function of the script accepts") {
     const Outcome done =
         run("world.near = Body { position = vec(3, 0), Box {} } "
             "world.far = Body { position = vec(6, 0), Box {} } "
@@ -104,7 +104,7 @@ TEST_CASE("queries count what a function of the script accepts") {
     CHECK(done.out == "far\tfar\tnear\t0\t2\n");
 }
 
-TEST_CASE("the car of the demo drives over its hills and the bridge") {
+TEST_CASE("the car of the demo drives over the hills and the bridge") {
     const Folder folder;
     const Outcome done =
         fettle(folder, {"run", "scripts/car", "--headless", "--steps", "2400", "--at",
@@ -114,7 +114,7 @@ TEST_CASE("the car of the demo drives over its hills and the bridge") {
     CHECK(done.out == "true\ttrue\n");
 }
 
-TEST_CASE("a scene of every shape and joint loads and is saved as it was") {
+TEST_CASE("a scene of every shape and joint loads and is saved unchanged") {
     const Folder folder;
     for (const char* name : {"main.lua", "shapes.json"}) {
         std::ifstream file(std::string("scripts/shapes/") + name);

@@ -1,5 +1,5 @@
 #pragma once
-// The program as a command, run on games in a folder of their own.
+// The program `fettle` as a command, run on games in temporary folders.
 
 #include <filesystem>
 #include <string>
@@ -14,7 +14,8 @@ struct Outcome {
     std::string out, err;
 };
 
-/// A folder for games that goes with the test. What the games' user owns goes into it, too.
+/// A folder for games that is removed at the end of the test. The state folder of the user is
+/// inside.
 class Folder {
   public:
     Folder();
@@ -28,7 +29,7 @@ class Folder {
 
 std::string quoted(const std::string& text);
 
-/// Runs `fettle ARGUMENTS` without a display. `before`: a command of the shell to begin with.
+/// Runs `fettle ARGUMENTS` without a display. `before`: a shell command that runs first.
 Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
                const std::string& before = {});
 

@@ -43,7 +43,7 @@ TEST_CASE("a recorded run is replayed step by step") {
     CHECK(again.out == "60 steps, each as it was recorded\n" + made.out);
 }
 
-TEST_CASE("commands typed into the console of a run are part of its recording") {
+TEST_CASE("a recording contains the commands typed into the console of a run") {
     const Folder folder;
     const std::string path = folder.write("main.lua", game);
     const std::string file = (folder / "run.rec").string();
@@ -78,7 +78,7 @@ TEST_CASE("a replay that differs ends with 1 and names the step") {
     CHECK(run.err.find("step 17: physics differs") != std::string::npos);
 }
 
-TEST_CASE("a replay writes nothing to the files of the game and goes on as the run did") {
+TEST_CASE("a replay writes nothing to the files of the game and has the same result as the run") {
     const Folder folder;
     const std::string path = folder.write("main.lua", R"(
         ball = scene.load("ball.json", world)
@@ -168,7 +168,7 @@ TEST_CASE("recordings of another game and damaged ones end with 3") {
               .status == 3);
 }
 
-TEST_CASE("a replay says which file of the game is no longer what it was") {
+TEST_CASE("a replay names the changed files of the game") {
     const Folder folder;
     const std::string path = folder.write("main.lua", R"(
         require("parts.helper")
@@ -189,7 +189,7 @@ TEST_CASE("a replay says which file of the game is no longer what it was") {
         fettle(folder, {"run", path, "--headless", "--steps", "30", "--record", file});
     REQUIRE(made.status == 0);
     const auto replay = [&] { return fettle(folder, {"run", "--headless", "--replay", file}); };
-    // What the run does not read may change.
+    // Files that the run does not read may change.
     folder.write("readme.txt", "something");
     folder.write("unused.lua", "error('never')");
     folder.write("scenes/unused.json", scene);
@@ -222,7 +222,7 @@ TEST_CASE("a replay says which file of the game is no longer what it was") {
     CHECK(contains(replay().err, ": scenes/ball.json differs, scenes/late.json differs\n"));
 }
 
-TEST_CASE("what a person does about earlier tweaks is replayed") {
+TEST_CASE("a replay repeats the actions of the user on earlier tweaks") {
     const Folder folder;
     const std::string path = folder.write("main.lua", R"(
         ball = scene.load("ball.json", world)
@@ -285,7 +285,7 @@ TEST_CASE("what a person does about earlier tweaks is replayed") {
         CHECK(folder.text("ball.json") == scene);
         CHECK(folder.text("main.tweaks.json") == kept);
     }
-    // Another run without what the person did is another one.
+    // Without these actions the run has another result.
     const Outcome without = fettle(folder, {"run", path, "--headless", "--steps", "60", "--hash"});
     CHECK(last_line(without.out) != last_line(made.out));
 }

@@ -1,4 +1,4 @@
-// restore and rewind in one frame: each goes on from where the one before it leads.
+// restore and rewind in one frame: each continues from the result of the one before.
 
 #include "catch.h"
 #include "program.h"
@@ -7,7 +7,7 @@ namespace restore_rewind_test {
 
 using namespace program_test;
 
-TEST_CASE("restore and rewind in one step happen in their order") {
+TEST_CASE("restore and rewind in one step happen in the order of their calls") {
     const Folder folder;
     const std::string order = GENERATE(as<std::string>{}, "restore(s) rewind(0.5)",
                                        "rewind(0.5) restore(s)", "rewind(0.25) rewind(0.25)");

@@ -1,4 +1,4 @@
-// `fettle run` as a command: what it prints, and how it ends.
+// `fettle run` as a command: its output and its exit status.
 
 #include <catch.h>
 
@@ -9,7 +9,7 @@ namespace run_test {
 using namespace program_test;
 namespace fs = std::filesystem;
 
-TEST_CASE("a headless run makes its steps and ends well") {
+TEST_CASE("a headless run makes its steps and ends with status 0") {
     const Folder folder;
     const std::string game = folder.write(
         "main.lua", "n = 0 function step() n = n + 1 end function update() n = n + 100 end");
@@ -82,7 +82,7 @@ TEST_CASE("an uncaught error ends a headless run with 1 and its traceback") {
     CHECK(run.out.empty());
 }
 
-TEST_CASE("a formula in error is told once and the run goes on") {
+TEST_CASE("a formula in error is reported once and the run continues") {
     const Folder folder;
     const std::string game =
         folder.write("main.lua",
@@ -99,7 +99,7 @@ TEST_CASE("a formula in error is told once and the run goes on") {
           "got nan\n");
 }
 
-TEST_CASE("a script may begin with a byte order mark and is no compiled Lua") {
+TEST_CASE("a script may begin with a byte order mark and compiled Lua is refused") {
     const Folder folder;
     folder.write("part.lua", "\xEF\xBB\xBFreturn 'part'");
     std::string game = folder.write("main.lua", "\xEF\xBB\xBFprint(require 'part')");
@@ -115,7 +115,7 @@ TEST_CASE("a script may begin with a byte order mark and is no compiled Lua") {
     CHECK_THAT(run.err, contains("main.lua: this is compiled Lua, which is not loaded"));
 }
 
-TEST_CASE("the traceback of a timer ends with the timer") {
+TEST_CASE("the traceback of a timer function begins at the timer") {
     const Folder folder;
     const std::string game = folder.write("main.lua",
                                           "after(0, function() error('late') end)\n"
@@ -125,7 +125,7 @@ TEST_CASE("the traceback of a timer ends with the timer") {
     CHECK_THAT(run.err, !contains("coroutine started from"));
 }
 
-TEST_CASE("a file that cannot be read is status 3 and named") {
+TEST_CASE("a file that cannot be read is named and gives status 3") {
     const Folder folder;
     const Outcome missing =
         fettle(folder, {"run", (folder / "no.lua").string(), "--headless", "--steps", "1"});
@@ -138,7 +138,7 @@ TEST_CASE("a file that cannot be read is status 3 and named") {
     CHECK(contains(empty.err, "main.lua"));
 }
 
-TEST_CASE("what the command line gets wrong is status 2 and says why") {
+TEST_CASE("errors of the command line are explained and give status 2") {
     const Folder folder;
     const std::string game = folder.write("a.lua", "");
     const std::vector<std::vector<std::string>> wrong{
@@ -164,7 +164,7 @@ TEST_CASE("what the command line gets wrong is status 2 and says why") {
     }
 }
 
-TEST_CASE("help and version end well") {
+TEST_CASE("help and version end with status 0") {
     const Folder folder;
     CHECK(fettle(folder, {"--help"}).status == 0);
     const Outcome help = fettle(folder, {"run", "--help"});
@@ -179,7 +179,7 @@ TEST_CASE("help and version end well") {
     }
 }
 
-TEST_CASE("the same run has the same hash and another seed another one") {
+TEST_CASE("the same run has the same hash and another seed gives another hash") {
     const Folder folder;
     const std::string game =
         folder.write("a.lua", "game.luck = 0 function step() game.luck = game.luck + random() end");
@@ -196,7 +196,7 @@ TEST_CASE("the same run has the same hash and another seed another one") {
     CHECK(hash("2") != first);
 }
 
-TEST_CASE("a chunk for a step that never comes is reported") {
+TEST_CASE("a chunk for a step that is never made is reported") {
     const Folder folder;
     const std::string game = folder.write("a.lua", "");
     const Outcome run =
@@ -205,7 +205,7 @@ TEST_CASE("a chunk for a step that never comes is reported") {
     CHECK(contains(run.err, "--at 9"));
 }
 
-TEST_CASE("a paused headless run still ends and can be woken") {
+TEST_CASE("a paused headless run still ends and a chunk can end the pause") {
     const Folder folder;
     const std::string game = folder.write("a.lua", "time.paused = true");
     const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "10", "--at",
@@ -214,7 +214,7 @@ TEST_CASE("a paused headless run still ends and can be woken") {
     CHECK(run.out == "6\n");
 }
 
-TEST_CASE("a module that cannot be plugged in ends the run before it begins") {
+TEST_CASE("an invalid module ends the run before its first step") {
     const Folder folder;
     const std::string game = folder.write("game/main.lua", "print('begun')");
     const auto run = [&](const std::vector<std::string>& more) {
@@ -236,7 +236,7 @@ TEST_CASE("a module that cannot be plugged in ends the run before it begins") {
     CHECK(contains(run({}), "found the key \"module\""));
 }
 
-TEST_CASE("chunks at a step are run as the run goes on whatever time it is in the game") {
+TEST_CASE("chunks run at their step of the run even if the time of the game was set back") {
     const Folder folder;
     const std::string game = folder.write("a.lua", R"(
         function step()

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Asks again and again; false when it has not become true in a minute.
+/// Tests the condition repeatedly; false if it does not become true within a minute.
 template <class Condition>
 bool eventually(Condition condition) {
     const Clock::time_point deadline = Clock::now() + std::chrono::minutes(1);

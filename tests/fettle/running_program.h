@@ -1,5 +1,5 @@
 #pragma once
-// The program while it runs: to be sent signals.
+// The program `fettle` as a running process, for tests that send signals to it.
 
 #include <sys/types.h>
 
@@ -12,18 +12,19 @@ namespace program_test {
 
 class RunningProgram {
   public:
-    /// Runs `fettle ARGUMENTS` without a display. `ignored`: a signal that it is told to ignore; 0:
-    /// none.
+    /// Runs `fettle ARGUMENTS` without a display. `ignored`: a signal that the process ignores from
+    /// the start; 0: none.
     RunningProgram(const Folder& folder, const std::vector<std::string>& arguments,
                    int ignored = 0);
     ~RunningProgram();
     RunningProgram(const RunningProgram&) = delete;
 
-    /// Waits until the file is there; false when it does not come in a minute.
+    /// Waits until the file exists; false if it does not within a minute.
     bool makes(const std::string& file);
     void send(int signal) const;
-    /// Waits for its end, a minute at most. `status`: as of a shell, 128 + its number for a signal
-    /// that has killed it; `signal`: that number, 0 when it has ended by itself.
+    /// Waits for the end of the process, a minute at most. `status`: as a shell gives it, so 128 +
+    /// number for a signal that killed the process. `signal`: that number; 0 if the process ended
+    /// by itself.
     struct End : Outcome {
         int signal = 0;
     };

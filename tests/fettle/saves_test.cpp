@@ -1,4 +1,4 @@
-// Saved games, with the real program: what one run saved another one loads and plays on.
+// Saved games with the program: one run saves, another one loads and continues.
 
 #include <catch.h>
 
@@ -24,7 +24,7 @@ world.double = formula(function() return world.score * 2 end)
 function step() world.score = world.score + 1 end
 )lua";
 
-/// The only file whose name ends so, anywhere below.
+/// The only file below the folder whose name has this ending.
 fs::path file_of(const Folder& folder, const std::string& ending) {
     fs::path found;
     for (const auto& each : fs::recursive_directory_iterator(folder / ""))
@@ -37,7 +37,7 @@ fs::path file_of(const Folder& folder, const std::string& ending) {
 
 }  // namespace
 
-TEST_CASE("a game that was saved goes on in another run as if it had never stopped") {
+TEST_CASE("a saved game continues in another run as if it had never stopped") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     const Outcome whole = fettle(folder, {"run", file, "--headless", "--steps", "180", "--hash",
@@ -70,7 +70,7 @@ TEST_CASE("saved games are listed and deleted by their slots") {
     CHECK(contains(run.out, "no name of a slot"));
 }
 
-TEST_CASE("a saved game that is damaged is refused and the game goes on") {
+TEST_CASE("a saved game that is damaged is refused and the game continues") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "9", "--at", "2:save_game('a')"})
@@ -90,7 +90,7 @@ TEST_CASE("a saved game that is damaged is refused and the game goes on") {
     CHECK(run.out.ends_with("\n19\n"));
 }
 
-TEST_CASE("a save of other classes is refused and the game goes on") {
+TEST_CASE("a save with other classes is refused and the game continues") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "5", "--eval",
@@ -107,7 +107,9 @@ TEST_CASE("a save of other classes is refused and the game goes on") {
     CHECK(run.out.ends_with("\n8\n"));
 }
 
-TEST_CASE("a formula that uses a local variable is told and is the game's own after a load") {
+TEST_CASE(
+    "a formula that uses a local variable is reported and the running game's formula is used after "
+    "a load") {
     const Folder folder;
     const std::string file = folder.write("main.lua", R"(
         local factor = 2
@@ -119,9 +121,9 @@ TEST_CASE("a formula that uses a local variable is told and is the game's own af
     const Outcome saved = fettle(folder, {"run", file, "--headless", "--steps", "9", "--at",
                                           "4:save_game('a')", "--at", "6:save_game('a')"});
     CHECK(saved.status == 0);
-    const std::string told = "o.double: its formula uses the local variable \"factor\"";
-    CHECK(contains(saved.err, told));
-    CHECK(saved.err.find(told) == saved.err.rfind(told));
+    const std::string reported = "o.double: its formula uses the local variable \"factor\"";
+    CHECK(contains(saved.err, reported));
+    CHECK(saved.err.find(reported) == saved.err.rfind(reported));
     const Outcome run =
         fettle(folder, {"run", file, "--headless", "--steps", "9", "--at", "2:load_game('a')",
                         "--at", "9:print(game.o.double / game.o.steps)"});
@@ -135,7 +137,7 @@ TEST_CASE("a formula that uses a local variable is told and is the game's own af
     CHECK(contains(without.err, "o.double: its formula was not saved"));
 }
 
-TEST_CASE("a save that cannot be written is told and the older one stays") {
+TEST_CASE("a save that cannot be written is reported and the older one stays") {
     const Folder folder;
     const std::string file = folder.write("main.lua", game);
     REQUIRE(fettle(folder, {"run", file, "--headless", "--steps", "5", "--at", "4:save_game('a')"})

@@ -1,4 +1,4 @@
-// Several programs on one game at once: none loses what another one has kept.
+// Several programs run one game at the same time: no kept tweak of any of them is lost.
 
 #include <catch.h>
 
@@ -8,7 +8,7 @@ namespace several_programs_test {
 
 using namespace program_test;
 
-TEST_CASE("programs that keep at the same time lose nothing of each other") {
+TEST_CASE("tweaks that programs keep at the same time are all kept") {
     const Folder folder;
     folder.write("main.lua", R"(
         game.o = Object {}
@@ -31,7 +31,7 @@ TEST_CASE("programs that keep at the same time lose nothing of each other") {
                    quoted((folder / "main.lua").string()) + " --headless --steps 2 --eval " +
                    quoted("keep_as(" + std::to_string(i) + ")") + " >>" +
                    quoted((folder / "out").string()) + " 2>&1 </dev/null & ";
-        if (i % 4 == 0) command += "wait; ";  // so many at a time
+        if (i % 4 == 0) command += "wait; ";  // number of programs that run at the same time
     }
     CHECK(std::system((command + "wait").c_str()) == 0);
     const std::string kept = folder.text("main.tweaks.json"), level = folder.text("level.json");

@@ -1,5 +1,5 @@
-// Random worlds with hostile values, and random edits while they run: bytes choose what is made and
-// changed. Whatever they are, the world stays consistent and finite.
+// Random worlds with hostile values, and random edits while they run: the input bytes choose what
+// is created and changed. The world must stay consistent and finite.
 
 #include <cmath>
 #include <cstddef>
@@ -15,7 +15,7 @@ using namespace fettle::physics;
 
 namespace {
 
-/// Reads choices off the input; zeros when it ends.
+/// Reads choices from the input; zeros after its end.
 class Choices {
   public:
     Choices(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
@@ -23,7 +23,7 @@ class Choices {
     unsigned byte() { return empty() ? 0u : *data_++; }
     unsigned of(unsigned count) { return byte() % count; }
     bool flip() { return byte() % 2 == 1; }
-    /// Positive, from 10⁻⁶ to 10⁶, mostly near one.
+    /// Positive, from 10⁻⁶ to 10⁶, mostly near 1.
     float size() {
         const unsigned choice = byte();
         if (choice < 160) return 0.2f + static_cast<float>(choice) / 100.0f;
@@ -34,7 +34,7 @@ class Choices {
         const float value = size();
         return flip() ? value : -value;
     }
-    /// Mostly in the middle of things, so that shapes overlap.
+    /// Mostly near the origin, so that shapes overlap.
     float coordinate() {
         const unsigned choice = byte();
         if (choice > 250) return number();
@@ -66,7 +66,7 @@ class Builder {
             try {
                 edit();
             } catch (const std::invalid_argument&) {
-                // refused, which is an answer
+                // a refused call is a valid result
             }
         }
         for (int i = 0; i < 4; ++i) step();
@@ -168,7 +168,7 @@ class Builder {
                 body.add(Chain{outline(2 + choose_.of(40)), choose_.flip()}, def);
                 return;
             case 6: {
-                // A star, if the two radii differ.
+                // A star if the two radii differ.
                 std::vector<Vec2> points = outline(4 + choose_.of(40));
                 const float inner = choose_.size();
                 for (std::size_t i = 0; i < points.size(); i += 2) points[i] *= inner;
@@ -185,7 +185,7 @@ class Builder {
         }
     }
 
-    /// Points round an ellipse.
+    /// Points on an ellipse.
     std::vector<Vec2> outline(unsigned count) {
         const Vec2 center = choose_.place();
         const float wide = choose_.size(), high = choose_.size();
@@ -384,7 +384,7 @@ class Builder {
         }
     }
 
-    /// Every so manieth contact is none.
+    /// Disables some of the contacts.
     void let_some_pass() {
         const unsigned every = choose_.byte();
         if (every == 0) return world_.set_before_solve({});
@@ -393,7 +393,7 @@ class Builder {
         });
     }
 
-    /// Questions have finite answers.
+    /// The results of queries are finite.
     void ask() {
         const Vec2 from = choose_.place(), to = choose_.place();
         bool finite = true;
@@ -443,7 +443,7 @@ class Builder {
 
     Choices choose_;
     World world_;
-    std::size_t spent_ = 0;  // on steps
+    std::size_t spent_ = 0;  // cost of the steps so far
 };
 
 }  // namespace

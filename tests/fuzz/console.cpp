@@ -1,5 +1,5 @@
-// What is typed into the console: commands separated by zero bytes, each completed first and then
-// run within a budget. Whatever they do, the next step and the next barrier go well.
+// Console commands separated by zero bytes; each is completed first and then run within a budget.
+// After any of them, the next step and the next barrier succeed.
 
 #include <algorithm>
 #include <cstdlib>
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             game.tree.stepped();
             game.tree.barrier();
         } catch (const property::Error&) {
-            // handlers that answer each other for ever
+            // handlers that trigger each other without end
         }
     }
     return 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The tree of a small game, as the fuzzers find it.
+// The tree of a small game, which the fuzzers use.
 
 #include <fettle/physics_module/physics_module.h>
 #include <fettle/property/tree.h>
@@ -9,7 +9,7 @@
 namespace fettle::fuzz {
 
 struct Game {
-    // The module outlives the tree, which tells it of every instance that goes.
+    // The module outlives the tree, which calls it for every deleted instance.
     physics_module::PhysicsModule module;
     property::Tree tree;
     property::Handle world;

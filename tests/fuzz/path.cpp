@@ -1,4 +1,5 @@
-// Paths: parsed, resolved, read and written without anything but errors that say why.
+// Paths: parsing, resolving, reading and writing them gives either a result or an error with a
+// reason.
 
 #include <cstdlib>
 
@@ -14,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view path = fuzz::text_of(data, size);
     try {
         const property::Place place = property::resolve(game.tree, path);
-        // Where it leads is written again, and leads there again.
+        // The path of the result leads to the same place.
         if (place.property != nullptr) {
             const std::string name = game.tree.path(place.instance, *place.property);
             const property::Place again = property::resolve(game.tree, name);
@@ -26,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const property::Value value = property::get(game.tree, path);
         property::set(game.tree, path, value);
     } catch (const property::Error&) {
-        // said so
+        // refused with a reason
     }
     game.tree.barrier();
     return 0;

@@ -1,4 +1,4 @@
-// Patterns: matched against everything in the tree, and watched.
+// Patterns: matched against all instances of the tree, and watched.
 
 #include <fettle/property/error.h>
 #include <fettle/property/path.h>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         game.tree.barrier();
         connection.stop();
     } catch (const property::Error&) {
-        // said so
+        // refused with a reason
     }
     return 0;
 }

@@ -1,6 +1,6 @@
-// Files of saved games: bytes from anywhere, and a true file with some bytes changed, whose
-// checksum may have been made to fit. Refused with a reason, or loaded; to the very state that was
-// saved where the checksum was left alone.
+// Files of saved games: arbitrary bytes, and a valid file with some changed bytes, whose checksum
+// may be corrected. The file is refused with a reason or loaded; if the checksum was not corrected,
+// the loaded state is the saved one.
 
 #include <cstdlib>
 #include <cstring>
@@ -61,7 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (size % 3 == 2) bytes.resize(bytes.size() * data[size - 1] / 256);
         forged = size > 0 && data[0] % 4 == 1 && bytes.size() > sizeof(std::uint64_t) * 2;
     }
-    if (forged) {  // docs/design/storage.md: the last eight bytes, of all before the last sixteen
+    if (forged) {  // docs/design/storage.md: the checksum is in the last eight bytes of those
+                   // before the last sixteen
         const std::span all(bytes);
         const std::uint64_t checksum =
             property::checksum(std::as_bytes(all.first(all.size() - 2 * sizeof checksum)));
@@ -74,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         if (saves.load("slot").state != state && !forged) std::abort();
     } catch (const property::Error&) {
-        // damaged: told so
+        // damaged, and refused with a reason
     }
     if (!fs::exists(file)) std::abort();
     return 0;

@@ -1,5 +1,5 @@
-// Scene files: whatever the text, either it loads and what was loaded can be saved and loads again
-// to the same, or it is refused with an error that names a line.
+// Scene files: any text is either loaded, so that the result can be saved and loaded again
+// unchanged, or refused with an error that names a line.
 
 #include <cstdlib>
 
@@ -18,14 +18,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         loaded = property::load_scene_text(game.tree, fuzz::text_of(data, size), "fuzz.json",
                                            game.world);
     } catch (const property::Error&) {
-        if (game.tree.size() != before) std::abort();  // refused, and yet something is there
+        if (game.tree.size() != before) std::abort();  // refused, but an instance was left
         return 0;
     }
     game.tree.barrier();
     const std::string saved = property::scene_text(game.tree, loaded);
     const property::Handle again =
         property::load_scene_text(game.tree, saved, "saved.json", game.world);
-    // The copy has another name, and whatever referred to the first may refer to the copy.
+    // The copy has another name, and references to the first instance may now refer to the copy.
     game.tree.destroy(loaded);
     game.module.step(1.0 / 60);
     game.tree.set_step(1);

@@ -1,6 +1,6 @@
-// A saved game with some bytes changed and its checksum made to fit. Refused, with nothing changed,
-// or restored to a game in which every value is one that could have been written, and that can be
-// stepped, looked at, taken apart and saved again.
+// A saved game with some changed bytes and a corrected checksum. It is refused and nothing changes,
+// or it is restored: then every value is one that a write could have set, and the game can be
+// stepped, read, deleted and saved again.
 
 #include <algorithm>
 #include <bit>
@@ -59,7 +59,7 @@ struct Played : fuzz::Game {
         runtime.on_error([](const script::ScriptError&) {});
         runtime.on_print([](std::string_view) {});
         tree.on_handler_error([](const property::HandlerError&) {});
-        // The classes of the game; what else the script makes goes again.
+        // Keeps the classes of the game; deletes the other objects of the script.
         (void)runtime.run(script, "fuzz");
     }
     void step() {
@@ -81,7 +81,7 @@ std::vector<std::byte> true_save() {
     return game.tree.snapshot().to_bytes();
 }
 
-/// Bits that mean something in one of the ways in which state is written.
+/// Bit patterns with a special meaning in one of the encodings of the state.
 std::uint32_t odd_number(std::uint8_t which) {
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -104,7 +104,7 @@ std::uint32_t odd_number(std::uint8_t which) {
     return numbers[which % std::size(numbers)];
 }
 
-/// Each five bytes: where, how, and with what.
+/// Each five bytes of the input are one change: its place, its kind and its value.
 void change(std::vector<std::byte>& bytes, const std::uint8_t* data, std::size_t size) {
     for (std::size_t i = 0; i + 4 < size; i += 5) {
         std::size_t at =
@@ -129,27 +129,28 @@ void change(std::vector<std::byte>& bytes, const std::uint8_t* data, std::size_t
     std::abort();
 }
 
-/// What stands in the tree could have been written to it.
+/// Every value of the tree can also be written.
 void check_values(property::Tree& tree, property::Handle top) {
     tree.each_below(top, [&](property::Handle handle) {
         for (const property::Property* property : tree.properties(handle)) {
             const property::Value value = tree.peek(handle, *property);
             if (property->read_only || value.is(property::Type::reference)) continue;
-            // What follows from others (a mass of 0, of what does not move) need not be one.
+            // A computed value (a mass of 0 of a body that does not move) need not be writable.
             const bool follows = property->binding.overridden != nullptr;
             if (follows && !tree.overridden(handle, *property)) continue;
             try {
                 if (!(tree.coerce(handle, *property, value) == value))
                     give_up(tree.path(handle, *property) + " would not be " + tree.text(value));
             } catch (const property::Error& error) {
-                // References in lists may lead to who is gone.
+                // References in lists may refer to deleted instances.
                 if (error.kind() != property::ErrorKind::deleted) give_up(error.what());
             }
         }
     });
 }
 
-/// The physics worlds in it have checksums of their own, which would refuse every change to them.
+/// Corrects the checksums of the physics worlds in the snapshot, which would otherwise refuse every
+/// change in them.
 void seal_worlds(const std::vector<std::byte>& before, std::vector<std::byte>& bytes) {
     using physics::detail::SavedHeader;
     SavedHeader header;
@@ -189,14 +190,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     check_values(game.tree, game.tree.root());
-    // What it is, it can be saved as.
+    // The state can be saved again.
     game.tree.check(property::Snapshot::from_bytes(game.tree.snapshot().to_bytes()));
     game.tree.barrier();
     for (int i = 0; i < 3; ++i) {
         try {
             game.step();
         } catch (const property::Error&) {
-            // handlers that answer each other for ever
+            // handlers that trigger each other without end
         }
     }
     check_values(game.tree, game.tree.root());
@@ -204,7 +205,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         try {
             (void)property::scene_text(game.tree, world);
         } catch (const property::Error&) {
-            // what it refers to need not make a scene
+            // a scene file cannot contain every reference
         }
     }
     (void)game.runtime.run(

@@ -1,5 +1,5 @@
 #pragma once
-// The bytes a fuzzer is fed, as text.
+// The input bytes of a fuzzer as text.
 
 #include <cstddef>
 #include <cstdint>

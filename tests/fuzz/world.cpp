@@ -1,6 +1,6 @@
-// The saved state of a physics world: bytes from anywhere, and a true state with some bytes
-// changed. Refused, or restored to a world that can be stepped and taken apart. What was changed is
-// sealed again: else the checksum alone would refuse it.
+// The saved state of a physics world: arbitrary bytes, and a valid state with some changed bytes.
+// It is refused, or restored to a world that can be stepped and whose objects can be destroyed. The
+// checksum is corrected after a change; otherwise it alone would refuse the state.
 
 #include <cstring>
 #include <stdexcept>
@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             bytes[at] = static_cast<std::byte>(data[i + 2]);
         }
     }
-    // One input in four shows that the checksum does.
+    // One input in four keeps the wrong checksum and must be refused.
     if (size == 0 || data[0] % 4 != 3) detail::seal(bytes);
     World world;
     try {

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes the Debian packages and installs them on a Debian on which there is nothing: do they name all they need, does an
-# installed game run, can another program be built with nothing but them and a compiler, and do they go without a trace?
+# Makes the Debian packages and installs them on a minimal Debian. Tests that their dependencies are complete, that an installed
+# game runs, that another program can be built with only these packages and a compiler, and that removing them leaves no file.
 #
-#   packages.sh BUILD [FOLDER]    BUILD: a build folder of the shared preset; FOLDER: room for the bare Debian (500 MB)
+#   packages.sh BUILD [FOLDER]    BUILD: a build folder of the shared preset; FOLDER: for the minimal Debian (500 MB)
 #
-# Needs root, and the packages dpkg-dev and debootstrap. Exit status 77: it cannot be tried here.
+# Needs root, and the packages dpkg-dev and debootstrap. Exit status 77: the test cannot run here.
 set -euo pipefail
 sources=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 build=$(cd -- "$1" && pwd -P)
@@ -28,9 +28,9 @@ for package in "${packages[@]}"; do
     if command -v lintian >/dev/null; then lintian --fail-on error --tag-display-limit 0 "$package"; fi
 done
 
-# --- A bare Debian, made once and copied --------------------------------------------------------------------------------
+# --- A minimal Debian, made once and copied -----------------------------------------------------------------------------
 codename=$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")
-[[ -n $codename ]] || cannot "this Debian does not tell its name"
+[[ -n $codename ]] || cannot "the name of this Debian is unknown"
 bare=${FETTLE_BARE_DEBIAN:-$folder/$codename}
 if [[ -z ${FETTLE_BARE_DEBIAN:-} && ! -e $bare/.ready ]]; then
     mirror=$({ cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null || true; } |
@@ -73,7 +73,7 @@ expect() {
     printf '%s\n' "$said"
 }
 
-# --- What runs --------------------------------------------------------------------------------------------------------------
+# --- Running ----------------------------------------------------------------------------------------------------------------
 mkdir -- "$root/packages"
 cp -- "${packages[@]}" "$root/packages/"
 inside apt-get -o APT::Update::Error-Mode=any update >"$folder/apt.log" 2>&1 || cannot "no packages can be fetched"
@@ -90,7 +90,7 @@ for game in "$root"/usr/share/fettle/scripts/*/main.lua; do
 done
 expect 'physics' somebody fettle run --headless --steps 2 --module physics --eval 'print(modules.physics.file)'
 
-# --- What is built -----------------------------------------------------------------------------------------------------------
+# --- Building ----------------------------------------------------------------------------------------------------------------
 quietly inside apt-get install -y --no-install-recommends "/packages/$(basename -- "${packages[1]}")" g++ cmake make pkgconf
 cp -a "$sources/examples" "$root/examples"
 expect 'found and built' inside sh -c 'cmake -S /examples/bare -B /built >/built.log 2>&1 && cmake --build /built >>/built.log 2>&1 ||
@@ -102,7 +102,7 @@ expect 'the ball hit [1-9]' inside sh -c 'g++ -std=c++20 /examples/bare/main.cpp
 expect 'wind' inside sh -c 'cmake -S /examples/module -B /module >/built.log 2>&1 && cmake --build /module >>/built.log 2>&1 ||
     { cat /built.log; exit 1; }; fettle run /module/game --headless --steps 9 --eval "print(modules.wind.version, \"wind\")"'
 
-# --- And goes again ----------------------------------------------------------------------------------------------------------
+# --- Removing ----------------------------------------------------------------------------------------------------------------
 quietly inside apt-get purge -y fettle fettle-dev
 left=$(cd -- "$root" && find usr etc var/lib -iname '*fettle*' -not -path 'var/lib/apt/*')
 if [[ -n $left ]]; then printf 'left behind:\n%s\n' "$left"; exit 1; fi

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of its own for a test, which goes with it.
+// A temporary folder for a test, removed at its end.
 
 #include <cstdlib>
 #include <filesystem>

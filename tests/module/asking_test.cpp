@@ -1,4 +1,5 @@
-// What modules in shared objects ask of the program's functions, and what their fields tell.
+// Questions of modules in shared objects to functions of the program, and the descriptions of their
+// fields.
 
 #include <catch.h>
 
@@ -57,7 +58,7 @@ TEST_CASE("a handler answers what a module asks within its step") {
     CHECK(tides.size() == 1);
 }
 
-TEST_CASE("what a module only tells is not changed by a handler") {
+TEST_CASE("a handler cannot change the fixed fields of a question of a module") {
     Game game;
     std::vector<std::string> refused;
     game.tree.on_handler_error(
@@ -73,7 +74,7 @@ TEST_CASE("what a module only tells is not changed by a handler") {
     CHECK(game.level() > 0);
 }
 
-TEST_CASE("a function handed to a method of a module says which instances count") {
+TEST_CASE("a method of a module calls a function that decides which instances count") {
     Game game;
     std::vector<Handle> ships;
     for (const char* name : {"anna", "berta", "carla"})
@@ -90,7 +91,7 @@ TEST_CASE("a function handed to a method of a module says which instances count"
     CHECK(listed().size() == 3);
 }
 
-TEST_CASE("what a property or a field may hold goes over the border") {
+TEST_CASE("the host gets the allowed values of a property or a field of a module") {
     Game game;
     const property::Class& harbor = game.tree.class_named("Harbor");
     CHECK(harbor.property("pilot")->nullable);
@@ -110,7 +111,7 @@ TEST_CASE("what a property or a field may hold goes over the border") {
     CHECK(game.tree.get(game.north, "pilot").is_nil());
 }
 
-TEST_CASE("a module made before fields could tell more is understood as it was") {
+TEST_CASE("a module with the older and smaller structure of fields still loads") {
     Game game;
     const property::Class& harbor = game.tree.class_named("Harbor");
     const property::Field& accept = harbor.method("ships")->parameters.at(0);
@@ -123,7 +124,7 @@ TEST_CASE("a module made before fields could tell more is understood as it was")
 }
 
 #ifdef FETTLE_PHYSICS_PLUGIN
-TEST_CASE("a handler of before_solve lets a body through a platform of plugged in physics") {
+TEST_CASE("a handler of before_solve lets a body through a platform of a loaded physics module") {
     module::Plugins plugins;
     property::Tree tree;
     module::Plugin& physics = plugins.open(FETTLE_PHYSICS_PLUGIN);

@@ -1,4 +1,4 @@
-// What comes over the C border and is none: the host says so and goes on.
+// Invalid values through the C interface: the host reports them and continues.
 
 #include <catch.h>
 
@@ -36,22 +36,22 @@ std::string reading(const char* name) {
 
 }  // namespace
 
-TEST_CASE("a column of a module without memory is told of by name") {
+TEST_CASE("a column of a module without memory is reported by name") {
     CHECK_THAT(reading("odd.hollow"), contains("Odd.hollow: it has no memory"));
 }
 
-TEST_CASE("a getter that fails or gives no value is an error with its reason") {
+TEST_CASE("a getter that fails or sets no value is an error with its reason") {
     CHECK_THAT(reading("odd.failing"), contains("Odd.failing: the sensor is wet"));
     CHECK_THAT(reading("odd.typeless"), contains("there is no type number 99"));
     CHECK_THAT(reading("odd.wordless"), contains("a text of length 3 has no memory"));
     CHECK_THAT(reading("odd.empty"), contains("a list of length 3 has no memory"));
 }
 
-TEST_CASE("a list that holds itself is refused") {
+TEST_CASE("a list that contains itself is refused") {
     CHECK_THAT(reading("odd.endless"), contains("lists are in lists more than 64 deep"));
 }
 
-TEST_CASE("arrays without memory or of elements without size are refused") {
+TEST_CASE("arrays without memory or with elements of size zero are refused") {
     for (const char* wrong : {"odd_without_data", "odd_without_size"}) {
         module::Plugins plugins;
         property::Tree tree;
@@ -60,7 +60,7 @@ TEST_CASE("arrays without memory or of elements without size are refused") {
     }
 }
 
-TEST_CASE("a column goes on by what its elements take and not by anything") {
+TEST_CASE("the stride of a column must suit its elements") {
     for (const char* wrong : {"odd_stride", "odd_small_stride"}) {
         module::Plugins plugins;
         property::Tree tree;
@@ -69,7 +69,8 @@ TEST_CASE("a column goes on by what its elements take and not by anything") {
     }
 }
 
-TEST_CASE("a module makes rows of its own classes for others of its own, not for another's") {
+TEST_CASE(
+    "a module makes rows for its own classes and their derived classes and for no other module's") {
     module::Plugins plugins;
     property::Tree tree;
     CHECK_NOTHROW(plugins.open(built("odder")).attach(tree));
@@ -82,13 +83,13 @@ TEST_CASE("a module makes rows of its own classes for others of its own, not for
                    contains("that the lifecycle of Cloud makes"));
 }
 
-TEST_CASE("a module that saves restores too") {
+TEST_CASE("a module with save must also have restore") {
     module::Plugins plugins;
     CHECK_THAT(complaint([&] { (void)plugins.open(built("half_saved")); }),
                contains("both `save` and `restore`"));
 }
 
-TEST_CASE("a game in C is stepped by a time") {
+TEST_CASE("the time step of a game in C must be valid") {
     fettle_game* const game = fettle_game_open();
     const fettle_host* const host = fettle_game_host(game);
     for (const double wrong :

@@ -1,4 +1,4 @@
-// Modules in shared objects: what a game sees of one that is as it should be.
+// Modules in shared objects: the view of a game on a correct module, and faulty modules.
 
 #include <catch.h>
 #include <fcntl.h>
@@ -49,7 +49,7 @@ std::string complaint(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST_CASE("a module tells its name and version before it registers anything") {
+TEST_CASE("a module has a name and a version before it registers anything") {
     module::Plugins plugins;
     const module::Plugin& weather = plugins.open(built("weather"));
     CHECK(weather.name() == "weather");
@@ -58,7 +58,7 @@ TEST_CASE("a module tells its name and version before it registers anything") {
     CHECK(plugins.find("climate") == nullptr);
 }
 
-TEST_CASE("what a module registers is a class like any other") {
+TEST_CASE("a class that a module registers is a class like any other") {
     Game game;
     const property::Class& cloud = game.tree.class_named("Cloud");
     CHECK(cloud.doc() == "Carries water.");
@@ -73,7 +73,7 @@ TEST_CASE("what a module registers is a class like any other") {
     CHECK(cloud.event("rained")->fields.size() == 1);
 }
 
-TEST_CASE("values of every binding go to a module and come back") {
+TEST_CASE("values of every binding are written to a module and read back") {
     Game game;
     CHECK(game.get("front.height") == Value(100.0));
     game.set("front.height", 250);
@@ -87,7 +87,7 @@ TEST_CASE("values of every binding go to a module and come back") {
     CHECK(game.get("front.label") == Value("gr\xC3\xA4u"));
 }
 
-TEST_CASE("values for a module are checked before it sees them") {
+TEST_CASE("values for a module are checked before the module gets them") {
     Game game;
     CHECK(complaint([&] { game.set("front.water", 1001.0); }).find("1000") != std::string::npos);
     CHECK(complaint([&] { game.set("front.kind", "fog"); }).find("cirrus") != std::string::npos);
@@ -95,20 +95,20 @@ TEST_CASE("values for a module are checked before it sees them") {
     CHECK(game.get("front.water") == Value(0.0));
 }
 
-TEST_CASE("why a module refuses a value stands in the error") {
+TEST_CASE("the error contains the reason for which a module refuses a value") {
     Game game;
-    const std::string told = complaint([&] { game.set("front.height", 13); });
-    CHECK(told.find("front.height") != std::string::npos);
-    CHECK(told.find("thirteen metres bring bad luck") != std::string::npos);
+    const std::string reported = complaint([&] { game.set("front.height", 13); });
+    CHECK(reported.find("front.height") != std::string::npos);
+    CHECK(reported.find("thirteen metres bring bad luck") != std::string::npos);
     CHECK(game.get("front.height") == Value(100.0));
 }
 
-TEST_CASE("a getter that gives another type than it said gives the default") {
+TEST_CASE("a getter that returns another type than declared gives the default") {
     Game game;
     CHECK(game.get("front.slip") == Value(0.0));
 }
 
-TEST_CASE("a step of a module is seen by those who watch") {
+TEST_CASE("watchers are notified of changes in a step of a module") {
     Game game;
     std::vector<double> seen;
     game.tree.watch(game.front, "water",
@@ -120,7 +120,7 @@ TEST_CASE("a step of a module is seen by those who watch") {
     CHECK(seen == std::vector<double>{0.5, 1.0});
 }
 
-TEST_CASE("methods of a module are called and its events heard") {
+TEST_CASE("methods of a module are called and its events are delivered") {
     Game game;
     double heard = 0;
     game.tree.on(game.front, *game.tree.class_of(game.front).event("rained"),
@@ -142,7 +142,7 @@ TEST_CASE("methods of a module are called and its events heard") {
     CHECK(survey[1].get("value") == Value(100.0));
 }
 
-TEST_CASE("a module has rows for instances that come and go") {
+TEST_CASE("a module makes and destroys rows with their instances") {
     Game game;
     const property::Class& cloud = game.tree.class_named("Cloud");
     std::vector<Handle> made;
@@ -155,14 +155,14 @@ TEST_CASE("a module has rows for instances that come and go") {
     CHECK(game.tree.get(again, "height") == Value(100.0));
 }
 
-// --- What can be wrong
+// --- Faulty modules
 
-TEST_CASE("a file that is no module is refused with what it is") {
+TEST_CASE("a file that is not a module is refused with a description") {
     const auto says = [](const char* name, const std::string& text) {
-        const std::string told = refusal(built(name));
-        INFO(told);
-        CHECK(told.find(built(name).string() + ": ") == 0);
-        CHECK(told.find(text) != std::string::npos);
+        const std::string reported = refusal(built(name));
+        INFO(reported);
+        CHECK(reported.find(built(name).string() + ": ") == 0);
+        CHECK(reported.find(text) != std::string::npos);
     };
     says("nothing", "there is no such file");
     says("without_entry", "function fettle_module_open, found a shared object without it");
@@ -176,19 +176,20 @@ TEST_CASE("a file that is no module is refused with what it is") {
     says("abort_in_check", "crashed (Aborted) in its own test");
     says("exit_in_check", "ended the process with status 3 in its own test");
     says("fail_in_check", "the barometer is stuck");
-    says("hands_on", "no class is called \"Clowd\"");  // what the host said: it says nothing itself
+    says("hands_on",
+         "no class is called \"Clowd\"");  // the message of the host: the module gives none
     says("forgetful", "class Harbor leaves its rows to `save` and `restore`");
     CHECK(refusal(FETTLE_TEST_MODULES).find("found a folder") != std::string::npos);
     CHECK(refusal(built("weather")) == "");
     CHECK(refusal(built("older_minor")) == "");
 }
 
-TEST_CASE("a module that ends the process in its trial is refused whatever status it gives") {
+TEST_CASE("a module that ends the process in its trial is refused with any status") {
     const auto says = [](const char* name, const std::string& text) {
-        const std::string told = refusal(built(name));
-        INFO(name << ": " << told);
-        CHECK(told.find(built(name).string() + ": ") == 0);
-        CHECK(told.find(text) != std::string::npos);
+        const std::string reported = refusal(built(name));
+        INFO(name << ": " << reported);
+        CHECK(reported.find(built(name).string() + ": ") == 0);
+        CHECK(reported.find(text) != std::string::npos);
     };
     says("exit_well_in_check", "ended the process with status 0 in its own test");
     says("exit_in_constructor", "ended the process with status 0 while it was opened");
@@ -198,13 +199,13 @@ TEST_CASE("a module that ends the process in its trial is refused whatever statu
     says("silent_in_step", "did not come to an end in a step within 10 s");
 }
 
-TEST_CASE("what is no file is no module and nothing waits for it") {
+TEST_CASE("a path without a regular file is refused without waiting") {
     const ModuleFile module("weather");
     const fs::path folder = module.path().parent_path();
     const auto says = [&](const fs::path& file, const std::string& found) {
-        const std::string told = refusal(file);
-        INFO(told);
-        CHECK(told == file.string() + ": expected a shared object, found " + found);
+        const std::string reported = refusal(file);
+        INFO(reported);
+        CHECK(reported == file.string() + ": expected a shared object, found " + found);
     };
     REQUIRE(::mkfifo((folder / "pipe.so").c_str(), 0600) == 0);
     says(folder / "pipe.so", "a pipe");
@@ -222,7 +223,7 @@ TEST_CASE("what is no file is no module and nothing waits for it") {
     says(folder / "empty.so", "a file of another kind");
 }
 
-TEST_CASE("no copy of a module stays behind") {
+TEST_CASE("no copy of a module file is left") {
     const auto others = [](const fs::path& file) {
         std::size_t count = 0;
         for (const auto& each : fs::directory_iterator(file.parent_path()))
@@ -232,7 +233,7 @@ TEST_CASE("no copy of a module stays behind") {
     for (const char* const name : {"weather", "exit_in_constructor", "crash_when_opened",
                                    "exit_in_step", "missing_symbol", "without_entry"}) {
         const ModuleFile module(name);
-        // Left by a process that was killed; of one that lives; and nobody's.
+        // Copies left by a killed process, by a living process, and files that are not copies.
         const fs::path folder = module.path().parent_path();
         std::ofstream(folder / ".weather.fettle-1-1.so") << "left";
         std::ofstream(folder / ".weather.so") << "mine";
@@ -266,17 +267,17 @@ TEST_CASE("a module is not loaded twice") {
     CHECK(plugins.all().size() == 1);
 }
 
-TEST_CASE("a class that is there already is told of and leaves the game as it was") {
+TEST_CASE("a class that already exists is reported and the game is unchanged") {
     Game game;
     module::Plugin& sky = game.plugins.open(built("same_class"));
     try {
         sky.attach(game.tree);
         FAIL("a second class Cloud was taken");
     } catch (const module::LoadError& error) {
-        const std::string told = error.what();
-        INFO(told);
-        CHECK(told.find("same_class.so: module sky") != std::string::npos);
-        CHECK(told.find("there is a class \"Cloud\" already") != std::string::npos);
+        const std::string reported = error.what();
+        INFO(reported);
+        CHECK(reported.find("same_class.so: module sky") != std::string::npos);
+        CHECK(reported.find("there is a class \"Cloud\" already") != std::string::npos);
     }
     game.set("front.water", 3.0);
     CHECK(game.get("front.water") == Value(3.0));

@@ -1,4 +1,4 @@
-// A module taken in anew while its instances live.
+// Reloading a module while its instances exist.
 
 #include <catch.h>
 
@@ -37,7 +37,7 @@ struct Game {
 
 }  // namespace
 
-TEST_CASE("instances live on when their module is taken in anew") {
+TEST_CASE("instances survive a reload of their module") {
     Game game;
     const bool other = GENERATE(false, true);
     if (other) game.file.become("other_layout");
@@ -55,7 +55,7 @@ TEST_CASE("instances live on when their module is taken in anew") {
     CHECK(game.tree.children(game.tree.root()).size() == 1);
 }
 
-TEST_CASE("a module taken in anew computes with the memory of the new one") {
+TEST_CASE("a reloaded module computes with the memory of the new one") {
     Game game;
     game.file.become("other_layout");
     game.weather.reload();
@@ -65,13 +65,13 @@ TEST_CASE("a module taken in anew computes with the memory of the new one") {
     CHECK(game.tree.get(game.front, "water") == Value(12.0));
     game.tree.destroy(game.low);
     CHECK(game.tree.create(game.tree.class_named("Cloud"), game.front));
-    // And once more, back again.
+    // Reloads the first version again.
     game.file.become("weather");
     CHECK(game.weather.reload().instances == 3);
     CHECK(game.tree.get(game.front, "water") == Value(12.0));
 }
 
-TEST_CASE("watchers and formulas outlast a module being taken in anew") {
+TEST_CASE("watchers and formulas survive a reload of a module") {
     Game game;
     std::vector<double> seen;
     game.tree.watch(game.front, "water",
@@ -84,7 +84,7 @@ TEST_CASE("watchers and formulas outlast a module being taken in anew") {
     game.file.become("other_layout");
     game.weather.reload();
     game.tree.barrier();
-    CHECK(seen.empty());  // to everyone but the module nothing has happened
+    CHECK(seen.empty());  // no change is reported outside the module
     game.weather.step(0.5);
     game.weather.report(game.tree);
     game.tree.barrier();
@@ -92,7 +92,7 @@ TEST_CASE("watchers and formulas outlast a module being taken in anew") {
     CHECK(game.tree.get(game.low, "height") == Value(26.0));
 }
 
-TEST_CASE("a new module that fails leaves the old one at work") {
+TEST_CASE("a new module that fails leaves the old one in use") {
     Game game;
     for (const char* bad : {"crash_in_check", "fail_in_check", "retyped", "without_entry",
                             "newer_major", "missing_symbol", "same_class", "crash_when_opened"}) {
@@ -106,7 +106,7 @@ TEST_CASE("a new module that fails leaves the old one at work") {
     CHECK(game.tree.get(game.front, "water") == Value(13.0));
 }
 
-TEST_CASE("what a new module has more than the old one is told") {
+TEST_CASE("members that a new module adds are reported") {
     Game game;
     game.file.become("other_layout");
     const module::Reloaded reloaded = game.weather.reload();

@@ -1,5 +1,5 @@
-// Snapshots and the memory of modules in shared objects: what was restored goes on as it did
-// before.
+// Snapshots and the memory of modules in shared objects: after a restore, the game continues as it
+// did before.
 
 #include <catch.h>
 
@@ -19,7 +19,7 @@ using property::Vec2;
 
 namespace {
 
-/// A tree with one module of the tests plugged in.
+/// A tree with one loaded test module.
 struct Game {
     explicit Game(const std::filesystem::path& file) : module(plugins.open(file)) {
         module.attach(tree);
@@ -58,7 +58,7 @@ std::string complaint(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST_CASE("memory that no property shows comes back with a snapshot") {
+TEST_CASE("a snapshot restores memory that no property shows") {
     Game game(built("harbor"));
     game.make("Harbor", "north");
     game.make("Harbor", "south");
@@ -74,7 +74,7 @@ TEST_CASE("memory that no property shows comes back with a snapshot") {
     CHECK(game.hashes(50) == expected);
 }
 
-TEST_CASE("instances of a module made and deleted since a snapshot do not disturb it") {
+TEST_CASE("instances of a module made and deleted since a snapshot do not disturb a restore") {
     Game game(built("harbor"));
     const Handle north = game.make("Harbor", "north"), south = game.make("Harbor", "south");
     game.step();
@@ -88,7 +88,7 @@ TEST_CASE("instances of a module made and deleted since a snapshot do not distur
     CHECK(game.tree.alive(south));
     CHECK_FALSE(game.tree.alive(east));
     CHECK(game.hashes(30) == expected);
-    // Rows are free for new ones as they were then.
+    // The free rows are used in the same order as then.
     game.make("Harbor", "west");
     CHECK(game.hashes(1).front() != expected.back());
 }
@@ -101,7 +101,7 @@ TEST_CASE("bytes that a module refuses change nothing") {
     std::vector<std::byte> bytes = game.tree.snapshot().to_bytes();
     game.step();
     const std::uint64_t before = game.module.hash();
-    // Another module of that name, with fewer bytes to say.
+    // Another module with the same name and fewer bytes.
     property::Tree other;
     CHECK(complaint([&] { game.tree.restore(other.snapshot()); }) != "");
     CHECK(game.module.hash() == before);
@@ -110,7 +110,7 @@ TEST_CASE("bytes that a module refuses change nothing") {
     CHECK(game.module.hash() == before);
 }
 
-TEST_CASE("a module that leaves saving to the tree is restored value by value") {
+TEST_CASE("a module without own saving is restored value by value") {
     Game game(built("weather"));
     property::set(game.tree, "front.water", 12.0);
     property::set(game.tree, "front.kind", "stratus");
@@ -124,7 +124,7 @@ TEST_CASE("a module that leaves saving to the tree is restored value by value") 
     CHECK(game.hashes(40) == expected);
 }
 
-TEST_CASE("a snapshot from before a module was taken in anew fits the new one by name") {
+TEST_CASE("a snapshot from before a reload is restored by the names of properties") {
     const ModuleFile file("weather");
     Game game(file.path());
     property::set(game.tree, "front.water", 12.0);
@@ -140,7 +140,7 @@ TEST_CASE("a snapshot from before a module was taken in anew fits the new one by
     CHECK(game.module.reload().instances == 1);
 }
 
-TEST_CASE("a module that saves its rows does not come back as one that cannot") {
+TEST_CASE("a module that saves its rows cannot be replaced by one that does not") {
     const ModuleFile file("harbor");
     Game game(file.path());
     game.make("Harbor", "north");
@@ -154,7 +154,7 @@ TEST_CASE("a module that saves its rows does not come back as one that cannot") 
 }
 
 #ifdef FETTLE_PHYSICS_PLUGIN
-TEST_CASE("physics that is plugged in goes on bit for bit from a snapshot") {
+TEST_CASE("loaded physics continues bit for bit from a snapshot") {
     Game game(FETTLE_PHYSICS_PLUGIN);
     const Handle world = game.tree.child(game.tree.root(), "world");
     const auto body = [&](const char* shape, const Vec2& position, const char* type) {
@@ -178,33 +178,33 @@ TEST_CASE("physics that is plugged in goes on bit for bit from a snapshot") {
     REQUIRE(game.hashes(120) == expected);
 }
 
-TEST_CASE("physics that is plugged in tells what a read makes it compute and does it again") {
-    struct Told : property::Observer {
+TEST_CASE("loaded physics records the computations that reads cause and repeats them") {
+    struct Report : property::Observer {
         void refreshing(property::SnapshotPart& part, std::uint64_t what) override {
             all.emplace_back(&part, what);
         }
         std::vector<std::pair<property::SnapshotPart*, std::uint64_t>> all;
-    } told;
+    } reported;
     Game game(FETTLE_PHYSICS_PLUGIN);
     const Handle world = game.tree.child(game.tree.root(), "world");
     const Handle body = game.tree.create(game.tree.class_named("Body"), world, "ball");
     game.tree.create(game.tree.class_named("Circle"), body, "circle");
     game.step();
-    game.tree.observe(told);
+    game.tree.observe(reported);
     property::set(game.tree, "world.ball.circle.radius", 2.0);
-    CHECK(told.all.empty());
+    CHECK(reported.all.empty());
     const Value mass = property::get(game.tree, "world.ball.mass");
-    REQUIRE(told.all.size() == 1);
+    REQUIRE(reported.all.size() == 1);
     CHECK(property::get(game.tree, "world.ball.mass") == mass);
-    CHECK(told.all.size() == 1);
+    CHECK(reported.all.size() == 1);
     property::set(game.tree, "world.ball.circle.radius", 1.0);
-    const auto [part, what] = told.all[0];
+    const auto [part, what] = reported.all[0];
     CHECK(part == &game.module);
     part->refresh(what);
     CHECK(property::get(game.tree, "world.ball.mass") != mass);
-    CHECK(told.all.size() == 1);
-    part->refresh(~std::uint64_t{0});  // nobody's
-    game.tree.unobserve(told);
+    CHECK(reported.all.size() == 1);
+    part->refresh(~std::uint64_t{0});  // an unknown object
+    game.tree.unobserve(reported);
 }
 #endif
 

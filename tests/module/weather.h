@@ -1,5 +1,5 @@
 #pragma once
-// Modules of the tests, and a folder of its own for each test.
+// Test modules, and a temporary folder for each test.
 
 #include <filesystem>
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace fettle::module::testing {
 
-/// The module built in that way.
+/// Path of the module that is built with this name.
 std::filesystem::path built(const std::string& name);
 
-/// A copy of a module that a test may write over.
+/// A copy of a module that a test may overwrite.
 class ModuleFile {
   public:
     explicit ModuleFile(const std::string& name);
@@ -26,7 +26,7 @@ class ModuleFile {
     std::filesystem::path file_ = folder_.path / "weather.so";
 };
 
-/// What loading the module into a tree says; "" when it goes well.
+/// The error of loading the module into a tree; "" if it is loaded.
 std::string refusal(const std::filesystem::path& file);
 
 }  // namespace fettle::module::testing

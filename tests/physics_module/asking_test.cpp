@@ -1,4 +1,4 @@
-// What is asked inside a step, and queries with shapes.
+// Questions inside a step, and queries with shapes.
 
 #include <fettle/property/question.h>
 
@@ -30,7 +30,7 @@ TEST_CASE_METHOD(Game, "a handler of before_solve lets a body through a platform
     CHECK(Question::current() == nullptr);
 }
 
-TEST_CASE_METHOD(Game, "an answer outside its range is refused, and what was mixed stays") {
+TEST_CASE_METHOD(Game, "an answer outside its range is refused and the mixed value stays") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     std::vector<std::string> refused;
@@ -61,7 +61,7 @@ TEST_CASE_METHOD(Game, "an answer outside its range is refused, and what was mix
     CHECK(refused[2] == "accepted");
 }
 
-TEST_CASE_METHOD(Game, "a handler that is asked may not write anything else") {
+TEST_CASE_METHOD(Game, "a handler of a question may not write anything else") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     std::vector<std::string> refused;
@@ -82,7 +82,7 @@ TEST_CASE_METHOD(Game, "a handler that is asked may not write anything else") {
             attempt([&] { tree.call(crate, "apply_impulse", {Vec2(0, 9)}); });
             attempt([&] { Question::current()->answer(3, Vec2(1, 1)); });
             attempt([&] { Question::current()->answer(7, "slippery"); });
-            CHECK(tree.get(crate, "mass").number() == 1);  // reading is welcome
+            CHECK(tree.get(crate, "mass").number() == 1);  // reading is allowed
         });
     step(2);
     REQUIRE(refused.size() == 6);
@@ -94,7 +94,7 @@ TEST_CASE_METHOD(Game, "a handler that is asked may not write anything else") {
     CHECK(refused[5].find("friction") != std::string::npos);
 }
 
-TEST_CASE_METHOD(Game, "a handler of mix_surfaces makes ice of some contacts") {
+TEST_CASE_METHOD(Game, "a handler of mix_surfaces removes the friction of some contacts") {
     floor();
     const Handle left = body("Box", {-5, 0.5}), right = body("Box", {5, 0.5});
     const auto connection =
@@ -109,7 +109,7 @@ TEST_CASE_METHOD(Game, "a handler of mix_surfaces makes ice of some contacts") {
     CHECK(vec(right, "velocity").x() == Approx(0).margin(1e-3));
 }
 
-TEST_CASE_METHOD(Game, "a handler of filter_pair decides who collides") {
+TEST_CASE_METHOD(Game, "a handler of filter_pair decides which shapes collide") {
     floor();
     const Handle ghost = body("Box", {0, 2}), crate = body("Box", {5, 2});
     auto connection =
@@ -127,7 +127,7 @@ TEST_CASE_METHOD(Game, "a handler of filter_pair decides who collides") {
     CHECK(y(ghost) == Approx(0.5).margin(0.01));
 }
 
-TEST_CASE_METHOD(Game, "a touch that lasts is told every step with its impulse") {
+TEST_CASE_METHOD(Game, "a lasting contact is reported in every step with its impulse") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     int begun = 0, lasting = 0;
@@ -146,7 +146,7 @@ TEST_CASE_METHOD(Game, "a touch that lasts is told every step with its impulse")
     CHECK(get(crate, "contact_force").number() == Approx(10).epsilon(0.02));
 }
 
-TEST_CASE_METHOD(Game, "worlds are asked what overlaps a shape and what it would meet") {
+TEST_CASE_METHOD(Game, "a world finds the shapes that overlap a shape and those it would hit") {
     const Handle a = body("Box", {3, 0}), b = body("Box", {8, 0});
     const Handle probe = make("Circle", Handle{}, {{"radius", 1}, {"center", Vec2(2, 0)}});
     CHECK(std::get<Value>(tree.call(world(), "overlap", {probe})) == Value(List{a}));
@@ -184,7 +184,7 @@ TEST_CASE_METHOD(Game, "a field moves with its instance from world to world") {
     CHECK(vec(crate, "velocity").y() < rising);
 }
 
-TEST_CASE_METHOD(Game, "forces for the next step go along into another world") {
+TEST_CASE_METHOD(Game, "forces for the next step move with the body into another world") {
     const Handle crate = make("Body", Handle{}, {{"position", Vec2(0, 5)}});
     make("Box", crate);
     tree.call(crate, "apply_force", {Vec2(600, 0)});
@@ -195,31 +195,31 @@ TEST_CASE_METHOD(Game, "forces for the next step go along into another world") {
     CHECK(vec(crate, "velocity").x() == Approx(10).epsilon(0.01));
 }
 
-TEST_CASE_METHOD(Game, "the touches of a body are state that can be watched") {
+TEST_CASE_METHOD(Game, "the touches of a body are lists that can be watched") {
     const Handle ground = make("Body", world(), {{"type", "static"}});
     const Handle chain = make("Chain", ground);
     List points;
     for (int i = -8; i <= 8; ++i) points.push_back(Vec2(0.3 * i, 0));
     set(chain, "points", points);
     const Handle crate = body("Box", {0, 0.5});
-    int told = 0;
-    tree.watch(crate, "contact_impulses", [&](const property::Change&) { ++told; });
+    int reported = 0;
+    tree.watch(crate, "contact_impulses", [&](const property::Change&) { ++reported; });
     step(30);
-    // One touch, in however many pieces of the chain.
+    // It is one touch, although several pieces of the chain touch.
     REQUIRE(get(crate, "contacts").list() == List{ground});
     REQUIRE(get(crate, "contact_shapes").list() == List{chain});
     REQUIRE(get(crate, "contact_points").list().size() == 1);
     CHECK(get(crate, "contact_points").list()[0].vec2().y() == Approx(0).margin(0.01));
     CHECK(get(crate, "contact_normals").list()[0].vec2().y() == Approx(-1));
     CHECK(get(crate, "contact_impulses").list()[0].number() == Approx(10.0 / 60).epsilon(0.05));
-    CHECK(told > 1);
+    CHECK(reported > 1);
     set(crate, "position", Vec2(0, 5));
     step(1);
     CHECK(get(crate, "contacts").list().empty());
     CHECK(get(crate, "contact_impulses").list().empty());
 }
 
-TEST_CASE_METHOD(Game, "a body tells whom it touches where and how hard") {
+TEST_CASE_METHOD(Game, "a body lists the bodies that it touches with points and impulses") {
     const Handle ground = floor();
     const Handle crate = body("Box", {0, 0.5}), top = body("Box", {0, 1.5});
     step(30);

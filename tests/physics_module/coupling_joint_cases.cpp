@@ -33,14 +33,15 @@ void motor_cases(Cases& cases) {
         flung(of, {{"max_torque", 1000}, {"hertz", 2}}, 1, turned, fling, 40);
     cases["MotorJoint.hertz"] =
         flung(of, {{"max_force", 1000}, {"linear_offset", Vec2(2, 0)}}, 2, went_right);
-    // Undamped it swings to 4 / 2Ï = 0.64 m after a quarter of a second, damped to a third of
-    // that.
+    // Undamped, the body swings to 4 / 2π = 0.64 m after a quarter of a second; damped, to a third
+    // of that.
     cases["MotorJoint.damping_ratio"] = flung(
         of, {{"max_force", 1e6}, {"hertz", 1}}, 0, [](Stage& s) { return s.game.x(s.body) > 0.45; },
         fling_with("velocity", Vec2(4, 0)), 15);
 }
 
-/// 5 m of rope from the world to its wheel, 4.5 m from the other wheel down to the body.
+/// The rope is 5 m long from the world to its wheel, and 4.5 m from the other wheel down to the
+/// body.
 void pulley_cases(Cases& cases) {
     const auto rope = [](Value value) {
         return joint_case(

@@ -1,4 +1,4 @@
-// What is drawn.
+// Drawing of bodies, shapes and overlays.
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ struct Drawn : Game {
 
 }  // namespace
 
-TEST_CASE_METHOD(Drawn, "a circle is drawn with a line to its rim that turns with it") {
+TEST_CASE_METHOD(Drawn, "a circle has a radius line that turns with it") {
     const Handle ball = body("Circle", {2, 3});
     set(ball, "angle", 3.14159265 / 2);
     const Picture picture = draw();
@@ -50,7 +50,7 @@ TEST_CASE_METHOD(Drawn, "bodies are drawn between their last two poses") {
     CHECK(draw(0.5).figures[0].points[0] == Vec2(9, 9));
 }
 
-TEST_CASE_METHOD(Drawn, "every shape is drawn as what it is") {
+TEST_CASE_METHOD(Drawn, "every shape is drawn with its own figure") {
     const Handle crate = make("Body", world(), {{"position", Vec2(10, 0)}});
     make("Box", crate, {{"rounding", 0.1}});
     make("Segment", crate);
@@ -60,7 +60,8 @@ TEST_CASE_METHOD(Drawn, "every shape is drawn as what it is") {
     REQUIRE(picture.figures.size() == 4);
     CHECK(picture.figures[0].kind == "polygon");
     CHECK(picture.figures[0].points.size() == 4);
-    CHECK(picture.figures[0].points[0].isApprox(Vec2(9.6, -0.4), 1e-5));  // without rounding
+    CHECK(picture.figures[0].points[0].isApprox(Vec2(9.6, -0.4),
+                                                1e-5));  // the corner without rounding
     CHECK(picture.figures[0].size == Approx(0.1));
     CHECK(picture.figures[1].kind == "line");
     CHECK(picture.figures[1].points[0] == Vec2(9.5, 0));
@@ -69,7 +70,7 @@ TEST_CASE_METHOD(Drawn, "every shape is drawn as what it is") {
     CHECK(picture.figures[3].points.size() == 3);
 }
 
-TEST_CASE_METHOD(Drawn, "round and concave shapes are drawn as what they are") {
+TEST_CASE_METHOD(Drawn, "round and concave shapes are drawn with their own figures") {
     const Handle egg = make("Body", world(), {{"position", Vec2(1, 2)}, {"angle", 0.5}});
     make("Ellipse", egg, {{"radius_x", 3}, {"radius_y", 1}, {"angle", 0.25}});
     const Handle star = make("Body", world(), {{"position", Vec2(20, 0)}});
@@ -86,7 +87,7 @@ TEST_CASE_METHOD(Drawn, "round and concave shapes are drawn as what they are") {
     CHECK(picture.figures[2].points.size() == 5);
 }
 
-TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one thing") {
+TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one figure") {
     const Handle alone = body("Circle", {0, 0});
     const Handle pair = body("Circle", {5, 0});
     make("Box", pair);
@@ -95,7 +96,7 @@ TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one thing") {
     const Picture picture = draw();
     std::vector<std::uint64_t> wholes;
     for (const Figure& figure : picture.figures) wholes.push_back(figure.whole);
-    // The mark of a lone circle is a line of its own.
+    // The radius line of a single circle is a separate figure.
     REQUIRE(wholes.size() == 6);
     CHECK((wholes[0] == 0 && wholes[1] == 0));
     CHECK((wholes[2] != 0 && wholes[2] == wholes[3]));
@@ -103,7 +104,7 @@ TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one thing") {
     CHECK(tree.alive(alone));
 }
 
-TEST_CASE_METHOD(Drawn, "a polygon of many corners is drawn whole") {
+TEST_CASE_METHOD(Drawn, "a polygon of many corners is drawn completely") {
     const Handle stone = body("Polygon", {0, 0});
     List corners;
     for (int i = 0; i < 50; ++i)
@@ -112,7 +113,7 @@ TEST_CASE_METHOD(Drawn, "a polygon of many corners is drawn whole") {
     CHECK(draw().figures.at(0).points.size() == 50);
 }
 
-TEST_CASE_METHOD(Drawn, "colors come from the shape or else its body or else its type") {
+TEST_CASE_METHOD(Drawn, "the color is that of the shape or else of the body or else of the type") {
     const property::Color red{1, 0, 0, 1}, blue{0, 0, 1, 1};
     const Handle ball = body("Circle", {0, 0});
     const auto fill = [&] { return draw().figures.at(0).paint.fill; };
@@ -132,28 +133,28 @@ TEST_CASE_METHOD(Drawn, "colors come from the shape or else its body or else its
     CHECK(fill() == dynamic);
 }
 
-TEST_CASE_METHOD(Drawn, "looks belong to their shape alone") {
+TEST_CASE_METHOD(Drawn, "the look of a deleted shape is not used by the next one") {
     const Handle ball = body("Circle", {0, 0});
     set(shape_of(ball), "visible", false);
     set(shape_of(ball), "color", "red");
     set(ball, "color", "blue");
     CHECK(draw().figures.empty());
     tree.destroy(ball);
-    // The next ones take over the slots, not the looks.
+    // The next shapes get the slots but not the looks.
     const Handle next = body("Circle", {0, 0});
     CHECK(get(shape_of(next), "visible").boolean());
     CHECK_FALSE(tree.overridden(shape_of(next), tree.property(shape_of(next), "color")));
     CHECK(get(next, "color").is_nil());
 }
 
-TEST_CASE_METHOD(Drawn, "what cannot be seen is not drawn") {
+TEST_CASE_METHOD(Drawn, "shapes outside the view are not drawn") {
     body("Circle", {0, 0});
     const Handle mover = body("Circle", {40, 0});
     Picture picture;
     picture.right = 10;
     tree.draw(tree.root(), picture, 1.0);
     CHECK(picture.count("circle") == 1);
-    // On its way out of the view it is still seen.
+    // The drawn pose on the way out of the view is still visible.
     set(mover, "position", Vec2(9, 0));
     set(mover, "velocity", Vec2(600, 0));
     step();
@@ -163,7 +164,7 @@ TEST_CASE_METHOD(Drawn, "what cannot be seen is not drawn") {
     CHECK(later.count("circle") == 2);
 }
 
-TEST_CASE_METHOD(Drawn, "overlays are drawn on demand and over everything else") {
+TEST_CASE_METHOD(Drawn, "overlays are drawn on demand and after everything else") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     const Handle joint = make("MouseJoint", world(), {{"body", crate}, {"target", Vec2(0, 1)}});
@@ -189,18 +190,18 @@ TEST_CASE_METHOD(Drawn, "overlays are drawn on demand and over everything else")
     CHECK(with(property::Overlay::islands).count("text") == 1);
 }
 
-TEST_CASE_METHOD(Drawn, "a sensor is drawn so that one sees what is in it") {
+TEST_CASE_METHOD(Drawn, "a sensor is drawn so that shapes inside stay visible") {
     const Handle gate = body("Box", {0, 0});
     const float before = draw().figures.at(0).paint.fill.a;
     set(shape_of(gate), "sensor", true);
     CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
 }
 
-// --- Where it is drawn ---------------------------------------------------------------------------
+// --- The drawn pose ---------------------------------------------------------------------------
 
 namespace {
 
-/// A body that has moved by a metre and turned in the last step, and one that will not move.
+/// A body that moved by a metre and turned in the last step, and a static body.
 struct Moving : Drawn {
     Handle ship = body("Box", {0, 0});
 
@@ -213,7 +214,7 @@ struct Moving : Drawn {
     Value drawn(Handle which, const char* method, std::initializer_list<Value> arguments = {}) {
         return std::get<Value>(tree.call(which, method, arguments));
     }
-    /// What an overlay draws over the rest.
+    /// The figures that an overlay adds to the picture.
     Picture overlay(property::Overlay which, double alpha) {
         const std::size_t plain = draw(alpha).figures.size();
         Picture picture;
@@ -227,7 +228,7 @@ struct Moving : Drawn {
 
 }  // namespace
 
-TEST_CASE_METHOD(Moving, "while a picture is drawn a body tells where it is drawn") {
+TEST_CASE_METHOD(Moving, "the drawn pose of a body is available while a picture is drawn") {
     const double alpha = GENERATE(0.0, 0.25, 1.0);
     const property::Drawing drawing(alpha);
     const double angle = 0.5 * alpha;
@@ -236,12 +237,12 @@ TEST_CASE_METHOD(Moving, "while a picture is drawn a body tells where it is draw
     const Vec2 nose = drawn(ship, "to_drawn", {Vec2(2, 0)}).vec2();
     CHECK(nose.x() == Approx(alpha + 2 * std::cos(angle)).margin(1e-5));
     CHECK(nose.y() == Approx(2 * std::sin(angle)).margin(1e-5));
-    // That is where its corner is.
+    // The corner is drawn there.
     CHECK(draw(alpha).figures.at(0).points[2].isApprox(
         drawn(ship, "to_drawn", {Vec2(0.5, 0.5)}).vec2(), 1e-5));
 }
 
-TEST_CASE_METHOD(Moving, "while no picture is drawn a body is drawn where it is") {
+TEST_CASE_METHOD(Moving, "the drawn pose of a body is its pose while no picture is drawn") {
     { const property::Drawing over(0.25); }
     CHECK(drawn(ship, "drawn_position").vec2() == get(ship, "position").vec2());
     CHECK(drawn(ship, "drawn_angle").number() == get(ship, "angle").number());
@@ -250,13 +251,13 @@ TEST_CASE_METHOD(Moving, "while no picture is drawn a body is drawn where it is"
               .isApprox(std::get<Value>(tree.call(ship, "to_world", {Vec2(1, 1)})).vec2(), 1e-6));
 }
 
-TEST_CASE_METHOD(Moving, "what has no way behind it is drawn where it is") {
+TEST_CASE_METHOD(Moving, "a body without a pose before the last step is drawn at its pose") {
     const property::Drawing drawing(0.25);
-    SECTION("put elsewhere") {
+    SECTION("moved by an edit") {
         set(ship, "position", Vec2(50, 50));
         CHECK(drawn(ship, "drawn_position").vec2() == Vec2(50, 50));
     }
-    SECTION("turned by hand") {
+    SECTION("turned by an edit") {
         set(ship, "angle", 3);
         CHECK(drawn(ship, "drawn_angle").number() == Approx(3));
     }
@@ -281,7 +282,8 @@ TEST_CASE_METHOD(Moving, "what has no way behind it is drawn where it is") {
     }
 }
 
-TEST_CASE_METHOD(Moving, "a kinematic body and one inside another are drawn on their way as well") {
+TEST_CASE_METHOD(Moving,
+                 "a kinematic body and one inside another are drawn at interpolated poses too") {
     const Handle lift = body("Box", {0, 20});
     set(lift, "type", "kinematic");
     set(lift, "velocity", Vec2(0, 60));
@@ -294,7 +296,7 @@ TEST_CASE_METHOD(Moving, "a kinematic body and one inside another are drawn on t
     CHECK(drawn(child, "drawn_position").vec2().x() == Approx(5.5).epsilon(1e-3));
 }
 
-TEST_CASE_METHOD(Moving, "a body that turned past half a turn is not drawn turning back") {
+TEST_CASE_METHOD(Moving, "a body that turned by more than half a turn is not drawn turning back") {
     set(ship, "angle", 3.1);
     set(ship, "angular_velocity", 30);
     step();
@@ -303,7 +305,7 @@ TEST_CASE_METHOD(Moving, "a body that turned past half a turn is not drawn turni
           Approx(0).margin(1e-3));
 }
 
-TEST_CASE_METHOD(Moving, "a snapshot that is restored is drawn as it was") {
+TEST_CASE_METHOD(Moving, "a restored snapshot is drawn as it was") {
     const property::Snapshot then = tree.snapshot();
     step(5);
     tree.restore(then);
@@ -311,7 +313,7 @@ TEST_CASE_METHOD(Moving, "a snapshot that is restored is drawn as it was") {
     CHECK(drawn(ship, "drawn_position").vec2().isApprox(Vec2(0.25, 0), 1e-5));
 }
 
-TEST_CASE_METHOD(Moving, "every overlay is drawn where the shapes are drawn") {
+TEST_CASE_METHOD(Moving, "every overlay is drawn at the drawn poses of the shapes") {
     const double alpha = 0.25;
     const Picture shapes = draw(alpha);
     SECTION("boxes") {
@@ -352,7 +354,7 @@ TEST_CASE_METHOD(Moving, "every overlay is drawn where the shapes are drawn") {
     }
 }
 
-TEST_CASE_METHOD(Drawn, "a contact is drawn where what moves is drawn") {
+TEST_CASE_METHOD(Drawn, "a contact is drawn at the drawn pose of the moving body") {
     floor();
     const Handle crate = body("Box", {0, 0.5});
     step(10);
@@ -372,7 +374,7 @@ TEST_CASE_METHOD(Drawn, "a contact is drawn where what moves is drawn") {
     CHECK(sum / 2 == Approx(middle).margin(0.01));
 }
 
-TEST_CASE_METHOD(Drawn, "the box of each kind of shape is the box round what is drawn") {
+TEST_CASE_METHOD(Drawn, "the box of each kind of shape encloses the drawn figure") {
     const char* kind =
         GENERATE("Circle", "Ellipse", "Box", "Capsule", "Segment", "Polygon", "Concave", "Chain");
     const Handle thing = make("Body", world(), {{"position", Vec2(3, 4)}, {"angle", 0.7}});

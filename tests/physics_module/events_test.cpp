@@ -1,4 +1,4 @@
-// Events: told to both sides, once, and only when somebody listens.
+// Events: reported to both parties, once, and only if there is a handler.
 
 #include "catch.h"
 #include "game.h"
@@ -29,7 +29,8 @@ using Log = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE_METHOD(Listening, "both bodies and both shapes hear of a contact from their side") {
+TEST_CASE_METHOD(Listening,
+                 "both bodies and both shapes get the event of a contact from their side") {
     const Handle ground = floor();
     const Handle ball = body("Circle", {0, 2});
     for (const Handle h : {ball, ground, shape_of(ball), shape_of(ground)})
@@ -63,7 +64,8 @@ TEST_CASE_METHOD(Listening, "a contact ends when the bodies part") {
     CHECK(log == Log{"body_2 contact_begin world.body_1", "body_2 contact_end world.body_1"});
 }
 
-TEST_CASE_METHOD(Listening, "who is deleted in the middle of a contact is still named at its end") {
+TEST_CASE_METHOD(Listening,
+                 "the event of the end of a contact names a body that was deleted during it") {
     const Handle ground = floor();
     const Handle ball = body("Circle", {0, 0.5});
     step(5);
@@ -86,23 +88,24 @@ TEST_CASE_METHOD(Listening, "who is deleted in the middle of a contact is still 
     CHECK(seen.size() == 1);
 }
 
-TEST_CASE_METHOD(Listening, "a handler may delete what it was told about") {
+TEST_CASE_METHOD(Listening, "a handler may delete the instance of its event") {
     const Handle ground = floor();
     std::vector<Handle> balls;
     for (int i = 0; i < 10; ++i) balls.push_back(body("Circle", {2.0 * i - 10, 1}));
     const property::Event& begin = *tree.class_of(ground).event("contact_begin");
-    int told = 0;
+    int reported = 0;
     tree.on(ground, begin, [&](const Occurrence& o) {
-        ++told;
+        ++reported;
         tree.destroy(o.record.get("other").reference());
     });
     step(60);
-    CHECK(told == 10);
+    CHECK(reported == 10);
     for (const Handle ball : balls) CHECK_FALSE(tree.alive(ball));
     CHECK_FALSE(physics.world(world()).validate());
 }
 
-TEST_CASE_METHOD(Listening, "hits are told with speed and impulse and wake nobody by being heard") {
+TEST_CASE_METHOD(Listening,
+                 "hits are reported with speed and impulse and handlers of them wake no body") {
     floor();
     const Handle sleeper = body("Box", {10, 0.5});
     REQUIRE(falls_asleep(sleeper));
@@ -113,14 +116,14 @@ TEST_CASE_METHOD(Listening, "hits are told with speed and impulse and wake nobod
     CHECK(seen[0].record.get("speed").number() > 6);
     CHECK(seen[0].record.get("impulse").number() > 4);
     CHECK_FALSE(awake(sleeper));
-    // Shapes made while somebody listens report too.
+    // Shapes made while a handler exists report, too.
     const Handle second = body("Circle", {5, 3});
     listen(second, "contact_hit");
     step(90);
     CHECK(seen.size() == 2);
 }
 
-TEST_CASE_METHOD(Listening, "a sensor and its visitor hear of each other") {
+TEST_CASE_METHOD(Listening, "a sensor and the shape in it both get the event") {
     const Handle gate = body("Box", {0, 0}, "static");
     tree.rename(gate, "gate");
     set(shape_of(gate), "sensor", true);
@@ -135,7 +138,7 @@ TEST_CASE_METHOD(Listening, "a sensor and its visitor hear of each other") {
                      "gate sensor_begin world.ball", "gate sensor_end world.ball"});
 }
 
-TEST_CASE_METHOD(Listening, "a body tells when it falls asleep and when it wakes") {
+TEST_CASE_METHOD(Listening, "a body reports when it falls asleep and when it wakes") {
     floor();
     const Handle ball = body("Circle", {0, 0.5});
     for (const char* name : {"slept", "woke"}) listen(ball, name);
@@ -158,7 +161,8 @@ TEST_CASE_METHOD(Listening, "the other side of a contact with the bounds is the 
     CHECK(y(ball) > 0.45);
 }
 
-TEST_CASE_METHOD(Listening, "a class wide listener hears of every body and stops") {
+TEST_CASE_METHOD(Listening,
+                 "a handler of a class gets the events of every body until it is stopped") {
     floor();
     for (int i = 0; i < 4; ++i) body("Circle", {2.0 * i, 1});
     const property::Class& of = tree.class_named("Body");
@@ -172,7 +176,7 @@ TEST_CASE_METHOD(Listening, "a class wide listener hears of every body and stops
     CHECK(heard == 8);
 }
 
-TEST_CASE_METHOD(Listening, "worlds that are stepped without being reported keep nothing") {
+TEST_CASE_METHOD(Listening, "a world that is stepped but not reported keeps no events") {
     const Handle ground = floor();
     listen(ground, "contact_end");
     const Handle ball = body("Circle", {0, 0.5});
@@ -181,10 +185,11 @@ TEST_CASE_METHOD(Listening, "worlds that are stepped without being reported keep
     for (int i = 0; i < 3; ++i) physics.step(1.0 / 60);
     physics.report(tree);
     tree.barrier();
-    CHECK(seen.empty());  // that was two steps before the one reported
+    CHECK(seen.empty());  // the event happened two steps before the reported one
 }
 
-TEST_CASE_METHOD(Listening, "a touch tells its surface even when it is over already") {
+TEST_CASE_METHOD(Listening,
+                 "the event of a touch names its surface even if the touch is already over") {
     const Handle ground = floor();
     const Handle ball = body("Circle", {0, 0.5});
     set(shape_of(ball), "friction", 0.15);
@@ -199,25 +204,27 @@ TEST_CASE_METHOD(Listening, "a touch tells its surface even when it is over alre
     CHECK(seen[0].record.get("restitution").number() == Approx(0.25));
 }
 
-TEST_CASE_METHOD(Listening, "thousands of boxes on one floor are each told of every touch") {
+TEST_CASE_METHOD(Listening, "thousands of boxes on one floor each report every lasting touch") {
     const Handle ground = floor();
     set(shape_of(ground), "width", 8000);
     set(world(), "sleeping", false);
     constexpr int boxes = 4000;
     for (int i = 0; i < boxes; ++i) body("Box", {1.5 * (i - boxes / 2), 0.5});
-    int told = 0;
+    int reported = 0;
     tree.on(tree.class_named("Body"), *tree.class_named("Body").event("contact_persist"),
             [&](const Occurrence& o) {
-                told += o.record.get("friction").number() == Approx(0.6) ? 1 : -1000000;
+                reported += o.record.get("friction").number() == Approx(0.6) ? 1 : -1000000;
             });
     step(5);
-    told = 0;
-    step(20);  // each of which took four seconds when every event looked for its contact
-    CHECK(told == 20 * 2 * boxes);
+    reported = 0;
+    step(20);  // a step took four seconds when every event searched for its contact
+    CHECK(reported == 20 * 2 * boxes);
 }
 
-TEST_CASE_METHOD(Listening, "what breaks in a step is told to the one that is left and only once") {
-    // Two balls come upon a brick and a sensor in the same step; the first handler ends both.
+TEST_CASE_METHOD(
+    Listening,
+    "an event about a body that a handler deleted is reported once and only to the other body") {
+    // Two balls hit a brick and a sensor in the same step; the first handler deletes both.
     set(world(), "gravity", Vec2(0, 0));
     const Handle brick = body("Box", {0, 0}, "static"), gate = body("Box", {0, 1}, "static");
     set(shape_of(brick), "width", 6);

@@ -1,5 +1,5 @@
-// Live means live: every property of every class that can be written is written on a body that is
-// awake and on one that sleeps, and has an effect on the simulation or on the picture.
+// Every writable property of every class is written on a body that is awake and on one that sleeps,
+// and must have an effect on the simulation or on the picture.
 
 #include "catch.h"
 #include "stage.h"
@@ -29,7 +29,7 @@ Handle subject_of(Stage& stage, const Case& one, const std::string& name) {
     return name.starts_with("Body.") ? stage.body : stage.shape;
 }
 
-/// Whether the effect shows.
+/// True if the effect of the edit is observed.
 bool try_out(const Case& one, const std::string& name, bool asleep, bool edit) {
     Stage stage(one.shape);
     one.prepare(stage);

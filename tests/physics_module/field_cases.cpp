@@ -12,7 +12,7 @@ bool was_pushed_right(Stage& s) {
     return s.game.x(s.body) > 0.3;
 }
 
-/// A field that leaves the body where it rests until one of its properties is edited.
+/// A field that does not move the resting body until one of its properties is edited.
 Case field(
     const char* of_class, Settings settings, Value value, std::function<bool(Stage&)> effect,
     std::function<void(Stage&)> then = [](Stage&) {}) {
@@ -49,7 +49,7 @@ Cases field_cases() {
     cases["Drag.quadratic"] =
         field("Drag", {{"linear", 0}, {"flow", Vec2(10, 0)}}, 5, was_pushed_right);
     cases["Buoyancy.level"] = field("Buoyancy", {{"level", -10}}, 5, was_lifted);
-    // A fifth of it is below 0.2 m; all of it is above -0.2 m.
+    // A fifth of the body is below 0.2 m; all of it is above -0.2 m.
     cases["Buoyancy.normal"] = field("Buoyancy", {{"level", 0.2}}, Vec2(0, -1), was_lifted);
     cases["Buoyancy.density"] = field("Buoyancy", {{"level", 5}, {"density", 0}}, 2, was_lifted);
     cases["Buoyancy.drag"] = field(

@@ -1,5 +1,5 @@
 #pragma once
-// A game without scripts: a tree, physics in it, and the loop that runs them.
+// A game without scripts: a tree with physics, stepped as the loop does it.
 
 #include <initializer_list>
 #include <string>
@@ -31,7 +31,7 @@ class Game {
         for (const auto& [property, value] : values) tree.set(made, property, value);
         return made;
     }
-    /// A body with one shape of that class.
+    /// Makes a body with one shape of that class.
     Handle body(std::string_view shape, const Vec2& position, std::string_view type = "dynamic") {
         const Handle made = make("Body", world(), {{"type", type}, {"position", position}});
         make(shape, made);
@@ -67,7 +67,7 @@ class Game {
             tree.barrier();
         }
     }
-    /// Until `body` sleeps, which it must within four seconds.
+    /// Steps until `body` sleeps; false if it does not within four seconds.
     bool falls_asleep(Handle body) {
         for (int i = 0; i < 240 && awake(body); ++i) step();
         return !awake(body);

@@ -1,6 +1,6 @@
-// Every property of every class of physics times values that nobody means: what is accepted must
-// do no harm, wherever the instance is when it is written and whatever becomes of it then; what is
-// refused must be refused everywhere, by the same message.
+// Every property of every class of physics with extreme values: an accepted value must do no harm,
+// wherever the instance is and whatever happens to it later; a refused value must be refused
+// everywhere with the same message.
 
 #include <cstdint>
 #include <limits>
@@ -75,11 +75,11 @@ std::vector<Value> values_of(const Property& property) {
 
 enum class Where { acting, waiting, detached };
 
-/// Two bodies, and an instance of some class among them.
+/// Two bodies, and an instance of the tested class between them or on one of them.
 struct Hostile : Game {
     Handle branch, a, b, subject;
 
-    /// Joints that wait have no bodies yet.
+    /// If `where` is `waiting`, a joint has no bodies yet.
     void build(const Class& of, Where where) {
         const bool is_world = of.is_a(tree.class_named("World"));
         const Handle above = where == Where::detached ? Handle{} : is_world ? tree.root() : world();
@@ -116,7 +116,7 @@ struct Hostile : Game {
         return tree.class_of(branch).is_a(tree.class_named("World")) ? tree.root() : world();
     }
 
-    /// What becomes of things in a game.
+    /// Changes that happen in a game: moving, stepping, sleeping.
     void live_on() {
         if (!tree.parent(branch)) tree.move(branch, home());
         for (const char* side : {"body_a", "body_b", "body"})
@@ -142,7 +142,7 @@ struct Hostile : Game {
         CHECK_FALSE(physics.world(subject).validate());
     }
 
-    /// Why a value was refused, without the path; "" when it was accepted.
+    /// The reason why a value is refused, without the path; "" if it is accepted.
     std::string write(const Property& property, const Value& value) {
         try {
             tree.set(subject, property, value);
@@ -168,7 +168,7 @@ struct Hostile : Game {
 
 }  // namespace
 
-TEST_CASE_METHOD(Hostile, "whatever a property of physics accepts does no harm") {
+TEST_CASE_METHOD(Hostile, "every value that a property of physics accepts does no harm") {
     int accepted = 0, refused = 0;
     std::size_t tried = 0;
     REQUIRE(classes().size() >= 1 + 1 + 8 + 12 + 4);
@@ -197,7 +197,7 @@ TEST_CASE_METHOD(Hostile, "whatever a property of physics accepts does no harm")
     CHECK(refused > (thorough() ? 3000 : 1000));
 }
 
-TEST_CASE_METHOD(Hostile, "several values at once that properties of physics accept do no harm") {
+TEST_CASE_METHOD(Hostile, "several accepted values at once do no harm") {
     std::mt19937 random(11);
     for (int round = 0; round < 30; ++round) {
         for (const Class* of : classes()) {
@@ -206,7 +206,8 @@ TEST_CASE_METHOD(Hostile, "several values at once that properties of physics acc
             std::string done = of->name() + " where " + std::to_string(static_cast<int>(where));
             const Handle own = subject;
             for (int i = 0; i < 12; ++i) {
-                // Half of the time of the bodies: far away, heavy, with a center elsewhere.
+                // Half of the edits are of the bodies: far away, heavy, with another center of
+                // mass.
                 subject = random() % 2 == 0 ? own : random() % 2 == 0 ? a : b;
                 const auto properties = tree.class_of(subject).properties();
                 const Property& property = *properties[random() % properties.size()];
@@ -224,7 +225,7 @@ TEST_CASE_METHOD(Hostile, "several values at once that properties of physics acc
     }
 }
 
-TEST_CASE_METHOD(Hostile, "a value that a message names as a bound is accepted as it is typed") {
+TEST_CASE_METHOD(Hostile, "the bound in an error message is accepted when it is typed") {
     int tried = 0;
     for (const Class* of : classes()) {
         for (const Property* property : of->properties()) {
@@ -250,7 +251,7 @@ TEST_CASE_METHOD(Hostile, "a value that a message names as a bound is accepted a
                         value = List{Vec2(0, 0), Vec2(x, x)};
                 }
                 CHECK(write(*property, value) == "");
-                // The message of what is beyond it names the bound and the unit.
+                // The message for a value beyond the bound contains the bound and the unit.
                 const std::string message = write(*property, beyond);
                 CHECK_THAT(message, contains(typed));
                 CHECK_THAT(message, contains(property->unit));
@@ -279,7 +280,7 @@ TEST_CASE_METHOD(Hostile,
     }
 }
 
-TEST_CASE_METHOD(Hostile, "bodies that are as far away as can be are tied by every joint") {
+TEST_CASE_METHOD(Hostile, "bodies as far apart as possible can be connected by every joint") {
     for (const Class* of : classes()) {
         if (!of->is_a(tree.class_named("Joint"))) continue;
         for (const bool at_once : {true, false}) {

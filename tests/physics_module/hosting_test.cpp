@@ -1,4 +1,4 @@
-// A hosted world is the library's world: same steps, same bits.
+// A hosted world and a world of the bare library make the same steps with the same bits.
 
 #include "catch.h"
 #include "game.h"
@@ -65,7 +65,7 @@ TEST_CASE_METHOD(Game, "the hosted loop and the bare library end in the same bit
     }
 }
 
-TEST_CASE_METHOD(Game, "watching and listening change nothing of the simulation") {
+TEST_CASE_METHOD(Game, "watchers and handlers do not change the simulation") {
     physics::World bare;
     bare_pyramid(bare);
     hosted_pyramid(*this, world());
@@ -82,7 +82,7 @@ TEST_CASE_METHOD(Game, "watching and listening change nothing of the simulation"
     CHECK(heard > 1000);
 }
 
-TEST_CASE_METHOD(Game, "an edit by path in mid run is the library's edit") {
+TEST_CASE_METHOD(Game, "an edit by path during a run equals the edit of the library") {
     physics::World bare;
     bare_pyramid(bare);
     hosted_pyramid(*this, world());
@@ -97,7 +97,7 @@ TEST_CASE_METHOD(Game, "an edit by path in mid run is the library's edit") {
     }
 }
 
-TEST_CASE_METHOD(Game, "bodies built apart and placed later run like those built in place") {
+TEST_CASE_METHOD(Game, "bodies built detached and placed later move like those built in place") {
     Game in_place;
     hosted_pyramid(in_place, in_place.world());
     const Handle group = make("Object", {}, "group");
@@ -110,7 +110,7 @@ TEST_CASE_METHOD(Game, "bodies built apart and placed later run like those built
     }
 }
 
-TEST_CASE_METHOD(Game, "the hash tells several worlds apart") {
+TEST_CASE_METHOD(Game, "the hash distinguishes several worlds") {
     const Handle second = make("World", tree.root(), "second");
     hosted_pyramid(*this, second);
     step(3);
@@ -119,7 +119,7 @@ TEST_CASE_METHOD(Game, "the hash tells several worlds apart") {
     CHECK(physics.hash() != both);
 }
 
-TEST_CASE_METHOD(Game, "statistics tell about the last step") {
+TEST_CASE_METHOD(Game, "statistics describe the last step") {
     floor();
     body("Box", {0, 0.5});
     step(5);
@@ -131,7 +131,8 @@ TEST_CASE_METHOD(Game, "statistics tell about the last step") {
     CHECK_THROWS_AS(property::set(tree, "world.step.bodies", 7), property::Error);
 }
 
-TEST_CASE_METHOD(Game, "what stands for an instance is found from C++ and back") {
+TEST_CASE_METHOD(
+    Game, "the objects of an instance are found from C++ and the instance from its objects") {
     const Handle crate = body("Box", {0, 5});
     physics.body(crate).set_velocity({1, 2});
     CHECK(vec(crate, "velocity") == Vec2(1, 2));
@@ -148,7 +149,7 @@ TEST_CASE("physics is attached once") {
     CHECK_THROWS_AS(game.physics.attach(game.tree), std::logic_error);
 }
 
-TEST_CASE("a physics module that was never attached says so") {
+TEST_CASE("a physics module that was never attached reports this") {
     fettle::physics_module::PhysicsModule module;
     const auto says_so = [](const auto& call) {
         REQUIRE_THROWS_WITH(call(), contains("physics is attached to no tree"));

@@ -6,7 +6,7 @@
 namespace fettle::physics_module::testing {
 namespace {
 
-/// A joint that holds the body where it rests, or would pull it up to (0, 3).
+/// A joint that holds the body at rest, and would pull it up to (0, 3) after an edit.
 std::function<void(Stage&)> joint(const Vec2& target,
                                   std::initializer_list<std::pair<const char*, Value>> more = {}) {
     return [target, values = std::vector(more)](Stage& s) {
@@ -26,7 +26,7 @@ void lift(Stage& s) {
 
 void pair_cases(Cases& cases) {
     const Vec2 above(0, 3);
-    // A rod of 2.5 m to (0, 3) holds nothing until it becomes shorter or hangs higher.
+    // A rod of 2.5 m to (0, 3) pulls only after it becomes shorter or its end moves up.
     cases["PairJoint.anchor_a"] = joint_case(tie("DistanceJoint", above), Vec2(0, 5), 60, rose);
     cases["PairJoint.anchor_b"] = joint_case(tie("DistanceJoint", above), Vec2(0, -2), 60, rose);
     Case& body_a = cases["PairJoint.body_a"] =
@@ -45,7 +45,7 @@ void pair_cases(Cases& cases) {
         tie("DistanceJoint", Vec2(0, 3), {{"length", 1}, {"body_b", Value()}})(s);
     };
     body_b.value = [](Stage& s) { return Value(s.body); };
-    // One that hovers in the way of what is thrown up.
+    // A joint with a body that hovers in the path of a thrown body.
     Case& collide = cases["PairJoint.collide"] = joint_case(
         {}, true, 60, [](Stage& s) { return s.fastest_rise > 1 && s.game.y(s.body) < 1.5; });
     collide.prepare = [](Stage& s) {
@@ -71,7 +71,7 @@ void distance_cases(Cases& cases) {
     cases["DistanceJoint.damping_ratio"].then = lift;
 }
 
-/// The body pinned at its center: it turns in the air.
+/// The body is pinned at its center in the air and can turn.
 Case pin_case(std::initializer_list<std::pair<const char*, Value>> settings, Value value,
               std::function<bool(Stage&)> effect) {
     return joint_case(tie("RevoluteJoint", Vec2(0, 0.5), settings), std::move(value), 60,

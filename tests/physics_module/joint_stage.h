@@ -1,5 +1,5 @@
 #pragma once
-// How cases of joints are written.
+// Helpers for the cases of joints.
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ inline bool rose(Stage& s) {
     return s.game.y(s.body) > 1;
 }
 
-/// A joint of that class between the body at (0, 0.5) and a point of the world.
+/// Makes a joint of that class between the body at (0, 0.5) and a point of the world.
 inline std::function<void(Stage&)> tie(const char* of_class, const Vec2& to, Settings more = {}) {
     return [of_class, to, values = std::vector(more)](Stage& s) {
         s.other = s.game.make(of_class, s.world, {{"body_b", s.body}, {"anchor_a", to}});
@@ -32,7 +32,7 @@ inline std::function<void(Stage&)> tie(const char* of_class, const Vec2& to, Set
     };
 }
 
-/// The joint and its body are up in the air.
+/// Moves the joint and its body up into the air.
 inline void fling(Stage& s) {
     s.game.set(s.other, "anchor_a", Vec2(0, 4));
     s.game.set(s.body, "position", Vec2(0, 4));
@@ -45,7 +45,7 @@ inline std::function<void(Stage&)> fling_with(const char* property, Value value)
     };
 }
 
-/// The body tied at its center, flung up, and what then becomes of it.
+/// A case with the body tied at its center in the air; `then` acts on it afterwards.
 inline Case flung(const char* of_class, Settings settings, Value value,
                   std::function<bool(Stage&)> effect, std::function<void(Stage&)> then = fling,
                   int steps = 60) {

@@ -1,4 +1,4 @@
-// The mouse joint: in the tree before, while and after it acts.
+// Joints in the tree: before they act, while they act, and afterwards.
 
 #include "catch.h"
 #include "game.h"
@@ -8,7 +8,7 @@ namespace joints_test {
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
-TEST_CASE_METHOD(Game, "a mouse joint takes the point of the body that is at its target") {
+TEST_CASE_METHOD(Game, "a mouse joint holds the point of the body that is at its target") {
     const Handle crate = body("Box", {3, 5});
     const Handle joint = make("MouseJoint", world());
     set(joint, "body", crate);
@@ -24,7 +24,7 @@ TEST_CASE_METHOD(Game, "a mouse joint takes the point of the body that is at its
     CHECK(vec(joint, "force").y() > 5);  // it carries 10 N
 }
 
-TEST_CASE_METHOD(Game, "a given anchor stays with the joint when it takes another body") {
+TEST_CASE_METHOD(Game, "an explicitly set anchor stays when the joint gets another body") {
     const Handle a = body("Box", {0, 5}), b = body("Box", {4, 5});
     const Handle joint = make("MouseJoint", world(), {{"body", a}, {"anchor", Vec2(0.5, 0.5)}});
     step();
@@ -36,7 +36,7 @@ TEST_CASE_METHOD(Game, "a given anchor stays with the joint when it takes anothe
     CHECK(vec(joint, "anchor") != Vec2(0.5, 0.5));
 }
 
-TEST_CASE_METHOD(Game, "a joint outlives its body and takes another") {
+TEST_CASE_METHOD(Game, "a joint survives the deletion of its body and can get another") {
     const Handle a = body("Box", {0, 5}), b = body("Box", {4, 5});
     const Handle joint =
         make("MouseJoint", world(), {{"body", a}, {"target", Vec2(0, 9)}, {"anchor", Vec2(0, 0)}});
@@ -77,7 +77,7 @@ TEST_CASE_METHOD(Game, "a joint acts only while it is in the world of its body")
     step();
 }
 
-TEST_CASE_METHOD(Game, "a joint made before its body has a world acts when it has") {
+TEST_CASE_METHOD(Game, "a joint made before its body has a world acts after the body entered one") {
     const Handle crate = make("Body", Handle{}, {{"position", Vec2(0, 5)}});
     make("Box", crate);
     const Handle joint = make("MouseJoint", crate, {{"body", crate}, {"target", Vec2(0, 5)}});
@@ -89,7 +89,7 @@ TEST_CASE_METHOD(Game, "a joint made before its body has a world acts when it ha
     CHECK_THROWS_WITH(set(joint, "body", joint), contains("Body"));
 }
 
-TEST_CASE_METHOD(Game, "a joint that breaks tells its force and is broken in the tree too") {
+TEST_CASE_METHOD(Game, "a joint that breaks reports its force and is broken in the tree too") {
     const Handle crate = body("Box", {0, 5});
     const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});
     std::vector<double> heard;
@@ -113,7 +113,7 @@ TEST_CASE_METHOD(Game, "a joint that breaks tells its force and is broken in the
     CHECK(heard.size() == 1);
 }
 
-TEST_CASE_METHOD(Game, "a joint refuses the same whether it acts or not") {
+TEST_CASE_METHOD(Game, "a joint refuses the same values whether it acts or not") {
     const Handle crate = body("Box", {0, 1});
     const Handle wheel = make("WheelJoint", world(), {{"body_b", crate}});
     const Handle waiting = make("WheelJoint", Handle{});
@@ -134,12 +134,12 @@ TEST_CASE_METHOD(Game, "a joint refuses the same whether it acts or not") {
     CHECK(get(waiting, "axis") == Value(Vec2(0, 1)));
     CHECK(refusal(waiting, "axis", Vec2(3, 4)) == "accepted");
     CHECK(get(waiting, "axis") == Value(Vec2(3, 4)));
-    // What one joint is set to says nothing about another of its type.
+    // A value set for one joint does not affect another of its type.
     CHECK(get(make("WheelJoint", Handle{}), "axis") == Value(Vec2(0, 1)));
 }
 
-TEST_CASE_METHOD(Game,
-                 "what a joint is set to lies in its world from the beginning, and goes along") {
+TEST_CASE_METHOD(
+    Game, "the settings of a joint are stored in its world from the beginning and move with it") {
     const Handle crate = body("Box", {0, 5}), other = make("World", tree.root());
     const Handle joint = make("WheelJoint", world(), {{"hertz", 2}, {"break_force", 90}});
     const Handle steps = tree.child(world(), "step");
@@ -155,7 +155,7 @@ TEST_CASE_METHOD(Game,
     made(home).set_hertz(3.0f);
     CHECK(get(joint, "hertz") == Value(3.0));
     set(joint, "body_b", crate);
-    CHECK(made(home).dormant());  // until the next step
+    CHECK(made(home).dormant());  // dormant until the next step
     step();
     CHECK_FALSE(made(home).dormant());
     CHECK(get(steps, "joints") == Value(std::int64_t{1}));
@@ -174,7 +174,7 @@ TEST_CASE_METHOD(Game,
     CHECK_FALSE(home.validate());
 }
 
-TEST_CASE_METHOD(Game, "a body that was carried far away and turned often moves to another world") {
+TEST_CASE_METHOD(Game, "a body that is far away and has turned often moves to another world") {
     const Handle other = make("World", tree.root());
     const Handle crate = body("Box", {1e8, 0});
     set(crate, "center", Vec2(-5e7, 3));

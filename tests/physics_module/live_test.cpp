@@ -1,4 +1,4 @@
-// Edits of a running game, through the tree by path and by handle.
+// Edits of a running game through the tree, by path and by handle.
 
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// A slope of 20° with a box at rest on it; the friction that holds it is 0.36.
+/// A slope of 20° with a box at rest on it; it slides if the friction is less than 0.36.
 struct Slope : Game {
     Handle slope = make("Body", world(), {{"type", "static"}, {"angle", -0.349}});
     Handle crate = make("Body", world(), "crate");
@@ -27,7 +27,7 @@ struct Slope : Game {
     Slope() {
         make("Box", slope, {{"width", 40}, {"height", 2}});
         make("Box", crate);
-        // On its upper side: 1 m of slope and half a box away from the middle.
+        // On the upper side: 1 m of slope and half a box from the middle.
         set(crate, "angle", -0.349);
         set(crate, "position", Vec2(1.5 * std::sin(0.349), 1.5 * std::cos(0.349)));
     }
@@ -39,19 +39,20 @@ std::vector<Vec2> points_of(const Value& list) {
     return points;
 }
 
-/// Puts down what is written in batches.
+/// Records the writes that are reported in batches.
 class Batches : public property::Observer {
   public:
     explicit Batches(property::Tree& tree) : tree_(tree) { tree_.observe(*this); }
     ~Batches() override { tree_.unobserve(*this); }
     void wrote_plain(const property::PlainWrites& writes) override {
         for (const property::PlainWrite& write : writes.list)
-            if (write.instance) told.push_back(write.property->name + " " + write_text(write.x));
+            if (write.instance)
+                reported.push_back(write.property->name + " " + write_text(write.x));
     }
     void wrote(Handle, const property::Property& of, const Value& now) override {
-        told.push_back(of.name + " " + write_text(now.number()));
+        reported.push_back(of.name + " " + write_text(now.number()));
     }
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
 
   private:
     static std::string write_text(double x) { return property::number_text(x); }
@@ -105,7 +106,7 @@ TEST_CASE_METHOD(Game, "sleeping bodies wake when gravity changes") {
     CHECK(x(ball) > 0.2);
 }
 
-TEST_CASE_METHOD(Game, "what rested on a support falls when the support is deleted") {
+TEST_CASE_METHOD(Game, "a body on a support falls when the support is deleted") {
     const Handle support = floor();
     const Handle lower = body("Box", {0, 0.5});
     const Handle upper = body("Box", {0, 1.5});
@@ -117,7 +118,7 @@ TEST_CASE_METHOD(Game, "what rested on a support falls when the support is delet
     CHECK(y(upper) < 0.5);
 }
 
-TEST_CASE_METHOD(Game, "what rested on a support falls when only the support's shape is deleted") {
+TEST_CASE_METHOD(Game, "a body on a support falls when only the shape of the support is deleted") {
     const Handle support = floor();
     const Handle crate = body("Box", {0, 0.5});
     REQUIRE(falls_asleep(crate));
@@ -126,7 +127,7 @@ TEST_CASE_METHOD(Game, "what rested on a support falls when only the support's s
     CHECK(y(crate) < -0.5);
 }
 
-TEST_CASE_METHOD(Game, "what rested on a support falls when the support is moved") {
+TEST_CASE_METHOD(Game, "a body on a support falls when the support is moved") {
     const Handle support = floor();
     const Handle crate = body("Box", {0, 0.5});
     REQUIRE(falls_asleep(crate));
@@ -135,7 +136,7 @@ TEST_CASE_METHOD(Game, "what rested on a support falls when the support is moved
     CHECK(y(crate) < -0.5);
 }
 
-TEST_CASE_METHOD(Game, "what rested on a support falls when the support leaves the world") {
+TEST_CASE_METHOD(Game, "a body on a support falls when the support leaves the world") {
     const Handle support = floor();
     const Handle crate = body("Box", {0, 0.5});
     REQUIRE(falls_asleep(crate));
@@ -144,7 +145,9 @@ TEST_CASE_METHOD(Game, "what rested on a support falls when the support leaves t
     CHECK(y(crate) < -0.5);
 }
 
-TEST_CASE_METHOD(Game, "a vertex added to a rotated polygon moves nothing else and all follows") {
+TEST_CASE_METHOD(
+    Game,
+    "a vertex added to a rotated polygon moves no other vertex and updates everything derived") {
     const Handle stone = make("Body", world(), "stone");
     const Handle hull = make("Polygon", stone, "hull");
     property::set(tree, "world.stone.hull.vertices",
@@ -160,7 +163,7 @@ TEST_CASE_METHOD(Game, "a vertex added to a rotated polygon moves nothing else a
     REQUIRE(mass == Approx(2));
     REQUIRE(center.isApprox(Vec2(1, 0.5), 1e-5));
 
-    // One past the end of the list appends.
+    // An index one past the end of the list appends.
     property::set(tree, "world.stone.hull.vertices[5]", Vec2(1, 3));
     const std::vector<Vec2> after = points_of(get(hull, "world_vertices"));
     CHECK(after.size() == 5);
@@ -169,7 +172,7 @@ TEST_CASE_METHOD(Game, "a vertex added to a rotated polygon moves nothing else a
     CHECK(has_point(after, tip));
     CHECK(number(hull, "area") == Approx(4));
     CHECK(number(stone, "mass") == Approx(4));
-    // A 2 × 1 rectangle and a triangle of height 2 on it, whose centroid is at (1, 5/3).
+    // A 2 × 1 rectangle with a triangle of height 2 on top, whose centroid is at (1, 5/3).
     CHECK(vec(stone, "center").isApprox(Vec2(1, (0.5 * 2 + 5.0 / 3 * 2) / 4), 1e-5));
     CHECK(number(stone, "inertia") > inertia);
     CHECK(get(hull, "aabb").list()[1].vec2().y() > box[1].vec2().y());
@@ -197,10 +200,10 @@ TEST_CASE_METHOD(Game, "ten edits of a polygon cause one rebuild") {
     CHECK(number(stone, "mass") == Approx(1.0));
 }
 
-TEST_CASE_METHOD(Game, "a polygon stays convex whatever is written") {
+TEST_CASE_METHOD(Game, "a polygon stays convex after any write") {
     const Handle hull = shape_of(body("Polygon", {0, 3}));
     set(hull, "vertices", List{Vec2(0, 0), Vec2(4, 0), Vec2(2, 1), Vec2(4, 4), Vec2(0, 4)});
-    CHECK(points_of(get(hull, "vertices")).size() == 4);  // (2, 1) is inside
+    CHECK(points_of(get(hull, "vertices")).size() == 4);  // (2, 1) is inside the hull
     tree.call(hull, "add_vertex", {Vec2(1, 1)});
     CHECK(points_of(get(hull, "vertices")).size() == 4);
     tree.call(hull, "add_vertex", {Vec2(6, 2)});
@@ -220,7 +223,7 @@ TEST_CASE_METHOD(Game, "vertices without a hull are refused with a reason and no
     CHECK(get(hull, "vertices") == before);
 }
 
-TEST_CASE_METHOD(Game, "a radius edited in mid flight changes mass and where it lands") {
+TEST_CASE_METHOD(Game, "a radius edited during flight changes the mass and the place of landing") {
     floor();
     const Handle ball = body("Circle", {0, 3});
     step(10);
@@ -230,7 +233,7 @@ TEST_CASE_METHOD(Game, "a radius edited in mid flight changes mass and where it 
     CHECK(y(ball) == Approx(1).margin(0.01));
 }
 
-TEST_CASE_METHOD(Game, "a density edited changes mass and inertia alike") {
+TEST_CASE_METHOD(Game, "an edit of the density changes mass and inertia by the same factor") {
     const Handle crate = body("Box", {0, 3});
     const double inertia = number(crate, "inertia");
     set(shape_of(crate), "density", 4);
@@ -238,7 +241,7 @@ TEST_CASE_METHOD(Game, "a density edited changes mass and inertia alike") {
     CHECK(number(crate, "inertia") == Approx(4 * inertia));
 }
 
-TEST_CASE_METHOD(Game, "a given mass stands until nil computes it again") {
+TEST_CASE_METHOD(Game, "an overridden mass stays until nil computes it again") {
     const Handle crate = body("Box", {0, 3});
     set(crate, "mass", 7);
     set(shape_of(crate), "density", 2);
@@ -247,7 +250,7 @@ TEST_CASE_METHOD(Game, "a given mass stands until nil computes it again") {
     set(crate, "mass", Value());
     CHECK(number(crate, "mass") == 2);
     CHECK_FALSE(tree.overridden(crate, tree.property(crate, "mass")));
-    // The computed value given by hand is a given one all the same.
+    // A value that equals the computed one is an override, too.
     set(crate, "mass", 2);
     set(shape_of(crate), "density", 3);
     CHECK(number(crate, "mass") == 2);
@@ -281,7 +284,7 @@ TEST_CASE_METHOD(Game, "a body of infinite mass falls again when its mass is fin
     CHECK(std::isfinite(number(crate, "mass")));
 }
 
-TEST_CASE_METHOD(Game, "what stands on a body whose mass becomes infinite stays there") {
+TEST_CASE_METHOD(Game, "a body on a body whose mass becomes infinite stays there") {
     floor();
     const Handle lower = body("Box", {0, 0.5});
     const Handle upper = body("Box", {0, 1.5});
@@ -312,7 +315,7 @@ TEST_CASE_METHOD(Game, "the type of a body may change at any time") {
     CHECK_THROWS_WITH(set(crate, "type", "statik"), contains("did you mean \"static\"?"));
 }
 
-TEST_CASE_METHOD(Game, "a velocity that could have no effect is refused with the reason") {
+TEST_CASE_METHOD(Game, "a velocity without effect is refused with the reason") {
     const Handle ground = floor();
     CHECK_THROWS_WITH(set(ground, "velocity", Vec2(1, 0)),
                       contains("world.body_1.velocity") && contains("static"));
@@ -323,7 +326,9 @@ TEST_CASE_METHOD(Game, "a velocity that could have no effect is refused with the
     CHECK_THROWS_WITH(set(crate, "velocity", Vec2(1, 0)), contains("infinite mass"));
 }
 
-TEST_CASE_METHOD(Game, "a shape made a sensor lets go of what it holds and takes it again") {
+TEST_CASE_METHOD(
+    Game,
+    "a shape that becomes a sensor releases the bodies on it and holds them again afterwards") {
     const Handle ground = floor();
     const Handle crate = body("Box", {0, 0.5});
     REQUIRE(falls_asleep(crate));
@@ -337,7 +342,7 @@ TEST_CASE_METHOD(Game, "a shape made a sensor lets go of what it holds and takes
     CHECK(y(crate) > 0.4);
 }
 
-TEST_CASE_METHOD(Game, "a position written leaves no smear between the steps") {
+TEST_CASE_METHOD(Game, "a body whose position is written is not drawn between the two places") {
     const Handle crate = body("Box", {0, 3});
     step(5);
     set(crate, "position", Vec2(50, 60));
@@ -356,7 +361,7 @@ TEST_CASE_METHOD(Game, "sides and rounding of a box may be set in any order") {
 
 TEST_CASE_METHOD(Game, "the ends of a segment may be set one after the other") {
     const Handle segment = shape_of(body("Segment", {0, 3}));
-    set(segment, "from", Vec2(0.5, 0));  // where the other end still is
+    set(segment, "from", Vec2(0.5, 0));  // the other end is still there
     step();
     set(segment, "to", Vec2(5, 0));
     CHECK(vec(segment, "from") == Vec2(0.5, 0));
@@ -365,7 +370,7 @@ TEST_CASE_METHOD(Game, "the ends of a segment may be set one after the other") {
     CHECK_FALSE(physics.world(world()).validate());
 }
 
-TEST_CASE_METHOD(Game, "deleting a body in the middle of a pile leaves the rest consistent") {
+TEST_CASE_METHOD(Game, "deleting a body in the middle of a pile leaves the world consistent") {
     floor();
     std::vector<Handle> pile;
     for (int i = 0; i < 20; ++i) pile.push_back(body(i % 2 ? "Box" : "Circle", {0.1 * i, 1.0 + i}));
@@ -393,14 +398,15 @@ TEST_CASE_METHOD(Game, "a body keeps its place when its center of mass is moved"
     CHECK(vec(crate, "center") == Vec2(0, 0));
 }
 
-TEST_CASE_METHOD(Game, "a number that a body cannot have leaves no trace among what was written") {
+TEST_CASE_METHOD(Game, "a number that a body refuses is not reported among the writes") {
     const Handle heavy = body("Circle", {0, 5}), other = body("Circle", {9, 5});
     const auto& spin = tree.property(heavy, "angular_velocity");
     step(1);
     Batches batches(tree);
-    for (int i = 1; i <= 600; ++i) {  // a refused one is the last of its batch too
+    for (int i = 1; i <= 600; ++i) {  // in some batches the refused number is the last
         REQUIRE(tree.write(other, spin, i));
-        // Its mass is found anew before the number is looked at; whoever keeps the past is told.
+        // The mass is computed again before the number is refused; observers of the timeline are
+        // notified of that.
         set(heavy, "mass", inf);
         CHECK_FALSE(tree.write(heavy, spin, i));
         REQUIRE_THROWS(tree.set(heavy, spin, Value(double(i))));
@@ -410,17 +416,17 @@ TEST_CASE_METHOD(Game, "a number that a body cannot have leaves no trace among w
     tree.barrier();
     std::vector<std::string> expected;
     for (int i = 1; i <= 600; ++i)
-        for (const std::string& told :
+        for (const std::string& reported :
              {"angular_velocity " + std::to_string(i), std::string("mass inf"),
               "angular_velocity " + std::to_string(-i), std::string("mass 1")})
-            expected.push_back(told);
-    CHECK(batches.told == expected);
+            expected.push_back(reported);
+    CHECK(batches.reported == expected);
     CHECK(number(other, "angular_velocity") == -600);
     CHECK(number(heavy, "angular_velocity") == 0);
 }
 
 TEST_CASE_METHOD(Game,
-                 "numbers written to bodies that sleep, are driven or were just edited arrive") {
+                 "numbers written to sleeping or kinematic or just edited bodies take effect") {
     floor();
     const Handle sleeper = body("Box", {0, 0.5}), driven = body("Box", {9, 5}, "kinematic");
     REQUIRE(falls_asleep(sleeper));
@@ -445,7 +451,7 @@ TEST_CASE_METHOD(Game,
     CHECK(y(sleeper) > 0.5);
 }
 
-TEST_CASE_METHOD(Game, "a velocity written to a body is its velocity though its shape was moved") {
+TEST_CASE_METHOD(Game, "a velocity written to a body is kept although its shape was moved") {
     const Handle plain = body("Circle", {0, 5}), watched = body("Circle", {9, 5});
     const auto watch = tree.watch(watched, tree.property(watched, "gravity_scale"),
                                   [](const property::Change&) {});
@@ -453,7 +459,7 @@ TEST_CASE_METHOD(Game, "a velocity written to a body is its velocity though its 
         set(spinning, "angular_velocity", 2);
         step(1);
         const Vec2 velocity = vec(spinning, "velocity");
-        // The center of mass moves with the shape, and has another velocity.
+        // The center of mass moves with the shape, and the velocity there is different.
         set(shape_of(spinning), "center", Vec2(3, 0));
         const auto& written = tree.property(spinning, "velocity");
         if (!tree.write(spinning, written, velocity)) tree.set(spinning, written, Value(velocity));

@@ -9,8 +9,8 @@
 
 namespace owner_test {
 
-// What is in a hosted world comes and goes by the tree alone; and a module is attached as a whole
-// or not at all.
+// Objects in a hosted world are created and destroyed only by the tree; and a module is attached
+// completely or not at all.
 
 using fettle::physics_module::PhysicsModule;
 using fettle::physics_module::testing::Game;
@@ -21,7 +21,7 @@ using fettle::property::Tree;
 using fettle::property::Vec2;
 namespace physics_library = fettle::physics;
 
-TEST_CASE_METHOD(Game, "what is in a hosted world is made and ended by the tree alone") {
+TEST_CASE_METHOD(Game, "only the tree creates and destroys the objects of a hosted world") {
     const Handle crate = body("Box", {0, 5});
     const Handle other = body("Circle", {3, 5});
     const Handle joint = make("RevoluteJoint", world(), {{"body_a", crate}, {"body_b", other}});
@@ -50,7 +50,7 @@ TEST_CASE_METHOD(Game, "what is in a hosted world is made and ended by the tree 
     refused([&] { hosted.create_body(); });
     refused([&] { physics.body(crate).add(physics_library::Box{}); });
 
-    // All is as it was, and goes on.
+    // Nothing has changed, and the game can continue.
     for (const Handle each : {crate, other})
         for (const auto* property : tree.properties(each))
             REQUIRE_NOTHROW(tree.get(each, *property));
@@ -71,7 +71,8 @@ TEST_CASE_METHOD(Game, "what is in a hosted world is made and ended by the tree 
     REQUIRE(hosted.body_count() == 1);
 }
 
-TEST_CASE_METHOD(Game, "what is deleted inside a function of its world leaves the world after it") {
+TEST_CASE_METHOD(
+    Game, "an object deleted inside a function of its world leaves the world after the call") {
     const Handle ground = floor();
     const Handle crate = body("Box", {0, 0.5});
     const Handle ball = body("Circle", {0, 2});
@@ -94,7 +95,7 @@ TEST_CASE_METHOD(Game, "what is deleted inside a function of its world leaves th
     };
     inside([&] {
         for (const Handle gone : {joint, crate, second, wind}) tree.destroy(gone);
-        // What is called meanwhile forgets none of them.
+        // Other calls of the module in between lose no postponed deletion.
         REQUIRE_NOTHROW(physics.hash());
         REQUIRE_THROWS(physics.step(1.0 / 60));
         REQUIRE_THROWS(tree.snapshot());
@@ -168,7 +169,7 @@ TEST_CASE_METHOD(Game, "a callback that throws loses no event and no step of ano
     (void)ground;
 }
 
-TEST_CASE("a world in no world is kept for the tree too") {
+TEST_CASE("a detached world also belongs to the tree") {
     Game game;
     const Handle loose = game.make("Body", {});
     const Handle shape = game.make("Circle", loose);
@@ -178,14 +179,14 @@ TEST_CASE("a world in no world is kept for the tree too") {
     REQUIRE(game.physics.world(game.world()).body_count() == 1);
 }
 
-TEST_CASE("physics that cannot be attached to a tree is attached to none") {
+TEST_CASE("physics that cannot be attached to a tree leaves nothing in it") {
     const auto refused = [](Tree& tree, PhysicsModule& module, const char* why) {
         const std::size_t classes = tree.classes().size(), parts = tree.parts().size();
         REQUIRE_THROWS_WITH(module.attach(tree), contains(why));
         REQUIRE_THROWS_WITH(module.step(0.1), contains("attached to no tree"));
         REQUIRE(tree.classes().size() == classes);
         REQUIRE(tree.parts().size() == parts);
-        // Elsewhere there is room.
+        // Attaching to another tree succeeds.
         auto elsewhere = std::make_unique<Tree>();
         module.attach(*elsewhere);
         module.step(0.1);
@@ -225,7 +226,7 @@ TEST_CASE("physics that cannot be attached to a tree is attached to none") {
     }
 }
 
-TEST_CASE("physics reports to its own tree, and steps by a time") {
+TEST_CASE("physics reports only to its own tree and refuses an invalid time step") {
     Game game;
     Tree other;
     REQUIRE_THROWS_WITH(game.physics.report(other), contains("got another"));

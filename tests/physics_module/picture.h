@@ -1,5 +1,5 @@
 #pragma once
-// A painter that writes down what it is asked to draw.
+// A painter that records what it is asked to draw.
 
 #include <cstdint>
 #include <set>
@@ -17,7 +17,7 @@ struct Figure {
     double size = 0;  // radius, angle, rounding, width
     property::Paint paint{};
     std::string text{};
-    std::uint64_t whole = 0;  // what it is part of
+    std::uint64_t whole = 0;  // the figure that it is a part of
 };
 
 class Picture : public property::Painter {
@@ -60,7 +60,7 @@ class Picture : public property::Painter {
 
     std::vector<Figure> figures;
     std::set<property::Overlay> overlays;
-    double right = 1e9;  // what is seen reaches from -right to right
+    double right = 1e9;  // the view reaches from -right to right
 
   private:
     void add(Figure figure) {

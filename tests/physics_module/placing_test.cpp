@@ -1,4 +1,4 @@
-// Instances come without a world, enter one, go to another and out again.
+// Instances are created without a world, enter one, move to another and leave it.
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ using property::Property;
 
 namespace {
 
-/// Everything of an instance that can be written, by name.
+/// All writable values of an instance by name.
 std::vector<std::pair<std::string, Value>> written_values(const Game& game, Handle of) {
     std::vector<std::pair<std::string, Value>> values;
     for (const Property* property : game.tree.class_of(of).properties())
@@ -99,7 +99,7 @@ TEST_CASE_METHOD(Travellers, "a body made without a world keeps everything when 
     CHECK_FALSE(physics.world(world()).validate());
 }
 
-TEST_CASE_METHOD(Travellers, "a body that moves from world to world keeps everything") {
+TEST_CASE_METHOD(Travellers, "a body keeps everything when it moves to another world") {
     const Handle second = make("World", tree.root(), "second");
     tree.move(crate, world(), "crate");
     step(10);
@@ -114,7 +114,7 @@ TEST_CASE_METHOD(Travellers, "a body that moves from world to world keeps everyt
     for (const Handle w : {world(), second}) CHECK_FALSE(physics.world(w).validate());
 }
 
-TEST_CASE_METHOD(Travellers, "a body taken out of its world stands still and goes on later") {
+TEST_CASE_METHOD(Travellers, "a body taken out of its world stands still and continues later") {
     tree.move(crate, world(), "crate");
     step(10);
     tree.move(crate, {});
@@ -129,7 +129,8 @@ TEST_CASE_METHOD(Travellers, "a body taken out of its world stands still and goe
     CHECK_FALSE(everything() == before);
 }
 
-TEST_CASE_METHOD(Travellers, "given mass, inertia and center travel as given ones") {
+TEST_CASE_METHOD(Travellers,
+                 "overridden mass and inertia and center move to another world as overrides") {
     set(crate, "mass", 5);
     set(crate, "center", Vec2(0.5, 0.5));
     tree.move(crate, world(), "crate");
@@ -154,7 +155,7 @@ TEST_CASE_METHOD(Game, "a body is in the world of the nearest World above it") {
     CHECK(&physics.body(ball).world() == &physics.world(inner));
     step();
     CHECK(y(ball) < 0);
-    // The whole group moves out: inner worlds come along and stop.
+    // The whole group leaves the world: inner worlds move with it and stop.
     tree.move(group, {});
     const double height = y(ball);
     step(5);
@@ -188,7 +189,7 @@ TEST_CASE_METHOD(Game, "a shape moves from body to body") {
     CHECK(physics.body(a).shape_count() == 0);
     CHECK(physics.body(b).shape_count() == 2);
     CHECK(number(b, "mass") == Approx(2));
-    CHECK(number(a, "mass") == 1);  // without shapes
+    CHECK(number(a, "mass") == 1);  // it has no shapes
     const Handle elsewhere = make("World", tree.root(), "elsewhere");
     const Handle c = make("Body", elsewhere);
     set(box, "friction", 0.125);
@@ -203,7 +204,7 @@ TEST_CASE_METHOD(Game, "a shape moves from body to body") {
     CHECK(number(box, "area") == Approx(3));
 }
 
-TEST_CASE_METHOD(Game, "a shape without a body is alive and collides with nothing") {
+TEST_CASE_METHOD(Game, "a shape without a body exists and collides with nothing") {
     const Handle loose = make("Box", world(), "loose");
     const Handle ball = body("Circle", {0, 3});
     step(60);
@@ -225,13 +226,14 @@ TEST_CASE_METHOD(Game, "worlds are independent of each other") {
     tree.destroy(moon);
     CHECK_FALSE(tree.alive(there));
     step(5);
-    // The next world takes its number, nothing of the old one is in it.
+    // The next world gets the same number, but no object of the old one.
     const Handle mars = make("World", tree.root(), "mars");
     CHECK(vec(mars, "gravity") == Vec2(0, -10));
     CHECK(physics.world(mars).body_count() == 0);
 }
 
-TEST_CASE_METHOD(Game, "more worlds than there is room for are refused and leave nothing behind") {
+TEST_CASE_METHOD(
+    Game, "creating more than the maximal number of worlds is refused and leaves no instance") {
     std::vector<Handle> worlds;
     const std::size_t before = tree.size();
     std::string refusal;
@@ -250,7 +252,7 @@ TEST_CASE_METHOD(Game, "more worlds than there is room for are refused and leave
     CHECK_NOTHROW(make("World", tree.root()));
 }
 
-TEST_CASE_METHOD(Game, "a sleeping body sleeps on in another world") {
+TEST_CASE_METHOD(Game, "a sleeping body still sleeps after moving to another world") {
     floor();
     const Handle ball = body("Circle", {0, 0.5});
     REQUIRE(falls_asleep(ball));
@@ -265,8 +267,9 @@ TEST_CASE_METHOD(Game, "a sleeping body sleeps on in another world") {
     CHECK(y(ball) < height);
 }
 
-TEST_CASE_METHOD(Game,
-                 "a spinning body with its weight aside keeps its velocity when it is placed") {
+TEST_CASE_METHOD(
+    Game,
+    "a spinning body whose center of mass is not its origin keeps its velocity when it is placed") {
     const Handle wheel = make("Body", {}, {{"velocity", Vec2(1, 2)}, {"angular_velocity", 5}});
     const Handle rim = make("Circle", wheel, {{"center", Vec2(1, 0)}});
     CHECK(vec(wheel, "velocity") == Vec2(1, 2));
@@ -309,7 +312,7 @@ TEST_CASE_METHOD(Game, "a class derived from Body or from a shape is hosted like
     CHECK(y(made) < 0);
 }
 
-TEST_CASE_METHOD(Game, "scene values of a body are those that differ from the defaults") {
+TEST_CASE_METHOD(Game, "the saved values of a body are those that differ from the defaults") {
     const Handle ground = floor();
     step();
     std::vector<std::string> names;
@@ -319,7 +322,7 @@ TEST_CASE_METHOD(Game, "scene values of a body are those that differ from the de
     CHECK(names == std::vector<std::string>{"type", "position"});
 }
 
-TEST_CASE_METHOD(Travellers, "a scene file brings back bodies and shapes and joints as they were") {
+TEST_CASE_METHOD(Travellers, "a scene file restores bodies and shapes and joints") {
     const Handle group = make("Object", world(), "group");
     tree.move(crate, group, "crate");
     set(crate, "mass", 8);
@@ -336,7 +339,7 @@ TEST_CASE_METHOD(Travellers, "a scene file brings back bodies and shapes and joi
     CHECK(physics.hash() == other.physics.hash());
 }
 
-TEST_CASE_METHOD(Game, "statistics stay in their world and end with it") {
+TEST_CASE_METHOD(Game, "statistics belong to their world and are deleted with it") {
     const Handle second = make("World", tree.root(), "second");
     const Handle statistics = tree.child(second, "step");
     CHECK_THROWS_AS(tree.move(statistics, tree.root(), "numbers"), property::Error);

@@ -1,4 +1,4 @@
-// What is where: methods of World and Body.
+// Queries: methods of World and Body.
 
 #include "catch.h"
 #include "game.h"
@@ -17,7 +17,7 @@ Value value_of(const property::Result& result) {
 
 }  // namespace
 
-TEST_CASE_METHOD(Game, "a ray meets the nearest shape and says where") {
+TEST_CASE_METHOD(Game, "a ray hits the nearest shape and returns the point") {
     const Handle near = body("Box", {3, 0}), far = body("Circle", {6, 0});
     const auto result = tree.call(world(), "raycast", {Vec2(0, 0), Vec2(10, 0)});
     const Record hit = std::get<Record>(result);
@@ -34,7 +34,7 @@ TEST_CASE_METHOD(Game, "a ray meets the nearest shape and says where") {
     CHECK(value_of(tree.call(world(), "raycast", {Vec2(0, 5), Vec2(10, 5)})).is_nil());
 }
 
-TEST_CASE_METHOD(Game, "a ray sees an edit made just before") {
+TEST_CASE_METHOD(Game, "a ray finds a shape that was edited just before") {
     const Handle crate = body("Box", {3, 0});
     set(crate, "position", Vec2(3, 20));
     CHECK(value_of(tree.call(world(), "raycast", {Vec2(0, 0), Vec2(10, 0)})).is_nil());
@@ -43,7 +43,7 @@ TEST_CASE_METHOD(Game, "a ray sees an edit made just before") {
           crate);
 }
 
-TEST_CASE_METHOD(Game, "a ray looks only for the categories it is asked for") {
+TEST_CASE_METHOD(Game, "a ray finds only shapes of the given categories") {
     const Handle a = body("Box", {3, 0}), b = body("Box", {6, 0});
     set(shape_of(b), "category", 4);
     const auto hit = std::get<Record>(tree.call(world(), "raycast", {Vec2(0, 0), Vec2(10, 0), 4}));
@@ -51,7 +51,7 @@ TEST_CASE_METHOD(Game, "a ray looks only for the categories it is asked for") {
     CHECK(hit.get("body") != a);
 }
 
-TEST_CASE_METHOD(Game, "the body at a point is the one in front of the larger one") {
+TEST_CASE_METHOD(Game, "the body at a point is the smaller one of several") {
     const Handle large = body("Box", {0, 0});
     set(shape_of(large), "width", 10);
     const Handle small = body("Circle", {2, 0});
@@ -64,7 +64,7 @@ TEST_CASE_METHOD(Game, "the body at a point is the one in front of the larger on
     CHECK(at({50, 0}).is_nil());
 }
 
-TEST_CASE_METHOD(Game, "a box finds each body that reaches into it once") {
+TEST_CASE_METHOD(Game, "a box query returns each overlapping body once") {
     const Handle a = body("Box", {0, 0}), b = body("Circle", {3, 0});
     make("Circle", a);
     body("Box", {30, 0});
@@ -74,7 +74,7 @@ TEST_CASE_METHOD(Game, "a box finds each body that reaches into it once") {
     CHECK(std::count(found.list().begin(), found.list().end(), Value(b)) == 1);
 }
 
-TEST_CASE_METHOD(Game, "contacts tell what presses where") {
+TEST_CASE_METHOD(Game, "contacts list the points and impulses of touching shapes") {
     const Handle ground = floor();
     const Handle crate = body("Box", {0, 0.5});
     step(20);
@@ -91,7 +91,7 @@ TEST_CASE_METHOD(Game, "contacts tell what presses where") {
     CHECK(force == Approx(10).epsilon(0.02));
 }
 
-TEST_CASE_METHOD(Game, "points go from a body to the world and back") {
+TEST_CASE_METHOD(Game, "points are converted from a body to the world and back") {
     const Handle crate = body("Box", {3, 4});
     set(crate, "angle", 3.14159265 / 2);
     const Value there = value_of(tree.call(crate, "to_world", {Vec2(1, 0)}));
@@ -122,7 +122,7 @@ TEST_CASE_METHOD(Game, "impulses and forces move a sleeping body") {
     CHECK(vec(crate, "force") == Vec2(0, 0));
 }
 
-TEST_CASE_METHOD(Game, "arguments without meaning are refused by name") {
+TEST_CASE_METHOD(Game, "invalid arguments are refused by name") {
     const Handle crate = body("Box", {0, 0});
     CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {5}), contains("impulse"));
     CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {Vec2(1e300, 0)}),

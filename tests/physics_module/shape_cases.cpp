@@ -30,7 +30,7 @@ Case make_case(Value value, int steps, std::function<bool(Stage&)> effect) {
     return one;
 }
 
-/// The same of a shape of another class.
+/// The same case for a shape of another class.
 Case of(std::string shape, Case one) {
     one.shape = std::move(shape);
     return one;
@@ -110,7 +110,7 @@ Cases form_cases() {
         of("Concave", make_case(List{Vec2(-0.5, -0.9), Vec2(0.5, -0.9), Vec2(0.5, 0.5),
                                      Vec2(0, -0.5), Vec2(-0.5, 0.5)},
                                 60, rises_to(0.8)));
-    // Solid on its left: from right to left it stands on what is below.
+    // A segment is solid on its left: one from right to left stands on a body below it.
     const List sole = {Vec2(0.5, -0.5), Vec2(-0.5, -0.5), Vec2(0, 0.5)};
     const List stilts = {Vec2(0.5, -0.9), Vec2(-0.5, -0.9), Vec2(0, 0.5)};
     const auto stand = [sole](Stage& s) { s.game.set(s.shape, "points", sole); };

@@ -17,7 +17,7 @@ void slide_cases(Cases& cases, const char* of) {
     add("max_motor_force", flung(of, {{"motor_speed", 2}}, 1000, went_right));
     add("hertz", flung(of, {{"target_translation", 1}, {"damping_ratio", 1}}, 2, went_right));
     add("target_translation", flung(of, {{"hertz", 2}, {"damping_ratio", 1}}, 1, went_right));
-    // Undamped, a spring of 1 Hz swings to 4 / 2Ï = 0.64 m after a quarter of a second.
+    // Undamped, a spring of 1 Hz swings to 4 / 2π = 0.64 m after a quarter of a second.
     add("damping_ratio", flung(of, {{"hertz", 1}}, 30, stayed_put, pushed(4), 15));
 }
 

@@ -1,4 +1,4 @@
-// Snapshots of a tree with physics: in place, handles and all, bit for bit.
+// Snapshots of a tree with physics: restored in place, with the same handles and the same bits.
 
 #include <cstring>
 #include <string>
@@ -47,7 +47,7 @@ std::vector<std::uint64_t> hashes(Game& game, int steps) {
 
 }  // namespace
 
-TEST_CASE("a restored game goes on bit for bit") {
+TEST_CASE("a restored game continues bit for bit") {
     Game game;
     pile(game, 40);
     const Handle drum = game.body("Box", Vec2(8, 5));
@@ -65,7 +65,7 @@ TEST_CASE("a restored game goes on bit for bit") {
     REQUIRE(hashes(game, 150) == expected);
 }
 
-TEST_CASE("bodies deleted and made since do not disturb a restored game") {
+TEST_CASE("bodies deleted and made since a snapshot do not disturb a restore") {
     Game game;
     pile(game, 30);
     game.step(30);
@@ -86,13 +86,14 @@ TEST_CASE("bodies deleted and made since do not disturb a restored game") {
     REQUIRE(game.y(ball) == 20.0);
     REQUIRE(game.get(shape, "radius") == Value(0.5));
     REQUIRE(hashes(game, 120) == expected);
-    // Both are still one: an edit of the instance moves the body that is simulated.
+    // The instance and the simulated body still belong together: an edit of the instance moves the
+    // body.
     game.set(ball, "position", Vec2(3, 40));
     game.step();
     REQUIRE(game.physics.body(ball).position().y() > 39);
 }
 
-TEST_CASE("a world deleted since comes back with all that was in it") {
+TEST_CASE("a world deleted since a snapshot is restored with its contents") {
     Game game;
     const Handle world = game.make("World", game.tree.root(), "second");
     const Handle body = game.make("Body", world, {{"position", Vec2(1, 2)}});
@@ -108,7 +109,7 @@ TEST_CASE("a world deleted since comes back with all that was in it") {
     REQUIRE(game.y(body) < y);
 }
 
-TEST_CASE("detached bodies, colors and looks are part of a snapshot") {
+TEST_CASE("detached bodies and colors and looks are part of a snapshot") {
     Game game;
     const Handle body = game.body("Box", Vec2(0, 5));
     const Handle loose = game.make("Body", {}, {{"velocity", Vec2(3, 0)}});
@@ -127,7 +128,7 @@ TEST_CASE("detached bodies, colors and looks are part of a snapshot") {
     REQUIRE(game.vec(loose, "velocity") == Vec2(3, 0));
 }
 
-TEST_CASE("watchers of a simulated property hear of the way back") {
+TEST_CASE("watchers of a simulated property are notified of the restore") {
     Game game;
     const Handle ball = game.body("Circle", Vec2(0, 20));
     const property::Snapshot snapshot = game.tree.snapshot();
@@ -163,14 +164,14 @@ TEST_CASE("damaged physics in a snapshot is refused and nothing changes") {
     REQUIRE(game.physics.hash() == before);
 }
 
-TEST_CASE("a tree without physics refuses a snapshot with it") {
+TEST_CASE("a tree without physics refuses a snapshot with physics") {
     Game game;
     const property::Snapshot snapshot = game.tree.snapshot();
     Tree other;
     REQUIRE_THROWS_AS(other.restore(snapshot), property::Error);
 }
 
-TEST_CASE("joints of every type and fields go on bit for bit in a restored game") {
+TEST_CASE("joints of every type and fields continue bit for bit in a restored game") {
     Game game;
     game.floor();
     std::vector<Handle> joints;
@@ -208,20 +209,20 @@ TEST_CASE("joints of every type and fields go on bit for bit in a restored game"
     REQUIRE_FALSE(game.physics.world(game.world()).validate());
 }
 
-TEST_CASE("a snapshot whose instances have rows that are not their own is refused") {
+TEST_CASE("a snapshot in which an instance has the row of another object is refused") {
     Game game;
     pile(game, 40);
     const Handle body = game.body("Polygon", Vec2(8, 5));
     const Handle wind = game.make("Wind", game.world());
-    // The last of many, so that its row is nothing else's.
+    // The last of many joints, so that no other object has the same number.
     Handle joint;
     for (int i = 0; i < 100; ++i)
         joint = game.make("RevoluteJoint", game.world(), {{"body_b", body}, {"enabled", false}});
     game.step(10);
     const property::Snapshot snapshot = game.tree.snapshot();
     const auto expected = hashes(game, 20);
-    /// Each place where the number stands is changed, one at a time. `sealed`: the worlds that are
-    /// saved in it, which have checksums of their own, are sealed again.
+    /// Changes every occurrence of the number, one at a time. `sealed`: the checksums of the saved
+    /// worlds are corrected.
     const auto with = [&](std::uint32_t was, std::uint32_t now,
                           const char* because = "a row that is not its own", bool sealed = false) {
         int refused = 0;
@@ -239,9 +240,9 @@ TEST_CASE("a snapshot whose instances have rows that are not their own is refuse
         return refused;
     };
     const property::Row row = game.tree.row(body), shape = game.tree.row(game.shape_of(body));
-    CHECK(with(row, row + 1000) >= 1);        // nobody's
-    CHECK(with(row, row + (7u << 24)) >= 1);  // of no world
-    CHECK(with(row, row - 1) >= 1);           // another's
+    CHECK(with(row, row + 1000) >= 1);        // no object
+    CHECK(with(row, row + (7u << 24)) >= 1);  // an object of a world that does not exist
+    CHECK(with(row, row - 1) >= 1);           // the object of another instance
     CHECK(with(shape, shape + 1000) >= 1);
     CHECK(with(shape, shape - 1) >= 1);
     CHECK(with(game.tree.row(wind), game.tree.row(wind) + 1) >= 1);

@@ -1,6 +1,5 @@
 #pragma once
-// A stage on which the effect of an edit shows: a body at rest on a floor, and what it is watched
-// by.
+// A stage that shows the effect of an edit: a body at rest on a floor, and measurements of it.
 
 #include <functional>
 #include <map>
@@ -17,31 +16,31 @@ class Stage {
 
     void run(int steps);
     Picture draw() const;
-    /// What presses the body onto the floor, N.
+    /// Force between the body and the floor, N.
     double load();
 
     Game game;
     Handle world, floor, body, shape;
-    Handle other;           // whatever a case adds
+    Handle other;           // an instance that a case adds
     bool was_awake = true;  // before the edit
     int hits = 0;
     double fastest_rise = 0;  // m/s, while running
-    int turns = 0;            // of its vertical velocity
+    int turns = 0;            // changes of the sign of its vertical velocity
 };
 
-/// How one property is tried: the stage is prepared, comes to rest (awake or asleep), the property
-/// is written, something happens, and the effect must show. Without the edit it must not.
+/// The test of one property: the stage is prepared, comes to rest (awake or asleep), the property
+/// is written, `then` acts, and the effect must be observed. Without the edit it must not be.
 struct Case {
     std::string shape = "Box";
     std::function<void(Stage&)> prepare = [](Stage&) {};
-    std::function<Handle(Stage&)> subject;  // whose property it is
+    std::function<Handle(Stage&)> subject;  // instance of the property
     std::function<Value(Stage&)> value;
     std::function<void(Stage&)> then = [](Stage&) {};
     int steps = 1;
     std::function<bool(Stage&)> effect;
 };
 
-/// By owner and name: "Body.mass".
+/// By class and property: "Body.mass".
 using Cases = std::map<std::string, Case>;
 Cases body_cases();
 Cases shape_cases();
@@ -50,7 +49,7 @@ Cases world_cases();
 Cases joint_cases();
 Cases field_cases();
 
-// To write cases with.
+// Helpers for writing cases.
 inline std::function<Value(Stage&)> to(Value value) {
     return [value](Stage&) { return value; };
 }

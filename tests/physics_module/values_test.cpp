@@ -1,5 +1,5 @@
-// Values on their way in and out: what a float may hold goes through exactly, what has no meaning
-// is refused with path and reason, and nothing is ever half written.
+// Values that are written and read: a number that a float can hold is not changed, a meaningless
+// one is refused with path and reason, and a refused write changes nothing.
 
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// One instance of every class there is.
+/// One instance of every class.
 struct Zoo : Game {
     std::vector<Handle> all;
 
@@ -37,7 +37,7 @@ struct Zoo : Game {
             for (const Property* property : tree.class_of(handle).properties())
                 if (property->owner != &tree.object_class()) visit(handle, *property);
     }
-    /// A value of the property's type with `x` in it.
+    /// A value of the property's type that contains `x`.
     static Value filled(Type type, double x) {
         if (type == Type::vec2) return Vec2(x, 1);
         if (type == Type::list) return List{Vec2(0, 0), Vec2(1, x), Vec2(2, 5)};
@@ -47,7 +47,7 @@ struct Zoo : Game {
 
 }  // namespace
 
-TEST_CASE_METHOD(Zoo, "NaN never gets into any property") {
+TEST_CASE_METHOD(Zoo, "no property accepts NaN") {
     each_property([&](Handle handle, const Property& property) {
         INFO(tree.path(handle, property));
         const Value before = get(handle, property.name);
@@ -56,7 +56,7 @@ TEST_CASE_METHOD(Zoo, "NaN never gets into any property") {
     });
 }
 
-TEST_CASE_METHOD(Zoo, "infinity gets in only where it means something") {
+TEST_CASE_METHOD(Zoo, "only properties for which infinity has a meaning accept it") {
     each_property([&](Handle handle, const Property& property) {
         if (property.type != Type::number && property.type != Type::vec2) return;
         if (property.read_only) return;
@@ -76,7 +76,7 @@ TEST_CASE_METHOD(Zoo, "infinity gets in only where it means something") {
     CHECK(number(all[1], "mass") == inf);
 }
 
-TEST_CASE_METHOD(Zoo, "minus two and numbers no float holds are taken exactly or refused") {
+TEST_CASE_METHOD(Zoo, "numbers that no float can hold are refused and others are exact") {
     each_property([&](Handle handle, const Property& property) {
         if (property.type != Type::number || property.read_only) return;
         INFO(tree.path(handle, property));
@@ -95,7 +95,7 @@ TEST_CASE_METHOD(Zoo, "minus two and numbers no float holds are taken exactly or
     });
 }
 
-TEST_CASE_METHOD(Zoo, "bits of categories hold any integer") {
+TEST_CASE_METHOD(Zoo, "bits of categories can be any integer") {
     const Handle circle = all[3];
     for (const std::int64_t bits :
          {std::int64_t{-2}, std::int64_t{9007199254740993},
@@ -144,7 +144,7 @@ TEST_CASE_METHOD(Zoo, "every property of physics is described") {
     }
 }
 
-TEST_CASE_METHOD(Zoo, "names and defaults are those that games rely on") {
+TEST_CASE_METHOD(Zoo, "names and defaults on which games depend are unchanged") {
     const auto value = [&](Handle handle, const char* name) { return get(handle, name); };
     CHECK(value(world(), "gravity") == Vec2(0, -10));
     CHECK(value(world(), "bounds").is_nil());
@@ -167,7 +167,8 @@ TEST_CASE_METHOD(Zoo, "names and defaults are those that games rely on") {
         for (const char* name : of_shape) CHECK_NOTHROW(value(all[i], name));
 }
 
-TEST_CASE_METHOD(Zoo, "an edit refused by the library says path and reason and changes nothing") {
+TEST_CASE_METHOD(Zoo,
+                 "an edit refused by the library reports path and reason and changes nothing") {
     const Handle crate = all[1];
     CHECK_THROWS_WITH(set(crate, "mass", 0), contains("world.body_1.mass"));
     CHECK_THROWS_WITH(set(crate, "mass", -1), contains("kg"));

@@ -1,4 +1,4 @@
-// Watchers of values that the simulation writes or that follow from others.
+// Watchers of simulated values and of derived values.
 
 #include "catch.h"
 #include "game.h"
@@ -8,7 +8,7 @@ namespace watching_test {
 using namespace fettle::physics_module::testing;
 using namespace fettle;
 
-TEST_CASE_METHOD(Game, "a watcher of a position hears of every step that moved it") {
+TEST_CASE_METHOD(Game, "a watcher of a position is called for every step that moved it") {
     const Handle ball = body("Circle", {0, 10});
     std::vector<property::Change> changes;
     auto connection =
@@ -26,7 +26,7 @@ TEST_CASE_METHOD(Game, "a watcher of a position hears of every step that moved i
     CHECK(tree.watcher_count() == 0);
 }
 
-TEST_CASE_METHOD(Game, "a watcher of a sleeping body hears nothing") {
+TEST_CASE_METHOD(Game, "a watcher of a sleeping body is not called") {
     floor();
     const Handle ball = body("Circle", {0, 0.5});
     REQUIRE(falls_asleep(ball));
@@ -36,7 +36,7 @@ TEST_CASE_METHOD(Game, "a watcher of a sleeping body hears nothing") {
     CHECK(heard == 0);
 }
 
-TEST_CASE_METHOD(Game, "a watcher of the inertia is told when a vertex is edited") {
+TEST_CASE_METHOD(Game, "a watcher of the inertia is called when a vertex is edited") {
     const Handle stone = make("Body", world(), "stone");
     make("Polygon", stone, "hull");
     tree.barrier();
@@ -55,7 +55,7 @@ TEST_CASE_METHOD(Game, "a watcher of the inertia is told when a vertex is edited
         }
 }
 
-TEST_CASE_METHOD(Game, "a watcher of contacts hears who came and who went") {
+TEST_CASE_METHOD(Game, "a watcher of contacts gets the new list of touched bodies") {
     floor();
     const Handle ball = body("Circle", {0, 2});
     std::vector<std::string> log;
@@ -67,7 +67,7 @@ TEST_CASE_METHOD(Game, "a watcher of contacts hears who came and who went") {
     CHECK(log == std::vector<std::string>{"{world.body_1}", "{}"});
 }
 
-TEST_CASE_METHOD(Game, "a watcher of awake hears when a body falls asleep and wakes") {
+TEST_CASE_METHOD(Game, "a watcher of awake is called when a body falls asleep and when it wakes") {
     floor();
     const Handle ball = body("Circle", {0, 0.5});
     std::vector<bool> log;
@@ -79,7 +79,7 @@ TEST_CASE_METHOD(Game, "a watcher of awake hears when a body falls asleep and wa
     CHECK(log == std::vector<bool>{false, true});
 }
 
-TEST_CASE_METHOD(Game, "a pattern watches every velocity in the world") {
+TEST_CASE_METHOD(Game, "a pattern can watch every velocity in the world") {
     const Handle a = body("Circle", {0, 10}), b = body("Circle", {5, 10});
     int heard = 0;
     tree.watch_pattern("world.*.velocity", [&](const property::Change& c) {
@@ -89,7 +89,8 @@ TEST_CASE_METHOD(Game, "a pattern watches every velocity in the world") {
     CHECK(heard == 4);
 }
 
-TEST_CASE_METHOD(Game, "what is written and what the step makes of it are two changes in order") {
+TEST_CASE_METHOD(Game,
+                 "a write and the change of the same value by the step are two changes in order") {
     const Handle ball = body("Circle", {0, 10});
     std::vector<double> heights;
     tree.watch(ball, "position",

@@ -25,7 +25,7 @@ std::function<void(Stage&)> put(const Vec2& position, const Vec2& velocity = Vec
     };
 }
 
-/// The walls instead of the floor.
+/// Lets the body stand on the bounds instead of the floor.
 void stand_on_bounds(Stage& s) {
     s.game.tree.destroy(s.floor);
     s.game.set(s.world, "bounds", List{Vec2(-100, 0), Vec2(100, 100)});
@@ -37,11 +37,11 @@ Cases world_cases() {
     Cases cases;
     cases["World.gravity"] =
         make_case(Vec2(0, 10), 30, [](Stage& s) { return s.game.y(s.body) > 1; });
-    // A fall from rest takes g·h²·n(n + 1)/2 in a step of n parts h.
+    // A fall from rest through n sub-steps of length h covers g·h²·n(n + 1)/2.
     cases["World.substeps"] = make_case(
         1, 1, [](Stage& s) { return std::fabs(5 - s.game.y(s.body) - 10 * dt * dt) < 1e-5; },
         put(Vec2(0, 5)));
-    // Nothing that is simulated may tell how many there are.
+    // The number of threads must not change the simulation.
     cases["World.threads"] =
         make_case(2, 1, [](Stage& s) { return s.game.get(s.world, "threads").integer() == 2; });
     cases["World.bounds"] = make_case(
@@ -80,10 +80,11 @@ Cases world_cases() {
     cases["World.sleep_delay"] = make_case(60, 200, stays_awake);
     cases["World.contact_hertz"] =
         make_case(0.5, 60, [](Stage& s) { return s.game.y(s.body) < 0.49; });
-    // An overlap of 5 cm: how much of it goes in a step is ω / (2ζ + hω) of the contact.
+    // An overlap of 5 cm: a step removes the share ω / (2ζ + hω) of it, with ω and ζ of the
+    // contact.
     cases["World.contact_damping"] = make_case(
         100, 1, [](Stage& s) { return s.game.y(s.body) < 0.46; }, put(Vec2(0, 0.45)));
-    // Of the same overlap: the direct solver removes a fifth in each part of the step.
+    // The same overlap: the direct solver removes a fifth in each sub-step.
     cases["World.solver"] = make_case(
         "direct", 1, [](Stage& s) { return s.game.y(s.body) > 0.475; }, put(Vec2(0, 0.45)));
     cases["World.push_speed"] = make_case(

@@ -1,4 +1,5 @@
-// Snapshots that a game of other classes restores: what fits is kept, and the rest is told.
+// Snapshots restored in a game with other classes: values that fit are kept, and the others are
+// reported.
 
 #include "catch.h"
 #include "snapshot_rig.h"
@@ -27,7 +28,7 @@ struct Version {
     Handle make(std::string_view name, Handle parent = {}) {
         return tree.create(tree.class_named("Thing"), parent ? parent : tree.root(), name);
     }
-    /// As from a file of another version.
+    /// Restores as from a file of another version.
     void load(const Version& other) { tree.restore(through_bytes(other.tree.snapshot())); }
 };
 
@@ -37,7 +38,7 @@ Property of_type(std::string name, Value value) {
 
 }  // namespace
 
-TEST_CASE("a saved value is what it can be where its property has another type by now") {
+TEST_CASE("a saved value is converted if the type of its property has changed") {
     Version old({of_type("whole", 1), of_type("real", 1.5), of_type("broken", 1.5),
                  of_type("word", "x"), of_type("same", "x")});
     const Handle a = old.make("a"), b = old.make("b"), gone = old.make("gone");
@@ -75,7 +76,7 @@ TEST_CASE("a saved value is what it can be where its property has another type b
     CHECK(restore_remarks(now.tree).empty());
 }
 
-TEST_CASE("a saved value that a property does not take by now leaves it at its default") {
+TEST_CASE("a property keeps its default if it refuses the saved value") {
     const auto version = [](Range range, std::vector<std::string> enumerators, bool clamp,
                             std::string owner) {
         return std::vector<Property>{
@@ -106,7 +107,7 @@ TEST_CASE("a saved value that a property does not take by now leaves it at its d
     now.load(old);
     CHECK(now.tree.get(a, "lives") == Value(3));
     CHECK(now.tree.get(b, "lives") == Value(3));
-    CHECK(now.tree.get(a, "speed") == Value(10.0));  // as a write would leave it
+    CHECK(now.tree.get(a, "speed") == Value(10.0));  // as a write would set it
     CHECK(now.tree.get(a, "mood") == Value("sad"));
     CHECK(now.tree.get(b, "mood") == Value("sad"));
     CHECK(now.tree.get(a, "owner") == Value(Handle{}));
@@ -123,7 +124,7 @@ TEST_CASE("a saved value that a property does not take by now leaves it at its d
     CHECK_THAT(all, contains("Thing.friends: "));
 }
 
-TEST_CASE("a class that has properties by now and had none takes its defaults") {
+TEST_CASE("a class without properties that gets some later takes their defaults") {
     Version old({});
     const Handle a = old.make("a"), b = old.make("b");
     Version now({of_type("lives", 3)});
@@ -135,7 +136,7 @@ TEST_CASE("a class that has properties by now and had none takes its defaults") 
     CHECK(old.tree.alive(b));
 }
 
-TEST_CASE("a snapshot of changed classes says so and is not called damaged") {
+TEST_CASE("a snapshot of changed classes reports the change and is not called damaged") {
     const auto refusal = [](Version& now, const Version& old) {
         try {
             now.load(old);
@@ -150,17 +151,19 @@ TEST_CASE("a snapshot of changed classes says so and is not called damaged") {
     const Handle a = plain.make("a");
     plain.make("child", a);
     Version other({});
-    CHECK(refusal(other, old).empty());  // nobody of that class is in it
+    CHECK(refusal(other, old).empty());  // the snapshot contains no instance of that class
     old.make("a");
-    CHECK_THAT(refusal(other, old), contains(changed) && contains("Thing was a kind of Ball and is "
-                                                                  "a kind of Object by now"));
+    CHECK_THAT(
+        refusal(other, old),
+        contains(changed) && contains("Thing was a kind of Ball and is now a kind of Object"));
     Version with_property({of_type("child", 1)});
     CHECK_THAT(refusal(with_property, plain),
-               contains(changed) && contains("a child called \"child\", which is a property of "
-                                             "Thing by now"));
+               contains(changed) &&
+                   contains("a child called \"child\", which is now a property of Thing"));
 }
 
-TEST_CASE("a formula without a text is the running game's own after a load or is told as lost") {
+TEST_CASE(
+    "after a load the running game's formula replaces one without a text or is reported as lost") {
     Version old({of_type("x", 1.0), of_type("y", 1.0)});
     const Handle a = old.make("a"), b = old.make("b", a);
     const auto three = [](const Tree&) { return Value(3.0); };
@@ -190,13 +193,13 @@ TEST_CASE("a formula without a text is the running game's own after a load or is
     now.tree.barrier();
     CHECK(now.tree.get(b, "x") == Value(has_it ? 4.0 : 3.0));
     CHECK(now.tree.get(b, "y") == Value(3.0));
-    // In one process every formula goes on.
+    // Within one process every formula continues.
     old.tree.restore(old.tree.snapshot());
     CHECK(restore_remarks(old.tree).empty());
     CHECK(old.tree.formula_count() == 2);
 }
 
-TEST_CASE("a log that is played again leaves the same names to come") {
+TEST_CASE("repeating a log gives the same next names") {
     SnapshotRig r;
     const Class& ball = r.tree.class_named("Ball");
     const Handle a = r.make("a"), b = r.make("b");

@@ -10,7 +10,7 @@ using namespace fettle::property::testing;
 
 namespace {
 
-/// Writes down what it is told.
+/// Records the notifications.
 class Notes : public EditObserver {
   public:
     explicit Notes(Tree& tree) : tree_(tree) { tree.observe_edits(this); }
@@ -57,7 +57,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "an observer of edits hears of what people write and nothing else") {
+TEST_CASE_METHOD(Fixture, "an observer of edits is notified of the edits by a person only") {
     tree.set(ball, "mass", 2);
     {
         const Tree::CauseScope scope(tree, Writer::script);
@@ -76,7 +76,7 @@ TEST_CASE_METHOD(Fixture, "an observer of edits hears of what people write and n
           }) == Lines{"world.ball.score: 1 to 1 by formula"});
 }
 
-TEST_CASE_METHOD(Fixture, "undo and redo are told as what they change") {
+TEST_CASE_METHOD(Fixture, "an observer of edits is notified of the changes by undo and redo") {
     console([&] { tree.set(ball, "mass", 5); });
     console([&] { tree.set_or_add(ball, "score", 1); });
     tree.undo();
@@ -88,7 +88,8 @@ TEST_CASE_METHOD(Fixture, "undo and redo are told as what they change") {
     CHECK(notes.take() == Lines{"world.ball.mass: 1 to 5", "world.ball.score: nothing to 1"});
 }
 
-TEST_CASE_METHOD(Fixture, "instances that come and go and move are told") {
+TEST_CASE_METHOD(Fixture,
+                 "an observer of edits is notified of created and deleted and moved instances") {
     CHECK(console([&] { tree.create(*module.type, world, "b"); }) == Lines{"born world.b"});
     CHECK(console([&] { tree.rename(tree.child(world, "b"), "c"); }) ==
           Lines{"world.c was b of world"});

@@ -17,7 +17,8 @@ struct Fixture {
 };
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "properties have their defaults before anyone can see the instance") {
+TEST_CASE_METHOD(Fixture,
+                 "properties have their defaults before a callback can read the instance") {
     CHECK(tree.get(ball, "mass") == Value(1.0));
     CHECK(tree.get(ball, "kind") == Value("dynamic"));
     CHECK(tree.get(ball, "radius") == Value(0.5));
@@ -40,7 +41,7 @@ TEST_CASE_METHOD(Fixture, "an edit writes the module's own memory and survives i
     CHECK(tree.get(ball, "mass") == Value(4.0));
 }
 
-TEST_CASE_METHOD(Fixture, "a float property widens exactly and prints short") {
+TEST_CASE_METHOD(Fixture, "a float property is widened exactly and printed with few digits") {
     tree.set(ball, "mass", 0.1);
     CHECK(tree.get(ball, "mass").number() == static_cast<double>(0.1f));
     CHECK(tree.text(tree.get(ball, "mass"), tree.property(ball, "mass").precision()) == "0.1");
@@ -48,7 +49,7 @@ TEST_CASE_METHOD(Fixture, "a float property widens exactly and prints short") {
     CHECK(number_text(static_cast<double>(0.1f)) == "0.10000000149011612");
 }
 
-TEST_CASE_METHOD(Fixture, "an integer becomes a number exactly or not at all") {
+TEST_CASE_METHOD(Fixture, "an integer becomes a number exactly or is refused") {
     tree.set(ball, "mass", 3);
     CHECK(tree.get(ball, "mass") == Value(3.0));
     tree.set(ball, "radius", 7);
@@ -61,14 +62,14 @@ TEST_CASE_METHOD(Fixture, "an integer becomes a number exactly or not at all") {
                contains("world.ball.charge") && contains("9007199254740993"));
 }
 
-TEST_CASE_METHOD(Fixture, "minus two stays minus two") {
+TEST_CASE_METHOD(Fixture, "minus two is stored as minus two") {
     tree.set_or_add(ball, "lives", -2);
     CHECK(tree.get(ball, "lives") == Value(-2));
     tree.set(ball, "charge", -2);
     CHECK(tree.get(ball, "charge") == Value(-2.0));
 }
 
-TEST_CASE_METHOD(Fixture, "NaN never gets in and infinity only where it is allowed") {
+TEST_CASE_METHOD(Fixture, "no property accepts NaN and only some accept infinity") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
     for (const char* name : {"mass", "charge", "radius"})
@@ -78,7 +79,7 @@ TEST_CASE_METHOD(Fixture, "NaN never gets in and infinity only where it is allow
     CHECK_THROWS_AS(tree.set_or_add(ball, "x", List{Value(1), Value(nan)}), Error);
     CHECK_THAT(message_of([&] { tree.set(ball, "mass", inf); }),
                contains("infinity is not allowed"));
-    tree.set(ball, "charge", inf);  // clamped: the descriptor says so
+    tree.set(ball, "charge", inf);  // the descriptor asks for clamping
     CHECK(tree.get(ball, "charge") == Value(10.0));
     tree.set_or_add(ball, "limit", inf);
     CHECK(tree.get(ball, "limit") == Value(inf));
@@ -87,7 +88,7 @@ TEST_CASE_METHOD(Fixture, "NaN never gets in and infinity only where it is allow
 }
 
 TEST_CASE_METHOD(Fixture,
-                 "a refused edit names path and value and range and unit and changes nothing") {
+                 "a refused edit reports path and value and range and unit and changes nothing") {
     tree.set(ball, "mass", 5);
     const std::string message = message_of([&] { tree.set(ball, "mass", -1); });
     CHECK_THAT(message, contains("world.ball.mass") && contains("from 0 to 1000000 kg") &&
@@ -114,7 +115,8 @@ TEST_CASE_METHOD(Fixture, "an unknown name is an error with the nearest spelling
                contains("did you mean \"grow\"?"));
 }
 
-TEST_CASE_METHOD(Fixture, "writing an unknown name adds a property unless it is a near miss") {
+TEST_CASE_METHOD(Fixture,
+                 "writing an unknown name adds a property unless it is similar to a declared one") {
     tree.set_or_add(ball, "lives", 3);
     CHECK(tree.get(ball, "lives") == Value(3));
     CHECK_THAT(message_of([&] { tree.set_or_add(ball, "velosity", 1); }),
@@ -123,7 +125,7 @@ TEST_CASE_METHOD(Fixture, "writing an unknown name adds a property unless it is 
                contains("did you mean \"mass\"?"));
     CHECK_THAT(message_of([&] { tree.set_or_add(ball, "amss", 1); }),
                contains("did you mean \"mass\"?"));
-    tree.set_or_add(ball, "max", 1);  // two edits away
+    tree.set_or_add(ball, "max", 1);  // two letters differ
     CHECK(tree.ad_hoc(ball).size() == 2);
     tree.set(ball, "lives", Value());
     CHECK(tree.find(ball, "lives") == nullptr);
@@ -139,7 +141,7 @@ TEST_CASE_METHOD(Fixture, "assigning nil restores the default") {
     CHECK_FALSE(tree.overridden(ball, tree.property(ball, "mass")));
 }
 
-TEST_CASE_METHOD(Fixture, "an edit wakes and ten edits cost one rebuild") {
+TEST_CASE_METHOD(Fixture, "an edit wakes the ball and ten edits cause one rebuild") {
     module.ball(ball).awake = false;
     tree.set(ball, "mass", 2);
     CHECK(module.ball(ball).awake);
@@ -155,7 +157,7 @@ TEST_CASE_METHOD(Fixture, "an edit wakes and ten edits cost one rebuild") {
     CHECK(module.ball(ball).rebuilds == before + 1);
 }
 
-TEST_CASE_METHOD(Fixture, "part of a value is edited by path as a whole") {
+TEST_CASE_METHOD(Fixture, "writing a part of a value by path writes the whole value") {
     set(tree, "world.ball.velocity", Vec2(1, 2));
     set(tree, "world.ball.velocity.x", 3);
     CHECK(tree.get(ball, "velocity") == Value(Vec2(3, 2)));
@@ -195,7 +197,7 @@ TEST_CASE_METHOD(Fixture, "a class may redeclare the default of what it inherits
     CHECK(tree.get(again, "lives") == Value(3));
 }
 
-TEST_CASE_METHOD(Fixture, "a class that breaks its own rules is refused when it is defined") {
+TEST_CASE_METHOD(Fixture, "an invalid class descriptor is refused") {
     ClassDescriptor d;
     d.name = "Broken";
     d.properties = {{.name = "size", .default_value = -1.0, .range = {0, 1}}};
@@ -207,7 +209,7 @@ TEST_CASE_METHOD(Fixture, "a class that breaks its own rules is refused when it 
     CHECK_THROWS_AS(tree.define(d), Error);
 }
 
-TEST_CASE_METHOD(Fixture, "references hold living instances of their class only") {
+TEST_CASE_METHOD(Fixture, "references accept only living instances of their class") {
     tree.set_or_add(ball, "target", world);
     CHECK(tree.text(tree.get(ball, "target")) == "world");
     const Handle other = tree.create(*module.type, world, "other");

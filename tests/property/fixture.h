@@ -1,5 +1,5 @@
 #pragma once
-// A small module with memory of its own, for tests of the tree: balls in an array of structs.
+// A small module with its own memory, for tests of the tree: balls in an array of structs.
 
 #include <stdexcept>
 #include <vector>
@@ -19,7 +19,7 @@ struct Ball {
     int rebuilds = 0;
     double radius = 0.5;
     double area = 0;
-    bool heavy = false;  // mass set by hand
+    bool heavy = false;  // the mass was set
 };
 
 class BallModule {
@@ -109,7 +109,7 @@ class BallModule {
     int destroyed = 0;
 };
 
-/// What an error says, or "" when nothing was thrown.
+/// The message of the error that `f` throws; "" if it throws none.
 template <class F>
 std::string message_of(F f) {
     try {

@@ -1,5 +1,5 @@
-// Ten thousand formulas in a chain, a fan and a grid beside a model that recomputes everything:
-// values, errors and their recovery, and how often each formula runs.
+// Ten thousand formulas in a chain, a fan and a grid, compared with a model that recomputes
+// everything: values, errors and their recovery, and the number of calls of each formula.
 
 #include <cmath>
 #include <optional>
@@ -14,10 +14,10 @@ using namespace fettle::property::testing;
 
 namespace {
 
-/// One number of the model: in error it has no value.
+/// A number of the model; empty: in error.
 using Number = std::optional<double>;
 
-/// Cells c0, c1 ... of one instance: sources first, then formulas of the two cells each names.
+/// Cells c0, c1 ... of one instance: first sources, then formulas, each of two cells.
 class Network {
   public:
     static constexpr int sources = 50, chain = 2'500, fan = 2'500, grid = 5'000;
@@ -48,7 +48,7 @@ class Network {
         tree.set(home, name(source), value);
     }
 
-    /// How every cell should read.
+    /// The expected value of every cell.
     std::vector<Number> model() const {
         std::vector<Number> all(given.begin(), given.end());
         for (const auto& [a, b] : ways) {
@@ -65,7 +65,7 @@ class Network {
         return all;
     }
 
-    /// Cells that read otherwise than the model says.
+    /// Number of cells that differ from the model.
     int wrong() const {
         const std::vector<Number> expected = model();
         int count = 0;
@@ -82,11 +82,11 @@ class Network {
         return count;
     }
 
-    /// The most often any formula ran since the last time this was asked.
-    int most_runs() {
-        int most = 0;
-        for (int& n : runs) most = std::max(most, std::exchange(n, 0));
-        return most;
+    /// The largest number of calls of one formula since the last query.
+    int max_runs() {
+        int max = 0;
+        for (int& n : runs) max = std::max(max, std::exchange(n, 0));
+        return max;
     }
 
     Tree tree;
@@ -97,7 +97,7 @@ class Network {
     int middle = 0;
 
   private:
-    // The second cell is read only where the first is large: the dependencies change all the time.
+    // The second cell is read only if the first is large, so the dependencies change often.
     void add(int a, int b) {
         const int number = static_cast<int>(ways.size());
         ways.emplace_back(a, b);
@@ -115,11 +115,13 @@ class Network {
 
 }  // namespace
 
-TEST_CASE("ten thousand formulas run at most once a barrier and read as recomputing all of them") {
+TEST_CASE(
+    "ten thousand formulas run at most once per barrier and have the values of a full "
+    "recomputation") {
     Network n;
     REQUIRE(n.tree.formula_count() == Network::formulas);
     n.tree.barrier();
-    CHECK(n.most_runs() == 1);
+    CHECK(n.max_runs() == 1);
     CHECK(n.wrong() == 0);
     std::uint32_t seed = 7;
     for (int round = 0; round < 12; ++round) {
@@ -129,32 +131,32 @@ TEST_CASE("ten thousand formulas run at most once a barrier and read as recomput
                   static_cast<double>(seed >> 8 & 15u) / 8);
         }
         n.tree.barrier();
-        CHECK(n.most_runs() <= 1);
+        CHECK(n.max_runs() <= 1);
         CHECK(n.wrong() == 0);
-        CHECK(n.most_runs() == 0);  // reading what is settled runs nothing
+        CHECK(n.max_runs() == 0);  // reading a settled formula does not call it
     }
 }
 
-TEST_CASE("an error spreads through ten thousand formulas as far as they read it and mends") {
+TEST_CASE("an error spreads to all formulas that read it and disappears with its cause") {
     Network n;
     n.tree.barrier();
-    (void)n.most_runs();
-    // Of the chain, the fan and the grid: a source, and a formula that reads it.
+    (void)n.max_runs();
+    // In the chain, the fan and the grid: a source, and a formula that reads it.
     const int fan = Network::sources + Network::chain, grid = fan + Network::fan;
     for (const auto& [source, reader] :
          {std::pair(0, Network::sources), std::pair(2, fan), std::pair(17, grid + 17)}) {
         n.set(source, -1);
         n.tree.barrier();
-        CHECK(n.most_runs() <= 1);
+        CHECK(n.max_runs() <= 1);
         CHECK(n.wrong() == 0);
         CHECK_THAT(n.tree.problem(n.home, n.tree.property(n.home, Network::name(reader))),
                    contains("below zero"));
         n.set(source, 1.25);
         n.tree.barrier();
-        CHECK(n.most_runs() <= 1);
+        CHECK(n.max_runs() <= 1);
         CHECK(n.wrong() == 0);
     }
-    // A source that goes away is an error as well, until one of that name comes back.
+    // A deleted source is an error, too, until a property with that name exists again.
     n.tree.remove_ad_hoc(n.home, Network::name(0));
     n.tree.barrier();
     const Property& end = n.tree.property(n.home, Network::name(n.middle));

@@ -30,7 +30,7 @@ struct Fixture {
 };
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "a formula is the value and follows its sources at once") {
+TEST_CASE_METHOD(Fixture, "a formula computes the value and follows its sources at once") {
     tree.set_formula(shadow, "mass",
                      count([&](const Tree& t) { return Value(t.get(ball, "mass").number() * 2); }));
     CHECK(number("world.shadow.mass") == 2);
@@ -41,7 +41,7 @@ TEST_CASE_METHOD(Fixture, "a formula is the value and follows its sources at onc
     CHECK(module.ball(shadow).mass == 10);
 }
 
-TEST_CASE_METHOD(Fixture, "whatever takes a formula can be in a snapshot with it") {
+TEST_CASE_METHOD(Fixture, "any property that accepts a formula can be in a snapshot with it") {
     for (const Property* property : tree.properties(ball)) {
         INFO(property->name);
         const Value value = tree.peek(ball, *property);
@@ -60,7 +60,8 @@ TEST_CASE_METHOD(Fixture, "whatever takes a formula can be in a snapshot with it
                           contains("cannot have a formula"));
 }
 
-TEST_CASE_METHOD(Fixture, "a formula nobody reads settles at the barrier and its change is told") {
+TEST_CASE_METHOD(Fixture,
+                 "a formula that is not read settles at the barrier and its change is reported") {
     std::vector<std::string> log;
     tree.set_formula(shadow, "mass", count([&](const Tree& t) { return t.get(ball, "mass"); }));
     tree.barrier();
@@ -74,7 +75,7 @@ TEST_CASE_METHOD(Fixture, "a formula nobody reads settles at the barrier and its
     CHECK(runs == 2);
 }
 
-TEST_CASE_METHOD(Fixture, "a diamond is computed once and never half") {
+TEST_CASE_METHOD(Fixture, "two paths to one source cause one computation with consistent values") {
     for (const char* name : {"left", "right", "top"}) tree.set_or_add(world, name, 0.0);
     tree.set_formula(world, "left",
                      count([&](const Tree& t) { return Value(t.get(ball, "mass").number() + 1); }));
@@ -95,7 +96,7 @@ TEST_CASE_METHOD(Fixture, "a diamond is computed once and never half") {
     CHECK_FALSE(half);
 }
 
-TEST_CASE_METHOD(Fixture, "an unchanged result stops there") {
+TEST_CASE_METHOD(Fixture, "an unchanged result does not update its dependents") {
     int ends = 0;
     tree.set_formula(world, "sign",
                      count([&](const Tree& t) { return Value(t.get(ball, "mass").number() > 3); }));
@@ -114,7 +115,7 @@ TEST_CASE_METHOD(Fixture, "an unchanged result stops there") {
     CHECK(ends == 2);
 }
 
-TEST_CASE_METHOD(Fixture, "a branch not taken is no dependency") {
+TEST_CASE_METHOD(Fixture, "a source that is not read is no dependency") {
     tree.set_formula(world, "pick", count([&](const Tree& t) {
                          return t.get(ball, "mass").number() > 5 ? t.get(shadow, "mass")
                                                                  : Value(0.0);
@@ -132,7 +133,7 @@ TEST_CASE_METHOD(Fixture, "a branch not taken is no dependency") {
 
 TEST_CASE_METHOD(
     Fixture,
-    "a formula over simulated and derived values is current when read and after the step") {
+    "a formula of simulated and derived values is up to date when read and after the step") {
     tree.set_formula(world, "speed", count([&](const Tree& t) {
                          return Value(t.get(ball, "velocity").vec2().norm());
                      }));
@@ -157,7 +158,7 @@ TEST_CASE_METHOD(
     CHECK(runs == before);
 }
 
-TEST_CASE_METHOD(Fixture, "what the simulation moves stays what its formula says") {
+TEST_CASE_METHOD(Fixture, "the simulation does not change a value that a formula sets") {
     tree.set_formula(shadow, "velocity",
                      {[&](const Tree& t) { return Value(Vec2(t.get(ball, "mass").number(), 0)); }});
     tree.barrier();
@@ -168,7 +169,7 @@ TEST_CASE_METHOD(Fixture, "what the simulation moves stays what its formula says
     CHECK(module.ball(shadow).velocity[0] == 1);
 }
 
-TEST_CASE_METHOD(Fixture, "a cycle is an error value with its path and mends when it is broken") {
+TEST_CASE_METHOD(Fixture, "a cycle is an error with its path and ends when the cycle is broken") {
     tree.set_formula(ball, "mass",
                      {[&](const Tree& t) { return Value(t.get(shadow, "mass").number() + 1); }});
     tree.set_formula(shadow, "mass",
@@ -182,7 +183,7 @@ TEST_CASE_METHOD(Fixture, "a cycle is an error value with its path and mends whe
     CHECK(number("world.ball.mass") == 6);
 }
 
-TEST_CASE_METHOD(Fixture, "an error keeps the last good value and names the way to it") {
+TEST_CASE_METHOD(Fixture, "an error keeps the last valid value and names the path to it") {
     tree.set_formula(shadow, "mass",
                      {[&](const Tree& t) { return Value(4 - t.get(ball, "mass").number()); }});
     tree.set_formula(world, "top", {[&](const Tree& t) { return t.get(shadow, "mass"); }});
@@ -199,7 +200,7 @@ TEST_CASE_METHOD(Fixture, "an error keeps the last good value and names the way 
     CHECK(tree.problem(world, tree.property(world, "top")).empty());
 }
 
-TEST_CASE_METHOD(Fixture, "deleting a source gives an error value and its return mends it") {
+TEST_CASE_METHOD(Fixture, "deleting a source gives an error and restoring it ends the error") {
     tree.set_formula(shadow, "mass", {[](const Tree& t) { return get(t, "world.ball.mass"); }});
     CHECK(number("world.shadow.mass") == 1);
     tree.destroy(ball);
@@ -216,7 +217,7 @@ TEST_CASE_METHOD(Fixture, "deleting a source gives an error value and its return
     CHECK(number("world.shadow.mass") == 6);
 }
 
-TEST_CASE_METHOD(Fixture, "a source that is absent at first is waited for") {
+TEST_CASE_METHOD(Fixture, "a formula recovers when a missing source is created") {
     tree.set_formula(world, "score", {[](const Tree& t) {
                          return Value(get(t, "world.ball.lives").integer() * 10);
                      }});
@@ -227,7 +228,7 @@ TEST_CASE_METHOD(Fixture, "a source that is absent at first is waited for") {
     CHECK_FALSE(tree.problem(world, tree.property(world, "score")).empty());
 }
 
-TEST_CASE_METHOD(Fixture, "formulas do not write") {
+TEST_CASE_METHOD(Fixture, "a formula may not write") {
     tree.set_formula(world, "bad", {[&](const Tree&) {
                          tree.set(ball, "mass", 3);
                          return Value(1);
@@ -239,7 +240,7 @@ TEST_CASE_METHOD(Fixture, "formulas do not write") {
                     Error);
 }
 
-TEST_CASE_METHOD(Fixture, "why tells the sources of a value with their values") {
+TEST_CASE_METHOD(Fixture, "why lists the sources of a value with their values") {
     tree.set_formula(
         shadow, "mass",
         {[&](const Tree& t) { return Value(t.get(ball, "mass").number() * 2); }, "ball.mass * 2"});
@@ -266,7 +267,8 @@ TEST_CASE_METHOD(Fixture, "a formula ends with its instance") {
 }
 
 TEST_CASE_METHOD(
-    Fixture, "ten thousand formulas in chains and fans and grids equal recomputing everything") {
+    Fixture,
+    "ten thousand formulas in chains and fans and grids have the values of a full recomputation") {
     const Handle grid = tree.create(tree.object_class(), tree.root(), "grid");
     const int width = 50, height = 200;
     const auto name = [](int x, int y) {
@@ -274,7 +276,7 @@ TEST_CASE_METHOD(
     };
     std::vector<double> source(width, 1), model(width);
     for (int x = 0; x < width; ++x) tree.set_or_add(grid, name(x, 0), 1.0);
-    // Made from the far end, so that the first read has to climb down the whole height.
+    // Created from the far end, so that the first read has the full depth.
     for (int y = height - 1; y > 0; --y)
         for (int x = 0; x < width; ++x) {
             const std::string above = name(x, y - 1), beside = name((x + 1) % width, y - 1),
@@ -282,7 +284,7 @@ TEST_CASE_METHOD(
             tree.set_formula(
                 grid, name(x, y), count([=](const Tree& t) {
                     const double a = t.get(grid, above).number(), b = t.get(grid, beside).number();
-                    // Every fifth row takes its second source only where the first is large.
+                    // Every fifth row reads its second source only if the first is large.
                     if (y % 5 == 0)
                         return Value(a > 1.5 ? std::fmod(a + b, 3.0) : t.get(grid, far).number());
                     return Value(std::fmod(a + 0.5 * b, 3.0));
@@ -325,10 +327,10 @@ TEST_CASE_METHOD(
     CHECK(runs == before);
 }
 
-TEST_CASE_METHOD(Fixture, "a formula that gets into error is told once at a barrier") {
-    std::vector<std::string> told;
+TEST_CASE_METHOD(Fixture, "a formula in error is reported once at a barrier") {
+    std::vector<std::string> reported;
     on_formula_problem(tree, [&](const FormulaProblem& problem) {
-        told.push_back(problem.path + ": " + problem.message);
+        reported.push_back(problem.path + ": " + problem.message);
     });
     std::string wrong = "broke";
     tree.set_formula(shadow, "mass", count([&](const Tree& t) {
@@ -336,55 +338,55 @@ TEST_CASE_METHOD(Fixture, "a formula that gets into error is told once at a barr
                          if (!wrong.empty()) throw std::runtime_error(wrong);
                          return mass;
                      }));
-    // Fails only by the other.
+    // Fails only because the other fails.
     tree.set_formula(world, "sum", count([&](const Tree& t) { return t.get(shadow, "mass"); }));
     tree.barrier();
     tree.barrier();
-    CHECK(told == std::vector<std::string>{"world.shadow.mass: broke"});
+    CHECK(reported == std::vector<std::string>{"world.shadow.mass: broke"});
     tree.set(ball, "mass", 3);
     tree.barrier();
     tree.restore(tree.snapshot());
     tree.barrier();
-    CHECK(told.size() == 1);
+    CHECK(reported.size() == 1);
     wrong = "broke again";
     tree.set(ball, "mass", 4);
     tree.barrier();
-    REQUIRE(told.size() == 2);
-    CHECK(told.back() == "world.shadow.mass: broke again");
-    // The same error with another number in it is none.
+    REQUIRE(reported.size() == 2);
+    CHECK(reported.back() == "world.shadow.mass: broke again");
+    // The same error with another number in it is not reported again.
     for (const char* text : {"at 1.5, not from 0 to 1", "at -2.25e-05, not from 0 to 1"}) {
         wrong = text;
         tree.set(ball, "mass", 8 + tree.get(ball, "mass").number());
         tree.barrier();
-        REQUIRE(told.size() == 3);
+        REQUIRE(reported.size() == 3);
     }
-    told.pop_back();
-    // Well again and in error once more: that is news.
+    reported.pop_back();
+    // An error after a valid value is reported again.
     wrong.clear();
     tree.set(ball, "mass", 5);
     tree.barrier();
     wrong = "broke again";
     tree.set(ball, "mass", 6);
     tree.barrier();
-    CHECK(told.size() == 3);
-    // What is no value of the property, and a circle.
-    told.clear();
+    CHECK(reported.size() == 3);
+    // A value of the wrong type, and a cycle.
+    reported.clear();
     tree.set_formula(shadow, "mass", count([](const Tree&) { return Value("text"); }));
     tree.set_or_add(world, "left", 0.0);
     tree.set_or_add(world, "right", 0.0);
     tree.set_formula(world, "left", count([&](const Tree& t) { return t.get(world, "right"); }));
     tree.set_formula(world, "right", count([&](const Tree& t) { return t.get(world, "left"); }));
     tree.barrier();
-    REQUIRE(told.size() == 2);
-    CHECK_THAT(told[0], contains("world.shadow.mass") && contains("number"));
-    CHECK_THAT(told[1], contains("it depends on itself"));
-    // Somebody has shown it already.
-    told.clear();
+    REQUIRE(reported.size() == 2);
+    CHECK_THAT(reported[0], contains("world.shadow.mass") && contains("number"));
+    CHECK_THAT(reported[1], contains("it depends on itself"));
+    // An error that a caller has already received is not reported.
+    reported.clear();
     tree.set_formula(shadow, "mass",
                      count([](const Tree&) -> Value { throw std::runtime_error("shown"); }));
     (void)tree.problem(shadow, tree.property(shadow, "mass"));
     formula_problem_told(tree, shadow, tree.property(shadow, "mass"));
     tree.barrier();
-    CHECK(told.empty());
+    CHECK(reported.empty());
 }
 }  // namespace formulas_test

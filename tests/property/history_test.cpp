@@ -34,7 +34,7 @@ struct Fixture {
 using Names = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "an edit by a person is undone and done again") {
+TEST_CASE_METHOD(Fixture, "an edit by a person is undone and redone") {
     console([&] { tree.set(ball, "mass", 5); });
     console([&] { tree.set(ball, "mass", 7); });
     CHECK(tree.undo().done);
@@ -49,7 +49,7 @@ TEST_CASE_METHOD(Fixture, "an edit by a person is undone and done again") {
     CHECK_FALSE(tree.redo().done);
 }
 
-TEST_CASE_METHOD(Fixture, "what callbacks write is game logic and no edit") {
+TEST_CASE_METHOD(Fixture, "writes by callbacks belong to the game and are no edits") {
     as(Writer::script, [&] { tree.set(ball, "mass", 5); });
     tree.set(ball, "mass", 6);
     CHECK(tree.history().empty());
@@ -68,7 +68,7 @@ TEST_CASE_METHOD(Fixture, "what callbacks write is game logic and no edit") {
     CHECK(tree.get(ball, "radius") == Value(0.5));
 }
 
-TEST_CASE_METHOD(Fixture, "a drag is one step of undo whatever it passes") {
+TEST_CASE_METHOD(Fixture, "a drag is one step of undo with any number of intermediate values") {
     console([&] {
         tree.begin_edit("drag");
         for (int i = 2; i < 100; ++i) tree.set(ball, "mass", i);
@@ -82,7 +82,7 @@ TEST_CASE_METHOD(Fixture, "a drag is one step of undo whatever it passes") {
     CHECK(mass() == 99);
 }
 
-TEST_CASE_METHOD(Fixture, "what the game writes during a drag is no part of it") {
+TEST_CASE_METHOD(Fixture, "writes of the game during a drag are not a part of it") {
     tree.begin_edit("drag", false);
     as(Writer::inspector, [&] { tree.set(ball, "mass", 2); });
     as(Writer::script, [&] { tree.set(ball, "radius", 3.0); });
@@ -94,7 +94,7 @@ TEST_CASE_METHOD(Fixture, "what the game writes during a drag is no part of it")
     CHECK(tree.get(ball, "radius") == Value(3.0));
 }
 
-TEST_CASE_METHOD(Fixture, "a new edit ends what could be done again") {
+TEST_CASE_METHOD(Fixture, "a new edit removes the undone edits") {
     console([&] { tree.set(ball, "mass", 5); });
     tree.undo();
     console([&] { tree.set(ball, "mass", 6); });
@@ -102,7 +102,7 @@ TEST_CASE_METHOD(Fixture, "a new edit ends what could be done again") {
     CHECK(mass() == 6);
 }
 
-TEST_CASE_METHOD(Fixture, "undo and redo are edits of their own that watchers hear") {
+TEST_CASE_METHOD(Fixture, "undo and redo are reported to watchers as edits") {
     std::vector<std::string> log;
     console([&] { tree.set(ball, "mass", 5); });
     tree.barrier();
@@ -115,8 +115,8 @@ TEST_CASE_METHOD(Fixture, "undo and redo are edits of their own that watchers he
     CHECK(log == Names{"5>1 undo, step 9"});
 }
 
-TEST_CASE_METHOD(
-    Fixture, "an instance deleted comes back as itself with children and values and its place") {
+TEST_CASE_METHOD(Fixture,
+                 "undo restores a deleted instance with handle and children and values and place") {
     const Handle after = tree.create(*module.type, world, "after");
     const Handle part = tree.create(*module.type, ball, "part");
     tree.set(part, "radius", 3.0);
@@ -127,7 +127,7 @@ TEST_CASE_METHOD(
                      {[&](const Tree& t) { return t.get(after, "mass"); }, "after.mass"});
     tree.watch(ball, "mass", [](const Change&) {});
     console([&] { tree.destroy(ball); });
-    // Its slot is kept: what is made meanwhile gets another.
+    // The slot is reserved; a new instance gets another.
     const Handle other = tree.create(*module.type, world, "other");
     CHECK(other.index != ball.index);
     CHECK(other.index != part.index);
@@ -153,8 +153,7 @@ TEST_CASE_METHOD(
 }
 
 TEST_CASE_METHOD(
-    Fixture,
-    "an instance created is deleted by undo and comes back by redo with what it had then") {
+    Fixture, "undo deletes a created instance and redo restores it with its values at that time") {
     Handle made;
     console([&] { made = tree.create(*module.type, world, "made"); });
     as(Writer::script, [&] { tree.set(made, "mass", 8); });
@@ -165,7 +164,7 @@ TEST_CASE_METHOD(
     CHECK(tree.get(made, "mass") == Value(8.0));
 }
 
-TEST_CASE_METHOD(Fixture, "moving and renaming are undone to the same place") {
+TEST_CASE_METHOD(Fixture, "undo of a move and a renaming restores the place") {
     for (const char* name : {"a", "b", "c"}) tree.create(*module.type, world, name);
     const Handle b = tree.child(world, "b");
     console([&] {
@@ -181,7 +180,7 @@ TEST_CASE_METHOD(Fixture, "moving and renaming are undone to the same place") {
     CHECK(tree.path(b) == "world.ball.z");
 }
 
-TEST_CASE_METHOD(Fixture, "formulas and ad-hoc properties are undone") {
+TEST_CASE_METHOD(Fixture, "definitions of formulas and ad-hoc properties are undone") {
     console([&] { tree.set_or_add(ball, "lives", 3); });
     console([&] { tree.set_formula(ball, "mass", {[](const Tree&) { return Value(9.0); }, "9"}); });
     CHECK(mass() == 9);
@@ -199,15 +198,15 @@ TEST_CASE_METHOD(Fixture, "formulas and ad-hoc properties are undone") {
     CHECK(tree.get(ball, "lives") == Value(3));
 }
 
-TEST_CASE_METHOD(Fixture, "a value refused leaves the formula it would have replaced") {
+TEST_CASE_METHOD(Fixture, "a refused value leaves the formula that it would have replaced") {
     tree.set_formula(ball, "radius", {[](const Tree&) { return Value(2.0); }});
     CHECK_THROWS_AS(tree.set(ball, "radius", 13.0), Error);
     CHECK(tree.formula(ball, tree.property(ball, "radius")) != nullptr);
 }
 
-TEST_CASE_METHOD(Fixture, "undo says what it could not do") {
+TEST_CASE_METHOD(Fixture, "undo reports the changes that it could not undo") {
     console([&] { tree.set(ball, "mass", 5); });
-    tree.destroy(ball);  // by the game
+    tree.destroy(ball);  // done by the game
     const UndoResult result = tree.undo();
     CHECK(result.done);
     REQUIRE(result.notes.size() == 1);
@@ -218,7 +217,7 @@ TEST_CASE_METHOD(Fixture, "undo says what it could not do") {
     tree.end_edit();
 }
 
-TEST_CASE_METHOD(Fixture, "the history forgets its oldest edits when it grows too large") {
+TEST_CASE_METHOD(Fixture, "the history drops its oldest edits when it grows too large") {
     tree.set_history_limit(20000);
     console([&] {
         for (int i = 0; i < 1000; ++i)
@@ -229,7 +228,7 @@ TEST_CASE_METHOD(Fixture, "the history forgets its oldest edits when it grows to
     while (tree.undo().done) {
     }
     CHECK(tree.get(ball, "text").text().size() > 100);
-    // Slots kept for the deleted are given back as their deletion is forgotten.
+    // Slots of deleted instances are released when their deletions are dropped from the history.
     tree.set_history_limit(2000);
     for (int i = 0; i < 2000; ++i) {
         const Handle brief = tree.create(*module.type, world, "brief");
@@ -238,7 +237,7 @@ TEST_CASE_METHOD(Fixture, "the history forgets its oldest edits when it grows to
     CHECK(tree.create(*module.type, world, "last").index < 100);
 }
 
-TEST_CASE_METHOD(Fixture, "the history is listed with the latest edit first") {
+TEST_CASE_METHOD(Fixture, "the history is listed from the latest edit") {
     for (int i = 1; i <= 4; ++i) console([&] { tree.set(ball, "mass", 1 + i); });
     tree.undo();
     tree.undo();
@@ -248,7 +247,7 @@ TEST_CASE_METHOD(Fixture, "the history is listed with the latest edit first") {
     CHECK(listed == "5-4-3+2+");
 }
 
-TEST_CASE_METHOD(Fixture, "an image of a long history costs nothing and stays what it was") {
+TEST_CASE_METHOD(Fixture, "a copy of a long history is cheap and does not change") {
     for (int i = 0; i < 2000; ++i) console([&] { tree.set(ball, "mass", 1 + i % 7); });
     const Snapshot snapshot = tree.snapshot();
     for (int i = 0; i < 50; ++i) tree.undo();
@@ -265,7 +264,8 @@ TEST_CASE_METHOD(Fixture, "an image of a long history costs nothing and stays wh
     CHECK(size() == then);
 }
 
-TEST_CASE_METHOD(Fixture, "an edit that takes more than the history may is listed and not undone") {
+TEST_CASE_METHOD(Fixture,
+                 "an edit larger than the limit of the history is listed but cannot be undone") {
     tree.set_history_limit(10000);
     console([&] { tree.set(ball, "mass", 2); });
     const std::string text(20000, 'x');
@@ -288,7 +288,7 @@ TEST_CASE_METHOD(Fixture, "an edit that takes more than the history may is liste
     CHECK(tree.create(*module.type, world, "next").index == brief.index);
 }
 
-TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for edits by place") {
+TEST_CASE_METHOD(Fixture, "the last writer is known by kind and step and for edits by place") {
     const Property& p = tree.property(ball, "mass");
     CHECK_FALSE(tree.who(ball, p).known);
     tree.set_step(3);
@@ -311,7 +311,7 @@ TEST_CASE_METHOD(Fixture, "who wrote last is known by writer and step and for ed
     CHECK_FALSE(tree.who(next, p).known);
 }
 
-TEST_CASE_METHOD(Fixture, "who wrote is known of each of many plain writes at once") {
+TEST_CASE_METHOD(Fixture, "the last writer of each of many plain writes is known") {
     const Property& mass = tree.property(ball, "mass");
     const Handle other = tree.create(*module.type, world, "other");
     tree.set_step(7);
@@ -329,7 +329,7 @@ TEST_CASE_METHOD(Fixture, "who wrote is known of each of many plain writes at on
     as(Writer::script, [&] { CHECK(tree.who(ball, mass).cause.writer == Writer::module); });
 }
 
-TEST_CASE_METHOD(Fixture, "a formula that never had a value is taken back by undo") {
+TEST_CASE_METHOD(Fixture, "undo removes a formula of a property that never had a value") {
     console([&] {
         tree.set_formula(ball, "mass", {[&](const Tree& t) { return t.get(ball, "mass"); }});
     });
@@ -344,7 +344,7 @@ TEST_CASE_METHOD(Fixture, "a formula that makes its property is one step of undo
     console([&] { tree.set_formula(ball, "score", {fails}); });
     tree.barrier();
     console([&] { tree.set_formula(ball, "score", {[](const Tree&) { return Value(3); }}); });
-    tree.undo();  // to a property that has a formula and never had a value
+    tree.undo();  // removes the formula again; the property never had a value
     REQUIRE(tree.find(ball, "score") != nullptr);
     CHECK_FALSE(tree.problem(ball, tree.property(ball, "score")).empty());
     tree.undo();
@@ -355,13 +355,13 @@ TEST_CASE_METHOD(Fixture, "a formula that makes its property is one step of undo
     CHECK(tree.get(ball, "score") == Value(3));
 }
 
-TEST_CASE_METHOD(Fixture, "an instance made and deleted and revived and unmade frees one slot") {
+TEST_CASE_METHOD(Fixture, "repeated creation and deletion by undo and redo frees one slot") {
     Handle other;
     console([&] { other = tree.create(*module.type, world, "other"); });
     console([&] { tree.destroy(other); });
     tree.undo();
     tree.undo();
-    console([&] { tree.set(ball, "mass", 2); });  // what was undone is forgotten
+    console([&] { tree.set(ball, "mass", 2); });  // drops the undone edit
     const Handle first = tree.create(*module.type, world, "first");
     const Handle second = tree.create(*module.type, world, "second");
     CHECK(first.index != second.index);
@@ -369,7 +369,7 @@ TEST_CASE_METHOD(Fixture, "an instance made and deleted and revived and unmade f
 }
 
 TEST_CASE_METHOD(Fixture,
-                 "a formula that follows a handle recovers when undo revives the instance") {
+                 "a formula that follows a handle recovers when undo restores the instance") {
     const Handle source = tree.create(*module.type, world, "source");
     tree.set_formula(ball, "mass", {[&](const Tree& t) { return t.get(source, "radius"); }});
     console([&] { tree.destroy(source); });
@@ -392,7 +392,7 @@ TEST_CASE_METHOD(Fixture, "no child is given the name of a property") {
     tree.set_or_add(world, "object_5", 1);
     tree.move(again, world);
     CHECK(tree.name(again) == "object_6");
-    // Nor is what comes back by undo.
+    // Nor is an instance that undo restores.
     console([&] { tree.destroy(again); });
     tree.set_or_add(world, "object_6", true);
     tree.undo();
@@ -402,23 +402,23 @@ TEST_CASE_METHOD(Fixture, "no child is given the name of a property") {
     CHECK_NOTHROW(tree.check(saved));
 }
 
-TEST_CASE_METHOD(Fixture, "what names something deleted names it when undo brings that back") {
+TEST_CASE_METHOD(Fixture, "undo of a deletion restores references to the instance") {
     const Handle other = tree.create(*module.type, world, "other");
     const Handle third = tree.create(*module.type, world, "third");
     console([&] { tree.set_or_add(other, "target", ball); });
     console([&] { tree.set_or_add(other, "all", Value(List{ball, third})); });
     console([&] { tree.destroy(ball); });
     console([&] { tree.destroy(other); });
-    tree.undo();  // `other` is back; what it names is not
+    tree.undo();  // restores `other`, but not the instance that it refers to
     CHECK(tree.alive(other));
-    SECTION("whatever else was edited meanwhile") {
+    SECTION("also after other edits") {
         console([&] { tree.rename(third, "fourth"); });
         tree.undo();
         tree.undo();
         CHECK(tree.get(other, "target").reference() == ball);
         CHECK(tree.text(tree.get(other, "all")) == "{world.ball, world.third}");
     }
-    SECTION("but not where something has written it since") {
+    SECTION("but not a reference that was written since") {
         tree.set_or_add(other, "target", third);
         tree.undo();
         CHECK(tree.get(other, "target").reference() == third);

@@ -1,5 +1,5 @@
-// What functions of a host and of its modules do wrong in the middle of the tree's work: it is
-// refused or told, and nothing else is lost by it.
+// Errors of functions of a host and of its modules inside the tree: each is refused or reported,
+// and no other work is lost.
 
 #include <fettle/property/question.h>
 #include <fettle/property/snapshot_remarks.h>
@@ -15,19 +15,19 @@ using namespace fettle::property::testing;
 
 namespace {
 
-/// Instances with rows that are counted, and a module that may have no room for some.
+/// Counts the rows of instances; its module can refuse to create some.
 struct Things {
     Row rows = 0;
     std::vector<Row> ended;
-    std::string full;  // called so, it is not made
+    std::string full;  // an instance with this name is refused
     std::function<void(Handle)> making;
     const Class* is = nullptr;
-    Tree tree;  // last: as it ends it tells of each
+    Tree tree;  // last, because its destructor calls the module for each instance
 
     Things() {
         ClassDescriptor d{.name = "Thing"};
         d.properties = {{.name = "of", .type = Type::reference}, {.name = "size"}};
-        d.events = {{.name = "told"}};
+        d.events = {{.name = "happened"}};
         d.lifecycle.context = this;
         d.lifecycle.create = [](void* context, Tree& in, Handle self) -> Row {
             Things& things = *static_cast<Things*>(context);
@@ -49,14 +49,16 @@ struct Things {
 
 }  // namespace
 
-TEST_CASE("what is asked cannot tell events nor move rows nor set the step nor begin an edit") {
+TEST_CASE(
+    "a function called by a question cannot emit events or move rows or set the step or begin an "
+    "edit") {
     Things things;
     Tree& tree = things.tree;
     const Handle a = things.make("a");
-    int told = 0;
-    tree.on(a, *things.is->event("told"), [&](const Occurrence&) { ++told; });
+    int reported = 0;
+    tree.on(a, *things.is->event("happened"), [&](const Occurrence&) { ++reported; });
     const std::vector<std::pair<std::string, std::function<void(Tree&)>>> changes = {
-        {"tell an event", [&](Tree& t) { t.emit(a, *things.is->event("told"), {}); }},
+        {"emit an event", [&](Tree& t) { t.emit(a, *things.is->event("happened"), {}); }},
         {"move a row", [&](Tree& t) { t.set_row(a, 77); }},
         {"set the step", [](Tree& t) { t.set_step(9); }},
         {"begin an edit", [](Tree& t) { t.begin_edit("left open"); }},
@@ -77,7 +79,7 @@ TEST_CASE("what is asked cannot tell events nor move rows nor set the step nor b
         CHECK_THAT(refusal, contains("computes a value: it cannot " + what));
     }
     tree.barrier();
-    CHECK(told == 0);
+    CHECK(reported == 0);
     CHECK(tree.row(a) == 0);
     CHECK(tree.step() == 0);
     const Tree::CauseScope me(tree, Writer::console);
@@ -85,7 +87,7 @@ TEST_CASE("what is asked cannot tell events nor move rows nor set the step nor b
     CHECK(tree.undo().done);
 }
 
-TEST_CASE("a module cannot delete what it makes") {
+TEST_CASE("a module cannot delete an instance that it is creating") {
     Things things;
     const Handle a = things.make("a");
     std::string refusal;
@@ -94,8 +96,7 @@ TEST_CASE("a module cannot delete what it makes") {
         refusal += " " + message_of([&] { things.tree.destroy(a); });
     };
     const Handle b = things.make("b", a);
-    const std::string words =
-        " is being made: its module, which makes it, cannot delete it meanwhile";
+    const std::string words = " is being made: its module cannot delete it meanwhile";
     CHECK(refusal == "a.b" + words + " a.b" + words);
     CHECK(things.tree.alive(b));
     CHECK(things.ended.empty());
@@ -108,7 +109,7 @@ TEST_CASE("a module cannot delete what it makes") {
     CHECK(things.ended == std::vector<Row>{1});
 }
 
-TEST_CASE("what a module made below an instance goes with the instance that it then refuses") {
+TEST_CASE("an instance that a module makes below one that it then refuses is deleted with it") {
     Things things;
     Handle kid;
     bool first = true;
@@ -124,7 +125,7 @@ TEST_CASE("what a module made below an instance goes with the instance that it t
     things.tree.restore(things.tree.snapshot());
 }
 
-TEST_CASE("a restore names whom its module would not make again") {
+TEST_CASE("a restore names the instance that its module refused to create again") {
     Things things;
     const Handle a = things.make("a"), kid = things.make("kid", a);
     const Snapshot with = things.tree.snapshot();
@@ -145,11 +146,11 @@ TEST_CASE("a restore names whom its module would not make again") {
           std::vector<std::string>{std::string(top ? "a" : "a.kid") +
                                    ": it cannot be made, and is missing with all that was below "
                                    "it: no room"});
-    CHECK(things.ended == std::vector<Row>{2});  // nobody's row but that of who came since
+    CHECK(things.ended == std::vector<Row>{2});  // only the row of the instance created since
     CHECK(things.tree.size() == (top ? 1 : 2));
 }
 
-TEST_CASE("an undo that cannot make one instance undoes the rest and says so") {
+TEST_CASE("an undo that cannot create one instance undoes the rest and reports it") {
     Things things;
     Tree& tree = things.tree;
     const Handle a = things.make("a"), kid = things.make("kid", a), b = things.make("b");
@@ -177,7 +178,7 @@ TEST_CASE("an undo that cannot make one instance undoes the rest and says so") {
     CHECK(tree.alive(kid));
 }
 
-TEST_CASE("an undo that brings two back lets one refer to the other again") {
+TEST_CASE("an undo that restores two instances restores a reference between them") {
     Things things;
     Tree& tree = things.tree;
     const Handle a = things.make("a"), j = things.make("j");
@@ -198,30 +199,30 @@ TEST_CASE("an undo that brings two back lets one refer to the other again") {
 }
 
 TEST_CASE(
-    "whoever throws the other handlers are told and the barrier throws the first at its end") {
+    "after an exception in a handler the others are called and the barrier throws the first one") {
     Tree tree;
     tree.set_or_add(tree.root(), "v", 0);
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     const bool sink = GENERATE(true, false);
     if (sink)
         tree.on_handler_error(
             [&](const HandlerError& e) { throw std::runtime_error("sink of " + e.message); });
     tree.watch(tree.root(), "v", [](const Change&) { throw std::runtime_error("first"); });
     tree.watch(tree.root(), "v", [](const Change&) { throw std::runtime_error("second"); });
-    tree.watch(tree.root(), "v", [&](const Change&) { told.emplace_back("watcher"); });
+    tree.watch(tree.root(), "v", [&](const Change&) { reported.emplace_back("watcher"); });
     tree.at_barrier([] { throw std::runtime_error("action"); });
-    tree.at_barrier([&] { told.emplace_back("action"); });
+    tree.at_barrier([&] { reported.emplace_back("action"); });
     tree.set(tree.root(), "v", 1);
     CHECK_THROWS_WITH(tree.barrier(), sink ? "sink of first" : "first");
-    CHECK(told == std::vector<std::string>{"watcher", "action"});
+    CHECK(reported == std::vector<std::string>{"watcher", "action"});
     tree.barrier();
-    CHECK(told.size() == 2);
+    CHECK(reported.size() == 2);
 }
 
-TEST_CASE("whoever throws as it is asked the others are asked too") {
+TEST_CASE("after an exception in a function of a question the others are called") {
     Things things;
     const Handle a = things.make("a");
-    const Event& event = *things.is->event("told");
+    const Event& event = *things.is->event("happened");
     int asked = 0;
     if (GENERATE(true, false))
         things.tree.on_handler_error([](const HandlerError&) { throw std::runtime_error("x"); });
@@ -232,7 +233,7 @@ TEST_CASE("whoever throws as it is asked the others are asked too") {
     CHECK(asked == 1);
 }
 
-TEST_CASE("an edit that has changed nothing yet does not stand in the way of undo") {
+TEST_CASE("an open edit without changes does not prevent undo") {
     Tree tree;
     tree.set_or_add(tree.root(), "v", 0);
     const Tree::CauseScope me(tree, Writer::console);
@@ -245,7 +246,7 @@ TEST_CASE("an edit that has changed nothing yet does not stand in the way of und
     tree.end_edit();
 }
 
-TEST_CASE("a handle of generation 0 is nobody's, whatever its index") {
+TEST_CASE("a handle of generation 0 refers to no instance with any index") {
     Tree tree;
     const Class& of = tree.object_class();
     const Handle a = tree.create(of, tree.root(), "a");
@@ -271,24 +272,24 @@ TEST_CASE("no barrier starts while a snapshot is restored") {
     tree.barrier();
 }
 
-TEST_CASE("what observes a tree may go while the tree is being destroyed") {
+TEST_CASE("an observer of a tree may be removed while the tree is being destroyed") {
     struct Part : SnapshotPart {
         std::string_view part_name() const override { return "part"; }
         Memory save(ByteWriter&) const override { return {}; }
         std::function<void()> restore(ByteReader&, const Memory&) override { return {}; }
     };
-    struct Told : Observer, EditObserver {
-        explicit Told(int& c) : count(c) {}
+    struct Report : Observer, EditObserver {
+        explicit Report(int& c) : count(c) {}
         void wrote(Handle, const Property&, const Value&) override { ++count; }
         void refreshing(SnapshotPart&, std::uint64_t) override { ++count; }
         void edited(Handle, const Property&, const CellState&) override { ++count; }
         int& count;
     };
     struct Game {
-        int told = 0, computed = 0, ended = 0;
+        int reported = 0, computed = 0, ended = 0;
         std::vector<std::string> refused;
         std::unique_ptr<Part> part = std::make_unique<Part>();
-        std::unique_ptr<Told> observer = std::make_unique<Told>(told);
+        std::unique_ptr<Report> observer = std::make_unique<Report>(reported);
         std::unique_ptr<WriteLog> log;
         Handle a;
     } game;
@@ -327,33 +328,33 @@ TEST_CASE("what observes a tree may go while the tree is being destroyed") {
         game.log = std::make_unique<WriteLog>(tree);
     }
     CHECK(game.ended == 4);
-    CHECK(game.told == 0);
+    CHECK(game.reported == 0);
     CHECK(game.computed == 1);
     REQUIRE(game.refused.size() == 8);
     CHECK(game.refused[0] == "the tree is being destroyed: it cannot be observed any more");
     CHECK(game.refused[1] == "the tree is being destroyed: it cannot get a part any more");
 }
 
-TEST_CASE("watchers of what is made and deleted within a restore end with it") {
+TEST_CASE("watchers of an instance made and deleted within a restore end with it") {
     Tree tree;
     const Snapshot before = tree.snapshot();
-    int told = 0;
+    int reported = 0;
     tree.restore(before, [&] {
         std::vector<Handle> made;
         for (int i = 0; i < 100; ++i)
             made.push_back(tree.create(tree.object_class(), tree.root(), ""));
-        for (const Handle each : made) tree.watch(each, [&](const Change&) { ++told; });
+        for (const Handle each : made) tree.watch(each, [&](const Change&) { ++reported; });
         for (const Handle each : made) tree.destroy(each);
     });
     tree.restore(before);  // has fewer slots
     tree.barrier();
-    std::vector<Handle> others;  // in the same slots
+    std::vector<Handle> others;  // they reuse the slots
     for (int i = 0; i < 100; ++i)
         others.push_back(tree.create(tree.object_class(), tree.root(), ""));
     tree.barrier();
     for (const Handle each : others) tree.rename(each, "other_" + std::to_string(each.index));
     tree.barrier();
-    CHECK(told == 0);
+    CHECK(reported == 0);
 }
 
 }  // namespace host_errors_test

@@ -21,7 +21,7 @@ struct Fixture {
 using Names = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "children keep their order and names number themselves") {
+TEST_CASE_METHOD(Fixture, "children keep their order and equal names get numbers") {
     tree.create(*module.type, world);
     tree.create(*module.type, world, "odd name");
     tree.create(*module.type, world);
@@ -34,7 +34,7 @@ TEST_CASE_METHOD(Fixture, "children keep their order and names number themselves
     CHECK(child_names(world) == Names{"ball_1", "odd name", "ball_3"});
 }
 
-TEST_CASE_METHOD(Fixture, "a number is not given again after the first child is gone") {
+TEST_CASE_METHOD(Fixture, "a number is not used again after the deletion of the first child") {
     const auto next = [&](Handle parent) {
         const Handle made = tree.create(*module.type, parent);
         return std::pair(made, tree.name(made));
@@ -43,14 +43,14 @@ TEST_CASE_METHOD(Fixture, "a number is not given again after the first child is 
     CHECK(name == "ball_1");
     tree.destroy(first);
     CHECK(next(world).second == "ball_2");
-    // Moved away, it is gone too, and renamed its number has been given.
+    // After a move the first number is free again; after a renaming it stays used.
     const Handle shelf = tree.create(tree.object_class(), tree.root(), "shelf");
     tree.move(next(shelf).first, world);
     CHECK(next(shelf).second == "ball_2");
     const Handle box = tree.create(tree.object_class(), tree.root(), "box");
     tree.set(next(box).first, "name", "marble");
     CHECK(next(box).second == "ball_2");
-    // A snapshot knows which numbers are given, where the child is there and where it is not.
+    // A snapshot contains the used numbers, whether the child still exists or not.
     const Handle jar = tree.create(tree.object_class(), tree.root(), "jar");
     next(jar);
     Snapshot snapshot = tree.snapshot();
@@ -59,17 +59,17 @@ TEST_CASE_METHOD(Fixture, "a number is not given again after the first child is 
     tree.restore(snapshot);
     CHECK(next(jar).second == "ball_2");
     CHECK(next(box).second == "ball_3");
-    // Who takes the place of a parent that is gone begins anew.
+    // A new parent in the same slot starts with the first number.
     tree.destroy(box);
     CHECK(next(tree.create(tree.object_class(), tree.root(), "bag")).second == "ball_1");
 }
 
-TEST_CASE_METHOD(Fixture, "unnamed children of a constructor are plain first and then numbered") {
+TEST_CASE_METHOD(Fixture, "the first unnamed child of a constructor has no number") {
     for (int i = 0; i < 3; ++i) tree.move(tree.create(*module.type), world, "", true);
     CHECK(child_names(world) == Names{"ball", "ball_2", "ball_3"});
 }
 
-TEST_CASE_METHOD(Fixture, "renaming keeps the place among the siblings") {
+TEST_CASE_METHOD(Fixture, "a renamed child keeps its place among its siblings") {
     for (const char* name : {"a", "b", "c"}) tree.create(*module.type, world, name);
     tree.set(tree.child(world, "a"), "name", "z");
     CHECK(child_names(world) == Names{"z", "b", "c"});
@@ -82,7 +82,9 @@ TEST_CASE_METHOD(Fixture, "renaming keeps the place among the siblings") {
         contains("a property of Ball"));
 }
 
-TEST_CASE_METHOD(Fixture, "a dangling handle is detected and tells who deleted it and when") {
+TEST_CASE_METHOD(
+    Fixture,
+    "a dangling handle is detected and the error names who deleted the instance and when") {
     const Handle ball = tree.create(*module.type, world, "ball");
     tree.set_step(412);
     {
@@ -94,7 +96,7 @@ TEST_CASE_METHOD(Fixture, "a dangling handle is detected and tells who deleted i
           "world.ball was deleted at step 412 by console");
 }
 
-TEST_CASE_METHOD(Fixture, "a handle never comes to mean the next owner of its slot") {
+TEST_CASE_METHOD(Fixture, "a handle never refers to the next instance in its slot") {
     const Handle ball = tree.create(*module.type, world, "ball");
     std::function<std::string()> locate = [] { return std::string("main.lua:7"); };
     {
@@ -109,7 +111,8 @@ TEST_CASE_METHOD(Fixture, "a handle never comes to mean the next owner of its sl
     CHECK(tree.get(next, "mass") == Value(1.0));
 }
 
-TEST_CASE_METHOD(Fixture, "deleting takes what is below along and tells the module of each") {
+TEST_CASE_METHOD(Fixture,
+                 "deleting an instance deletes those below it and notifies the module of each") {
     const Handle ball = tree.create(*module.type, world, "ball");
     const Handle part = tree.create(*module.type, ball, "part");
     const Handle deep = tree.create(*module.type, part, "deep");
@@ -121,7 +124,7 @@ TEST_CASE_METHOD(Fixture, "deleting takes what is below along and tells the modu
     CHECK_THROWS_AS(tree.destroy(tree.root()), Error);
 }
 
-TEST_CASE_METHOD(Fixture, "moving places the whole branch and cannot make a loop") {
+TEST_CASE_METHOD(Fixture, "moving an instance moves those below it and cannot make a cycle") {
     const Handle ball = tree.create(*module.type);
     const Handle part = tree.create(*module.type, ball, "part");
     CHECK(tree.path(part) == "(detached ball).part");
@@ -136,7 +139,8 @@ TEST_CASE_METHOD(Fixture, "moving places the whole branch and cannot make a loop
     CHECK(tree.child_count(ball) == 0);
 }
 
-TEST_CASE_METHOD(Fixture, "a hundred thousand instances are made and found by name and deleted") {
+TEST_CASE_METHOD(Fixture,
+                 "a hundred thousand instances are created and found by name and deleted") {
     std::vector<Handle> all;
     for (int i = 0; i < 100000; ++i) all.push_back(tree.create(*module.type, world));
     CHECK(tree.child(world, "ball_77777") == all[77776]);
@@ -148,10 +152,8 @@ TEST_CASE_METHOD(Fixture, "a hundred thousand instances are made and found by na
     CHECK(tree.size() == 1);
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "names of unlinked and linked children stay findable under random changes") {
-    // The table of children shifts entries back on deletion; a naive list tells what it should
-    // find.
+TEST_CASE_METHOD(Fixture, "attached and detached children are found by name after random changes") {
+    // The table of children moves entries on deletion; a simple list gives the expected results.
     std::vector<std::pair<std::string, Handle>> model;
     std::uint32_t seed = 7;
     const auto random = [&](std::uint32_t below) {

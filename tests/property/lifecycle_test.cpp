@@ -13,7 +13,7 @@
 
 namespace lifecycle_test {
 
-// What modules do while they are told that an instance dies, and observers while they are told of a
+// Calls of modules during the deletion of an instance, and of observers during the report of a
 // write.
 
 using namespace fettle::property;
@@ -21,7 +21,7 @@ using fettle::property::testing::message_of;
 
 namespace {
 
-/// A class whose instances do as they are told when they die.
+/// A class whose module calls `act` when an instance is deleted.
 class Dying {
   public:
     explicit Dying(Tree& tree) {
@@ -29,19 +29,19 @@ class Dying {
         of.lifecycle.context = this;
         of.lifecycle.destroy = [](void* context, Tree& in, Handle self, Row) {
             Dying& dying = *static_cast<Dying*>(context);
-            ++dying.told;
+            ++dying.reported;
             if (dying.act) dying.act(in, self);
         };
         is = &tree.define(std::move(of));
     }
     const Class* is = nullptr;
     std::function<void(Tree&, Handle)> act;
-    int told = 0;
+    int reported = 0;
 };
 
 }  // namespace
 
-TEST_CASE("who dies stays as it is until it is gone") {
+TEST_CASE("an instance that is being deleted cannot be changed") {
     struct Wrong {
         const char* what;
         std::function<void(Tree&, Handle)> act;
@@ -80,7 +80,7 @@ TEST_CASE("who dies stays as it is until it is gone") {
         tree.destroy(top);
         REQUIRE(messages.size() == 2);
         for (const std::string& message : messages) CHECK_THAT(message, contains(wrong.what));
-        CHECK(dying.told == 2);
+        CHECK(dying.reported == 2);
         CHECK_FALSE(tree.alive(top));
         CHECK_FALSE(tree.alive(below));
         dying.act = nullptr;
@@ -90,7 +90,8 @@ TEST_CASE("who dies stays as it is until it is gone") {
     }
 }
 
-TEST_CASE("a module that throws as its instance dies is told of when it is gone") {
+TEST_CASE(
+    "an exception of a module in the deletion of an instance is reported after the deletion") {
     Tree tree;
     Dying dying(tree);
     const Handle top = tree.create(*dying.is, tree.root(), "top");
@@ -98,7 +99,7 @@ TEST_CASE("a module that throws as its instance dies is told of when it is gone"
     dying.act = [](Tree&, Handle) { throw std::runtime_error("the disk is full"); };
     CHECK(message_of([&] { tree.destroy(top); }) ==
           "top.below: the disk is full (thrown by its module as it was deleted; it is gone)");
-    CHECK(dying.told == 2);
+    CHECK(dying.reported == 2);
     CHECK_FALSE(tree.alive(top));
     CHECK_FALSE(tree.alive(below));
     CHECK(tree.size() == 1);
@@ -106,15 +107,15 @@ TEST_CASE("a module that throws as its instance dies is told of when it is gone"
     CHECK_NOTHROW(tree.restore(whole));
 }
 
-TEST_CASE("the end of a tree is no reason to throw, nor to make anything") {
-    int told = 0;
+TEST_CASE("at the end of a tree a module cannot throw or create anything") {
+    int reported = 0;
     {
         Tree tree;
         Dying dying(tree);
         tree.create(*dying.is, tree.create(*dying.is, tree.root()));
         std::vector<std::string> messages;
         dying.act = [&](Tree& t, Handle) {
-            ++told;
+            ++reported;
             messages.push_back(message_of([&] { t.create(t.object_class()); }));
             CHECK_THAT(messages.back(), contains("while the tree is being destroyed"));
             throw 5;
@@ -124,15 +125,15 @@ TEST_CASE("the end of a tree is no reason to throw, nor to make anything") {
         gone->create(*other.is, gone->root());
         other.act = dying.act;
         gone.reset();
-        CHECK(told == 1);
+        CHECK(reported == 1);
         dying.act = nullptr;
     }
 }
 
-TEST_CASE("an observer may stop another one that is still to be told") {
+TEST_CASE("an observer may remove another one that is not yet notified") {
     struct Second : Observer {
-        int told = 0;
-        void wrote(Handle, const Property&, const Value&) override { ++told; }
+        int reported = 0;
+        void wrote(Handle, const Property&, const Value&) override { ++reported; }
     };
     struct First : Observer {
         Tree& tree;
@@ -153,13 +154,13 @@ TEST_CASE("an observer may stop another one that is still to be told") {
     tree.observe(third);
     tree.set(tree.root(), "v", 2);
     tree.set(tree.root(), "v", 3);
-    CHECK(third.told == 2);
+    CHECK(third.reported == 2);
     tree.unobserve(first);
     tree.set(tree.root(), "v", 4);
-    CHECK(third.told == 3);
+    CHECK(third.reported == 3);
 }
 
-TEST_CASE("a value that restores a snapshot as it is read is refused that") {
+TEST_CASE("reading a value may not restore a snapshot") {
     static Tree* in = nullptr;
     static Snapshot snapshot;
     static std::string message;
@@ -182,7 +183,7 @@ TEST_CASE("a value that restores a snapshot as it is read is refused that") {
     snapshot = {};
 }
 
-TEST_CASE("why does not go down without end") {
+TEST_CASE("the depth of why is limited") {
     Tree tree;
     Handle before = tree.create(tree.object_class(), tree.root(), "n0");
     tree.set_or_add(before, "v", 1);
@@ -200,7 +201,7 @@ TEST_CASE("why does not go down without end") {
     CHECK(at->value == "what is below is left out");
 }
 
-TEST_CASE("a property that was added to another instance is refused") {
+TEST_CASE("a property added to another instance is refused") {
     Tree tree, other;
     const Handle a = tree.create(tree.object_class(), tree.root(), "a");
     const Handle b = tree.create(tree.object_class(), tree.root(), "b");
@@ -223,7 +224,7 @@ TEST_CASE("a property that was added to another instance is refused") {
                 tree.set_formula(a, *foreign,
                                  Formula{.function = [](const Tree&) { return Value(1); }});
             });
-            tree.set_or_add(a, "own", 1);  // and when it has others
+            tree.set_or_add(a, "own", 1);  // the same if the instance has other ad-hoc properties
         }
         tree.remove_ad_hoc(a, "own");
     }
@@ -231,28 +232,28 @@ TEST_CASE("a property that was added to another instance is refused") {
     CHECK(tree.get(b, "blip") == Value(4));
 }
 
-TEST_CASE("an event is told with its own values or not at all, though nobody listens") {
+TEST_CASE("an event without handlers is checked like one with handlers") {
     Tree tree, other;
     fettle::property::testing::BallModule balls(tree), others(other);
     const Handle ball = tree.create(tree.class_named("Ball"), tree.root());
     const Event& bounced = *tree.class_named("Ball").event("bounced");
     const Event& foreign = *other.class_named("Ball").event("bounced");
-    CHECK_THAT(message_of([&] { tree.emit(ball, bounced, {}); }), contains("it tells 1 values"));
+    CHECK_THAT(message_of([&] { tree.emit(ball, bounced, {}); }), contains("it has 1 values"));
     CHECK_THAT(message_of([&] { tree.emit(ball, foreign, {1.0}); }), contains("no such event"));
     CHECK_THAT(message_of([&] { (void)tree.listens(ball, foreign); }), contains("no such event"));
     std::vector<Value> none;
-    CHECK_THAT(message_of([&] { ask(tree, ball, bounced, none, 0); }), contains("it tells 1"));
+    CHECK_THAT(message_of([&] { ask(tree, ball, bounced, none, 0); }), contains("it has 1"));
     CHECK_NOTHROW(tree.emit(ball, bounced, {1.0}));
 }
 
-TEST_CASE("functions that are none are refused by name") {
+TEST_CASE("empty functions are refused by name") {
     Tree tree;
     CHECK_THAT(message_of([&] { tree.each_below(tree.root(), {}); }), contains("each_below"));
     CHECK_THAT(message_of([&] { Acceptance a(tree, "query", {}); }), contains("Acceptance"));
     CHECK(Acceptance::accepts(tree.root()));
 }
 
-TEST_CASE("a log of writes is played on the tree that it is of") {
+TEST_CASE("a log of writes can be repeated only in its own tree") {
     auto tree = std::make_unique<Tree>();
     Tree other;
     WriteLog log(*tree), foreign(other);
@@ -266,7 +267,7 @@ TEST_CASE("a log of writes is played on the tree that it is of") {
     CHECK_THAT(message_of([&] { log.play(piece); }), contains("the tree of this log"));
 }
 
-TEST_CASE("numbers that stand for nothing are refused in a descriptor") {
+TEST_CASE("invalid numbers in a descriptor are refused") {
     const auto refused = [](const char* what, const std::function<void(ClassDescriptor&)>& spoil) {
         Tree tree;
         ClassDescriptor of{.name = "X"};

@@ -1,6 +1,5 @@
-// The tree against a naive model: random interleavings of edits, simulated writes, creation,
-// deletion, moves, watching and barriers must deliver exactly what a list of everything that ever
-// happened says.
+// The tree compared with a simple model: for random sequences of edits, simulated writes, creation,
+// deletion, moves, watching and barriers, both must deliver the same changes.
 
 #include <rapidcheck.h>
 
@@ -34,7 +33,7 @@ struct ModelWatcher {
     int target = 0;
     std::string property;
     bool active = true;
-    int born = 0;  // number of changes queued before it was registered
+    int born = 0;  // number of changes queued before its registration
 };
 
 struct Pending {
@@ -48,7 +47,7 @@ class Model {
     std::vector<ModelInstance> instances;
     std::vector<ModelWatcher> watchers;
     std::vector<Pending> pending;
-    std::map<Key, Value> shadow;  // of simulated cells: what watchers last knew
+    std::map<Key, Value> shadow;  // of simulated cells: the value that watchers got last
     int watcher_clock = 0;
 
     bool inside(int instance) const {
@@ -75,8 +74,8 @@ class Model {
         if (!may_be_wanted(key)) return;
         note(key, old);
     }
-    // The tree queues a change when anyone may want it: somebody watches the instance, or a broad
-    // watcher the name.
+    // The tree queues a change if it may have a watcher: one of the instance, or a broad one of the
+    // name.
     bool may_be_wanted(const Key& key) const {
         return std::any_of(watchers.begin(), watchers.end(), [&](const ModelWatcher& w) {
             if (!w.active) return false;
@@ -199,8 +198,8 @@ class Run {
         model_.edit({*i, name}, value);
     }
     void simulate() {
-        // A step writes velocities behind the tree's back, and a barrier follows it: at the next
-        // one nothing is unknown.
+        // A step writes velocities directly into memory, and a barrier follows it: the next barrier
+        // finds no unknown writes.
         barrier();
         ++steps_;
         std::vector<Key> moved;
@@ -218,8 +217,8 @@ class Run {
         tree_.stepped();
         log_.clear();
         tree_.barrier();
-        // Order among simulated cells is the order in which they were first watched; the model has
-        // no opinion on it.
+        // Changes of simulated cells are in the order in which the cells were first watched; the
+        // model does not define that order.
         std::vector<std::string> expected;
         for (const auto& [i, change] : simulated_)
             for (std::size_t w = 0; w < model_.watchers.size(); ++w)
@@ -239,7 +238,8 @@ class Run {
         const std::string name = which == 0 ? "mass" : which == 1 ? "radius" : "velocity";
         const std::size_t number = model_.watchers.size();
         const auto handler = [this, number](const Change& c) {
-            if (c.property->name == "area") return;  // derived: the model knows sources only
+            if (c.property->name == "area")
+                return;  // a derived property: the model has only sources
             log_.push_back(std::to_string(number) + " " +
                            std::to_string(numbers_.at({c.instance.index, c.instance.generation})) +
                            "." + c.property->name + " " + value_text(c.old_value) + ">" +
@@ -293,7 +293,7 @@ class Run {
 
 }  // namespace
 
-TEST_CASE("random edits and watchers and deletions behave as a naive model says") {
+TEST_CASE("random edits and watchers and deletions behave as in a simple model") {
     const bool holds = rc::check("tree equals model", [] {
         Run run;
         const int length = *rc::gen::inRange(1, 120);

@@ -57,7 +57,7 @@ double NaiveWorld::read(int instance, const std::string& property) const {
     return evaluate({instance, property}, results);
 }
 
-// Each cell once: without that, a chain of sums would take twice as long with every link.
+// Computes each cell once; otherwise the time would double with every formula of a chain.
 double NaiveWorld::evaluate(const Cell& cell, Results& results) const {
     if (cell.first < 0 || !instances[static_cast<std::size_t>(cell.first)].alive)
         throw InError("there is no such instance");
@@ -68,7 +68,7 @@ double NaiveWorld::evaluate(const Cell& cell, Results& results) const {
         if (value == instance.values.end()) throw InError("there is no such property");
         return value->second;
     }
-    // Until it is finished it counts as one in error: whoever comes by again has gone in a circle.
+    // A cell counts as in error until it is computed: a second visit before that is a cycle.
     const auto [known, first] = results.emplace(cell, std::nullopt);
     if (!first) {
         if (!known->second) throw InError("a source in error, or a cycle");

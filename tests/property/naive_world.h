@@ -1,6 +1,6 @@
 #pragma once
-// The simplest thing that behaves as a tree should: instances in a list, cells in maps, formulas
-// recomputed from nothing at every read, and whole copies of everything for undo.
+// A simple implementation of the behavior of a tree: instances in a list, cells in maps, formulas
+// recomputed at every read, and complete copies for undo.
 
 #include <map>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace fettle::property::testing {
 
-/// A formula as data: what it reads, and what it makes of that.
+/// A formula as data: its sources and the operation.
 struct Recipe {
     enum Kind { sum, choice, difference, demanding, kinds };
     Kind kind = sum;
@@ -23,12 +23,13 @@ struct Recipe {
     double constant = 0;
     bool operator==(const Recipe&) const = default;
 
-    /// What it makes of what `read(instance, property)` gives; reads no more than it needs.
+    /// The result, computed from the values of `read(instance, property)`; reads only the needed
+    /// ones.
     template <class Read>
     double operator()(const Read& read) const;
 };
 
-/// Reading a cell that is in error.
+/// Thrown when a cell in error is read.
 class InError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -38,7 +39,8 @@ struct NaiveInstance {
     int parent = -1;  // -1: the world
     std::string name;
     std::vector<int> children;
-    std::map<std::string, double> values;  // of all cells; under a formula what was there before
+    std::map<std::string, double>
+        values;  // of all cells; for a cell with a formula, the value before it
     std::map<std::string, Recipe> formulas;
     bool operator==(const NaiveInstance&) const = default;
 };
@@ -51,15 +53,15 @@ class NaiveWorld {
 
     int create(const std::string& name);
     void destroy(int instance);
-    /// To the end of the children of `parent`; -1 is the world.
+    /// Moves the instance to the end of the children of `parent`; -1 is the world.
     void move(int instance, int parent);
     bool is_below(int instance, int ancestor) const;
     std::vector<int> alive() const;
     std::vector<int>& children_of(int parent);
 
-    /// The value, by recomputing whatever it comes from. Throws InError.
+    /// The value, with all its sources recomputed. Throws InError.
     double read(int instance, const std::string& property) const;
-    /// What an assignment makes of a value; throws InError for one that is refused.
+    /// The value after an assignment; throws InError if it is refused.
     static double coerced(const std::string& property, double value);
     static double default_of(const std::string& property);
     static bool declared(const std::string& property);

@@ -6,7 +6,7 @@
 
 namespace no_known_exception_test {
 
-// What a caller throws may be of any type: it is an error like others, and leaves a whole tree.
+// Callbacks may throw any type: it is handled like other errors, and the tree stays consistent.
 
 using namespace fettle::property;
 using fettle::property::testing::BallModule;
@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* unknown = "an exception of no known type";
 
-/// Throws what is no std::exception.
+/// Throws a type that is not derived from std::exception.
 [[noreturn]] Value throws_a_number() {
     throw 5;
 }
 
 }  // namespace
 
-TEST_CASE("a formula that throws what is no exception is in error and the tree goes on") {
+TEST_CASE("a formula that throws an unknown type is in error and the tree stays usable") {
     Tree tree;
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");
     tree.set_or_add(node, "width", 1.0);
@@ -44,12 +44,12 @@ TEST_CASE("a formula that throws what is no exception is in error and the tree g
     CHECK(tree.get(node, width).number() == 3.0);
 }
 
-TEST_CASE("a handler that throws what is no exception is told of like any other") {
+TEST_CASE("a handler that throws an unknown type is reported like any other") {
     Tree tree;
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");
     tree.set_or_add(node, "width", 1.0);
-    std::string told;
-    tree.on_handler_error([&](const HandlerError& error) { told += error.message + ";"; });
+    std::string reported;
+    tree.on_handler_error([&](const HandlerError& error) { reported += error.message + ";"; });
     int heard = 0;
     tree.watch(node, "width", [](const Change&) { throw 5; });
     tree.watch(node, "width", [&](const Change&) { ++heard; });
@@ -58,10 +58,10 @@ TEST_CASE("a handler that throws what is no exception is told of like any other"
     tree.set(node, "width", 2.0);
     tree.barrier();
     CHECK(heard == 2);
-    CHECK(told == std::string(unknown) + ";" + unknown + ";");
+    CHECK(reported == std::string(unknown) + ";" + unknown + ";");
 }
 
-TEST_CASE("a setter and a method that throw what is no exception refuse") {
+TEST_CASE("an unknown type thrown by a setter or a method is a refusal") {
     Tree tree;
     ClassDescriptor crate{.name = "Crate"};
     crate.properties = {Property{.name = "width", .default_value = 0.0}};
@@ -73,14 +73,14 @@ TEST_CASE("a setter and a method that throw what is no exception refuse") {
         .name = "open",
         .call = [](void*, Tree&, Handle, Row, std::span<const Value>) -> Result { throw "text"; }}};
     const Handle made = tree.create(tree.define(crate), tree.root(), "crate");
-    const std::string told = std::string("crate.width: ") + unknown;
-    CHECK(message_of([&] { tree.set(made, "width", 3.0); }) == told);
-    CHECK(message_of([&] { tree.reset(made, tree.property(made, "width")); }) == told);
+    const std::string reported = std::string("crate.width: ") + unknown;
+    CHECK(message_of([&] { tree.set(made, "width", 3.0); }) == reported);
+    CHECK(message_of([&] { tree.reset(made, tree.property(made, "width")); }) == reported);
     CHECK(message_of([&] { tree.call(made, "open", {}); }) ==
           std::string("crate:open(): ") + unknown);
 }
 
-TEST_CASE("a module that throws what is no exception leaves a restored tree whole") {
+TEST_CASE("a module that throws an unknown type leaves a restored tree consistent") {
     Tree tree;
     static bool full;
     full = false;
@@ -101,7 +101,7 @@ TEST_CASE("a module that throws what is no exception leaves a restored tree whol
     tree.barrier();
 }
 
-TEST_CASE("an empty snapshot holds nothing and says so") {
+TEST_CASE("an empty snapshot is refused with a message") {
     Snapshot empty;
     CHECK(empty.empty());
     CHECK(empty.payload().empty());
@@ -115,7 +115,7 @@ TEST_CASE("an empty snapshot holds nothing and says so") {
     CHECK(taken.payload().empty());
 }
 
-TEST_CASE("a question tells as many values as its event has fields") {
+TEST_CASE("a question needs as many values as its event has fields") {
     Tree tree;
     BallModule module(tree);
     const Handle ball = tree.create(*module.type, tree.root(), "ball");
@@ -132,7 +132,7 @@ TEST_CASE("a question tells as many values as its event has fields") {
     CHECK(asked == 1);
 }
 
-TEST_CASE("a column without memory is found when the class has its first instance") {
+TEST_CASE("a column without memory is reported when the class gets its first instance") {
     Tree tree;
     static double memory[4] = {};
     static std::byte* where;

@@ -9,7 +9,7 @@ using namespace fettle::property;
 using namespace fettle::property::testing;
 
 namespace {
-/// Writes down what it is told, a line each.
+/// Records the notifications, one per line.
 class Notes : public Observer {
   public:
     explicit Notes(Tree& tree) : tree_(tree) { tree.observe(*this); }
@@ -49,21 +49,21 @@ struct Fixture {
 using Lines = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "an observer is told of every write once it is done") {
+TEST_CASE_METHOD(Fixture, "an observer is notified of every write after it") {
     tree.set(ball, "mass", 5.0);
     tree.set(ball, "mass", 5.0);
     tree.set_or_add(ball, "lives", 3);
     tree.reset(ball, tree.property(ball, "mass"));
     tree.remove_ad_hoc(ball, "lives");
-    const Lines told = notes.take();
-    REQUIRE(told.size() == 4);
-    CHECK(told[0] == "world.ball.mass = 5 by module");
-    CHECK(told[1] == "world.ball.lives = 3 by module");
-    CHECK(told[2].find("world.ball.mass") == 0);
-    CHECK(told[3] == "world.ball.lives removed");
+    const Lines reported = notes.take();
+    REQUIRE(reported.size() == 4);
+    CHECK(reported[0] == "world.ball.mass = 5 by module");
+    CHECK(reported[1] == "world.ball.lives = 3 by module");
+    CHECK(reported[2].find("world.ball.mass") == 0);
+    CHECK(reported[3] == "world.ball.lives removed");
 }
 
-TEST_CASE_METHOD(Fixture, "an observer is told of births and deaths and moves") {
+TEST_CASE_METHOD(Fixture, "an observer is notified of created and deleted and moved instances") {
     const Handle box = tree.create(tree.object_class(), world, "box");
     tree.rename(box, "crate");
     tree.move(box, tree.root());
@@ -72,7 +72,7 @@ TEST_CASE_METHOD(Fixture, "an observer is told of births and deaths and moves") 
           Lines{"created world.box", "moved world.crate", "moved crate", "destroying crate"});
 }
 
-TEST_CASE_METHOD(Fixture, "an observer is told of formulas and of what they compute") {
+TEST_CASE_METHOD(Fixture, "an observer is notified of formulas and of their results") {
     const Property& mass = tree.property(ball, "mass");
     tree.set_or_add(world, "twice", 2.0);
     notes.take();
@@ -88,7 +88,7 @@ TEST_CASE_METHOD(Fixture, "an observer is told of formulas and of what they comp
                                 "world.ball.mass is plain"});
 }
 
-TEST_CASE_METHOD(Fixture, "undo and redo are told to observers like any other write") {
+TEST_CASE_METHOD(Fixture, "an observer is notified of undo and redo like of other writes") {
     {
         const Tree::CauseScope console(tree, Writer::console);
         tree.set(ball, "mass", 5.0);
@@ -97,13 +97,15 @@ TEST_CASE_METHOD(Fixture, "undo and redo are told to observers like any other wr
     notes.take();
     tree.undo();
     tree.undo();
-    const Lines told = notes.take();
-    CHECK(told.front() == "created world.ball");
-    CHECK(std::find(told.begin(), told.end(), "world.ball.mass = 5 by undo") != told.end());
+    const Lines reported = notes.take();
+    CHECK(reported.front() == "created world.ball");
+    CHECK(std::find(reported.begin(), reported.end(), "world.ball.mass = 5 by undo") !=
+          reported.end());
     CHECK(tree.get(ball, "mass").number() == 1);
 }
 
-TEST_CASE_METHOD(Fixture, "only calls that change a module's memory are told to observers") {
+TEST_CASE_METHOD(Fixture,
+                 "an observer is notified only of calls that change the memory of a module") {
     ClassDescriptor horn{.name = "Horn"};
     const auto method = [](std::string name, Effect effect) {
         return Method{.name = std::move(name),

@@ -1,4 +1,4 @@
-// Functions of a host that go wrong, or that put another in their own place while they run.
+// Functions of a host that fail, or that replace themselves while they run.
 
 #include "catch.h"
 #include "fixture.h"
@@ -10,7 +10,7 @@ namespace own_callbacks_test {
 using namespace fettle::property;
 using namespace fettle::property::testing;
 
-TEST_CASE("an undo that a module has no room for is noted and can be tried again") {
+TEST_CASE("an undo for which a module has no room is reported and can be repeated") {
     Tree tree;
     static bool full;
     full = false;
@@ -37,21 +37,21 @@ TEST_CASE("an undo that a module has no room for is noted and can be tried again
     CHECK_FALSE(tree.alive(guest));
 }
 
-TEST_CASE("a function that takes errors may put another in its place") {
+TEST_CASE("a function that receives errors may replace itself") {
     Tree tree;
     const std::string text(100, 'q');
-    std::string told;
-    tree.on_handler_error([&tree, &told, text](const HandlerError&) {
+    std::string reported;
+    tree.on_handler_error([&tree, &reported, text](const HandlerError&) {
         tree.on_handler_error(nullptr);
-        told = text;
+        reported = text;
     });
     tree.at_barrier([] { throw 5; });
     tree.barrier();
-    CHECK(told == text);
+    CHECK(reported == text);
     Tree compiling;
-    compiling.compile_formulas_with([&compiling, &told, text](std::string_view) {
+    compiling.compile_formulas_with([&compiling, &reported, text](std::string_view) {
         compiling.compile_formulas_with({});
-        told = text + "!";
+        reported = text + "!";
         return Formula{.function = [](const Tree&) { return Value(1.0); }, .source = "1"};
     });
     const Handle a = compiling.create(compiling.object_class(), compiling.root(), "a");
@@ -59,7 +59,7 @@ TEST_CASE("a function that takes errors may put another in its place") {
     compiling.set_formula(a, "q",
                           {.function = [](const Tree&) { return Value(1.0); }, .source = "1"});
     compiling.restore(Snapshot::from_bytes(compiling.snapshot().to_bytes()));
-    CHECK(told == text + "!");
+    CHECK(reported == text + "!");
 }
 
 TEST_CASE("a setter that a formula calls cannot restore a snapshot") {
@@ -95,14 +95,14 @@ TEST_CASE("a setter that a formula calls cannot restore a snapshot") {
     before = {};
 }
 
-TEST_CASE("what is told of weight or asked for a place may throw and the tree stays whole") {
+TEST_CASE("the tree stays consistent if the functions for weight and place throw") {
     Tree tree;
-    std::vector<std::string> told;
-    tree.on_handler_error([&](const HandlerError& error) { told.push_back(error.message); });
+    std::vector<std::string> reported;
+    tree.on_handler_error([&](const HandlerError& error) { reported.push_back(error.message); });
     tree.mark_weight(0, [] { throw std::runtime_error("boom"); });
     const Handle a = tree.create(tree.object_class(), tree.root(), "a");
     CHECK(tree.alive(a));
-    CHECK(told == std::vector<std::string>{"boom"});
+    CHECK(reported == std::vector<std::string>{"boom"});
     tree.check(tree.snapshot());
     std::function<std::string()> locate = []() -> std::string {
         throw std::runtime_error("where");
@@ -116,7 +116,9 @@ TEST_CASE("what is told of weight or asked for a place may throw and the tree st
     CHECK(tree.find(a, "v") == nullptr);
 }
 
-TEST_CASE("a way back of nobody does nothing and a block that was not begun is refused") {
+TEST_CASE(
+    "a way back for an instance of another tree does nothing and the end of an unopened block is "
+    "refused") {
     Tree large, small;
     Handle far;
     for (int i = 0; i < 5000; ++i) far = large.create(large.object_class(), large.root());

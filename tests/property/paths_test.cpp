@@ -1,4 +1,4 @@
-// Paths and patterns: what a name looks like in one, what they lead to, and what is no path.
+// Paths and patterns: names in them, their targets, and invalid paths.
 
 #include <functional>
 #include <random>
@@ -42,7 +42,7 @@ std::vector<std::string> names(const std::vector<Segment>& segments) {
     return all;
 }
 
-/// The meaning of a pattern, said as plainly as possible.
+/// A simple implementation of patterns.
 bool plainly_matches(const std::vector<std::string>& pattern, std::size_t p,
                      const std::vector<std::string>& path, std::size_t n) {
     if (p == pattern.size()) return n == path.size();
@@ -72,7 +72,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-TEST_CASE("a path is names and indices") {
+TEST_CASE("a path consists of names and indices") {
     using Names = std::vector<std::string>;
     CHECK(names(parse_path("world.ball.velocity.x")) == Names{"world", "ball", "velocity", "x"});
     CHECK(names(parse_path("game.world")) == Names{"world"});
@@ -84,7 +84,7 @@ TEST_CASE("a path is names and indices") {
     CHECK(names(parse_path("world[\"game\"].game")) == Names{"world", "game", "game"});
 }
 
-TEST_CASE("what is no path says where it goes wrong") {
+TEST_CASE("an error in a path is reported with its position") {
     for (const char* text : {"",
                              ".",
                              "world.",
@@ -121,7 +121,7 @@ TEST_CASE("what is no path says where it goes wrong") {
           std::string::npos);
 }
 
-TEST_CASE("words that Lua reserves are no identifiers") {
+TEST_CASE("words that Lua reserves are not identifiers") {
     CHECK(is_identifier("ball_2"));
     CHECK(is_identifier("_"));
     for (const char* name : {"", "2", "end", "nil", "my ball", "a-b", "ü", "a.b"}) {
@@ -146,7 +146,7 @@ TEST_CASE_METHOD(PathFixture, "a path leads to instances and properties and part
     CHECK(resolve(tree, "world.ball").property == nullptr);
 }
 
-TEST_CASE_METHOD(PathFixture, "a path to nothing says what is there") {
+TEST_CASE_METHOD(PathFixture, "a path without a target is reported with the existing names") {
     CHECK(refusal("world.bal") == "world has no property \"bal\" (did you mean \"ball\"?)");
     CHECK(refusal("world.ball.radios").find("(did you mean \"radius\"?)") != std::string::npos);
     CHECK(refusal("wrld.ball").find("(did you mean \"world\"?)") != std::string::npos);
@@ -161,7 +161,7 @@ TEST_CASE_METHOD(PathFixture, "a path to nothing says what is there") {
           std::string::npos);
 }
 
-TEST_CASE_METHOD(PathFixture, "parts of a value are written through the whole") {
+TEST_CASE_METHOD(PathFixture, "a write to a part of a value writes the whole value") {
     set(tree, "world.points[1].y", 9);
     set(tree, "world.points[4]", "appended");
     CHECK(at("world.points") == Value(List{Vec2(1, 9), Vec2(3, 4), "x", "appended"}));
@@ -185,7 +185,7 @@ TEST_CASE_METHOD(PathFixture, "parts of a value are written through the whole") 
           std::string::npos);
 }
 
-TEST_CASE_METHOD(PathFixture, "the path of an instance leads back to it whatever it is called") {
+TEST_CASE_METHOD(PathFixture, "the path of an instance leads to it with any name") {
     std::mt19937 random(3);
     std::vector<std::string> odd = {
         "my ball", "end", "1",   "a.b", "a\"b", "a\\",  "\\\"", "]",   "\n",    "[1]",
@@ -209,7 +209,7 @@ TEST_CASE_METHOD(PathFixture, "the path of an instance leads back to it whatever
     }
 }
 
-TEST_CASE_METHOD(PathFixture, "no child of the root is called like the root") {
+TEST_CASE_METHOD(PathFixture, "no child of the root has the name of the root") {
     CHECK(message_of([&] { tree.create(tree.object_class(), tree.root(), "game"); }) != "");
     CHECK(message_of([&] { tree.rename(world, "game"); }) != "");
     const Handle game = tree.create(tree.object_class(), world, "game");
@@ -217,7 +217,7 @@ TEST_CASE_METHOD(PathFixture, "no child of the root is called like the root") {
     CHECK(resolve(tree, "world.game").instance == game);
 }
 
-TEST_CASE_METHOD(PathFixture, "text that is no path never does harm") {
+TEST_CASE_METHOD(PathFixture, "text that is not a path does no harm") {
     std::mt19937 random(4);
     const std::string letters = "world.ball[1]\"\\ *game\xff\n-9";
     for (int i = 0; i < 20000; ++i) {
@@ -239,7 +239,7 @@ TEST_CASE_METHOD(PathFixture, "text that is no path never does harm") {
     CHECK(refusal(long_path) != "");
 }
 
-TEST_CASE_METHOD(PathFixture, "patterns match what they say") {
+TEST_CASE_METHOD(PathFixture, "patterns match the described paths") {
     const Property& radius = tree.property(ball, "radius");
     const auto matches = [&](std::string_view pattern) {
         return Pattern(pattern).matches(tree, ball, radius);
@@ -262,14 +262,14 @@ TEST_CASE_METHOD(PathFixture, "patterns match what they say") {
     CHECK_FALSE(Pattern("**").matches(tree, loose));
 }
 
-TEST_CASE("a quoted name of a pattern stands in brackets between dots") {
+TEST_CASE("a quoted name of a pattern is in brackets between dots") {
     REQUIRE_THROWS_WITH(Pattern("world.\"ball\""), contains("a quoted name stands in brackets"));
     REQUIRE_THROWS_WITH(Pattern("wor\"ld"), contains("a quoted name stands in brackets"));
     REQUIRE_THROWS_WITH(Pattern("world[\"ball\"]radius"), contains("\".\" was expected"));
     REQUIRE_NOTHROW(Pattern("world[\"a.b\"][\"c\"].radius"));
 }
 
-TEST_CASE_METHOD(PathFixture, "patterns agree with their plain meaning") {
+TEST_CASE_METHOD(PathFixture, "patterns match as in a simple implementation") {
     std::mt19937 random(6);
     const std::vector<std::string> steps = {"a", "b", "ab", "aab", "ba"};
     const std::vector<std::string> wanted = {"a", "b", "ab", "*", "**", "a*", "*b", "*a*", "a*b"};

@@ -14,15 +14,15 @@
 
 namespace pinned_test {
 
-// Functions that the tree calls in the middle of its own work and that destroy it: the program is
-// ended, and says by whom.
+// Functions called inside an operation of the tree that destroy the tree: the program is ended with
+// a message that names the function.
 
 using namespace fettle::property;
 using fettle::property::testing::message_of;
 
 namespace {
 
-/// What the error is by which `act` ends a program of its own.
+/// The error output of a process in which `act` ends the program.
 std::string last_words(const std::function<void()>& act) {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -60,7 +60,9 @@ const Class& with(const std::function<void(ClassDescriptor&)>& spoil) {
 
 }  // namespace
 
-TEST_CASE("whoever destroys the tree in the middle of its work ends the program by name") {
+TEST_CASE(
+    "destroying the tree inside one of its operations ends the program with the name of the "
+    "function") {
     const auto ends = [](const char* who, const std::function<void()>& act) {
         INFO(who);
         tree = std::make_unique<Tree>();

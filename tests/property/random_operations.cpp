@@ -21,7 +21,7 @@ double number_of(const Value& value) {
     return value.is(Type::vec2) ? value.vec2().y() : value.as_double();
 }
 
-constexpr std::size_t most_instances = 12;
+constexpr std::size_t max_instances = 12;
 
 }  // namespace
 
@@ -35,10 +35,10 @@ std::ostream& operator<<(std::ostream& out, const Operation& operation) {
 struct RandomRun::Watcher {
     int instance = 0;
     std::string property;
-    Value known;  // what it was told last
+    Value known;  // the value that it got last
     int action = 0;
     int number = 0;
-    int acts_left = 3;  // or handlers would answer each other forever
+    int acts_left = 3;  // limited, because handlers could trigger each other without end
     Connection connection;
 };
 
@@ -64,14 +64,14 @@ bool RandomRun::present(int instance, const std::string& property) const {
     return world_.instances[static_cast<std::size_t>(instance)].values.contains(property);
 }
 
-// --- One operation on both
+// --- One operation on tree and model
 
 void RandomRun::run(const Operation& operation) {
     run_alone(operation);
     check_lists();
 }
 
-// A list of children that has no end would hang whatever walks it.
+// A list of children without end would block every loop over it.
 void RandomRun::check_lists() const {
     const auto walk = [this](Handle parent) {
         std::size_t count = 0;
@@ -136,7 +136,7 @@ void RandomRun::run_alone(const Operation& operation) {
         case Operation::set:
             return set(*some, name, d % 7 == 0 ? 13 : (d % 160) / 4.0 - 4);
         case Operation::set_formula: {
-            // References also to instances that are gone, or not there yet.
+            // References may lead to deleted instances and to some that do not exist yet.
             Recipe recipe;
             recipe.kind = static_cast<Recipe::Kind>(d % Recipe::kinds);
             recipe.first = d / 7 % 5 == 0 ? b % static_cast<int>(world_.instances.size()) : *other;
@@ -155,7 +155,7 @@ void RandomRun::run_alone(const Operation& operation) {
         case Operation::watch:
             return watch(*some, watched[static_cast<std::size_t>(c) % watched.size()], d % 8, b);
         case Operation::rename: {
-            // The name of one that is not in the world, so that paths lead elsewhere.
+            // The name of an instance outside the world, so that paths get another target.
             const std::string taken = "n" + std::to_string(b % static_cast<int>(handles_.size()));
             if (naive(*some).name == taken || tree_.child(tree_.parent(handle(*some)), taken))
                 return;
@@ -190,7 +190,7 @@ void RandomRun::note(NaiveWorld before) {
 }
 
 void RandomRun::create(const std::string& name) {
-    if (world_.alive().size() >= most_instances) return;
+    if (world_.alive().size() >= max_instances) return;
     edit([&] {
         const Handle made = tree_.create(*module_.type, root_, name);
         handles_.push_back(made);
@@ -267,7 +267,7 @@ void RandomRun::clear(int instance, const std::string& property) {
     });
 }
 
-// The simulation writes its own memory and tells nobody.
+// The simulation writes into its memory without notifying the tree.
 void RandomRun::simulate(int number) {
     settle();
     for (const int instance : world_.alive()) {
@@ -291,10 +291,11 @@ void RandomRun::step_in_history(bool back) {
     if (from.empty()) return;
     NaiveWorld then = std::move(from.back());
     from.pop_back();
-    // What the simulation wrote since is no edit: it stays, also that of what comes back.
+    // Values written by the simulation since are not part of the edit: they stay, also for restored
+    // instances.
     for (std::size_t i = 0; i < then.instances.size(); ++i)
         then.instances[i].values["speed"] = world_.instances[i].values["speed"];
-    // Instances made since are gone, and remembered: doing it again brings them back.
+    // Instances made since are deleted and remembered, because redo restores them.
     while (then.instances.size() < world_.instances.size()) {
         NaiveInstance gone = world_.instances[then.instances.size()];
         gone.alive = false;
@@ -304,10 +305,10 @@ void RandomRun::step_in_history(bool back) {
     world_ = std::move(then);
 }
 
-// Everything is as it was, the list of undo too; what was made since is gone for ever.
+// Restores everything, including the history; instances made since do not exist any more.
 void RandomRun::restore() {
     if (!kept_ || in_edit_) return;
-    settle();  // changes that nobody was told yet would be lost
+    settle();  // changes not yet reported would be lost
     tree_.restore(kept_->snapshot);
     NaiveWorld then = kept_->world;
     while (then.instances.size() < world_.instances.size()) {
@@ -325,7 +326,7 @@ void RandomRun::restore() {
 
 void RandomRun::watch(int instance, const std::string& property, int action, int number) {
     if (watchers_.size() > 40 || !tree_.find(handle(instance), property)) return;
-    settle();  // so that what it knows at first is what is there
+    settle();  // so that its first value is the current one
     if (!tree_.alive(handle(instance)) || !tree_.find(handle(instance), property)) return;
     auto made = std::make_unique<Watcher>();
     Watcher& watcher = *made;
@@ -335,19 +336,19 @@ void RandomRun::watch(int instance, const std::string& property, int action, int
     watcher.number = number;
     watcher.known = tree_.peek(handle(instance), tree_.property(handle(instance), property));
     watcher.connection = tree_.watch(handle(instance), property,
-                                     [this, &watcher](const Change& c) { told(watcher, c); });
+                                     [this, &watcher](const Change& c) { reported(watcher, c); });
     watchers_.push_back(std::move(made));
 }
 
-void RandomRun::told(Watcher& watcher, const Change& change) {
+void RandomRun::reported(Watcher& watcher, const Change& change) {
     const std::string cell = "n" + std::to_string(watcher.instance) + "." + watcher.property;
-    check(in_barrier_, "told of " + cell + " outside of a barrier");
+    check(in_barrier_, "notified of " + cell + " outside of a barrier");
     check(change.instance == handle(watcher.instance),
-          "told of the change of another than " + cell);
-    check(change.old_value == watcher.known, "told that " + cell + " was " +
+          "notified of a change of another cell than " + cell);
+    check(change.old_value == watcher.known, "notified that " + cell + " was " +
                                                  value_text(change.old_value) + ", knew " +
                                                  value_text(watcher.known));
-    check(!(change.new_value == change.old_value), "told of " + cell + " though nothing changed");
+    check(!(change.new_value == change.old_value), "notified of " + cell + " without a change");
     watcher.known = change.new_value;
     act(watcher);
 }
@@ -391,9 +392,8 @@ void RandomRun::settle() {
     handlers_wrote_ = false;
     tree_.barrier();
     in_barrier_ = false;
-    // Nothing is computed twice, unless handlers wrote in between, be it that one took back what
-    // another did. Only circles tied into each
-    // other take a few rounds until all of them have the same error.
+    // No formula is computed twice, unless handlers wrote in between, even if one undid the write
+    // of another. Only connected cycles need a few rounds until all of them have the same error.
     const auto runs = runs_;
     if (!handlers_wrote_)
         for (const auto& [cell, count] : runs) {
@@ -417,7 +417,7 @@ void RandomRun::check_cell(int instance, const std::string& property) {
     try {
         expected = world_.read(instance, property);
     } catch (const std::exception&) {
-        // stays empty: in error
+        // empty: the cell is in error
     }
     std::optional<double> got;
     std::string problem;
@@ -484,7 +484,7 @@ void RandomRun::check_everything() {
         check(tree_.alive(of), "a watcher outlived what it watches");
         const Property* property = tree_.find(of, watcher->property);
         const Value now = property != nullptr ? tree_.peek(of, *property) : Value();
-        check(now == watcher->known, "nobody told that n" + std::to_string(watcher->instance) +
+        check(now == watcher->known, "no notification that n" + std::to_string(watcher->instance) +
                                          "." + watcher->property + " is " + value_text(now) +
                                          ", not " + value_text(watcher->known));
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Random operations on a tree and on a naive world side by side; after each barrier both must be
-// the same, formulas settled, and every watcher must know what it watches.
+// Random operations on a tree and on a model in parallel; after each barrier both must be equal,
+// all formulas must be settled, and every watcher must have the current value.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace fettle::property::testing {
 
-/// Numbers that a failing run prints, and that make the same run again.
+/// The numbers of an operation, which a failing run prints and which reproduce it.
 struct Operation {
     enum Kind {
         create,
@@ -43,24 +43,24 @@ struct Operation {
         kinds
     };
     Kind kind = barrier;
-    std::array<int, 4> numbers{};  // each 0 to 9999; what they mean depends on the kind
+    std::array<int, 4> numbers{};  // each from 0 to 9999; the meaning depends on the kind
 };
 std::ostream& operator<<(std::ostream& out, const Operation& operation);
 
-/// A difference between tree and naive world.
+/// A difference between tree and model.
 class Difference : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 class RandomRun {
   public:
-    /// `people`: all edits are a person's and can be undone; else scripts write, and handlers
-    /// create, delete and edit as well.
+    /// `people`: all edits are made by a person and can be undone; otherwise scripts write, and
+    /// handlers create, delete and edit, too.
     explicit RandomRun(bool people);
     ~RandomRun();
     /// Throws Difference.
     void run(const Operation& operation);
-    /// A barrier, and a look at everything.
+    /// Runs a barrier and compares everything.
     void settle();
 
   private:
@@ -84,11 +84,11 @@ class RandomRun {
     void step_in_history(bool back);
     void restore();
     void watch(int instance, const std::string& property, int action, int number);
-    void told(Watcher& watcher, const Change& change);
+    void reported(Watcher& watcher, const Change& change);
     void act(Watcher& watcher);
     void explain(int instance, const std::string& property);
 
-    /// Runs what may be an edit of its own, and notes the world before it where it was one.
+    /// Runs a function that may be an edit, and records the world before it if it was one.
     template <class Edit>
     void edit(Edit edit);
     void note(NaiveWorld before);
@@ -112,10 +112,11 @@ class RandomRun {
     };
     std::optional<Kept> kept_;
     bool people_, in_edit_ = false, wrote_ = false, in_barrier_ = false;
-    bool handlers_wrote_ = false;  // in the last barrier
+    bool handlers_wrote_ = false;  // at the last barrier
     NaiveWorld before_edit_;
     std::uint64_t steps_ = 0;
-    std::map<std::pair<int, std::string>, int> runs_;  // of formulas, since the last barrier began
+    std::map<std::pair<int, std::string>, int>
+        runs_;  // number of calls of formulas since the last barrier began
 };
 
 }  // namespace fettle::property::testing

@@ -1,5 +1,5 @@
-// Long random runs against the naive world. FETTLE_MODEL_OPERATIONS and FETTLE_MODEL_SEED choose
-// how many operations and which; both are printed.
+// Long random runs compared with the model. FETTLE_MODEL_OPERATIONS and FETTLE_MODEL_SEED set the
+// number of operations and the seed; both are printed.
 
 #include <rapidcheck.h>
 
@@ -16,7 +16,7 @@ using namespace fettle::property::testing;
 
 namespace {
 
-constexpr int longest = 400;  // operations of one run
+constexpr int longest = 400;  // operations per run
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
     const char* text = std::getenv(name);
@@ -50,8 +50,8 @@ rc::Gen<Operation> operation() {
         });
 }
 
-/// Whether tree and naive world agree in `operations` random operations in all, half of them a
-/// person's.
+/// True if tree and model agree in `operations` random operations in total; `people`: all edits are
+/// made by a person.
 bool agree(bool people, std::uint64_t operations, std::uint64_t seed) {
     std::uint64_t made = 0;
     const auto holds = [&] {
@@ -62,7 +62,7 @@ bool agree(bool people, std::uint64_t operations, std::uint64_t seed) {
             for (const Operation& each : list) run->run(each);
             run->settle();
         } catch (...) {
-            (void)run.release();  // a broken tree may not even end
+            (void)run.release();  // the destructor of a broken tree may crash
             throw;
         }
         made += list.size();
@@ -86,14 +86,13 @@ bool agree(bool people, std::uint64_t operations, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("random edits of people with undo and redo and formulas agree with a naive world",
+TEST_CASE("random edits by people with undo and redo and formulas agree with the model",
           "[model]") {
     CHECK(agree(true, from_environment("FETTLE_MODEL_OPERATIONS", 20'000) / 2,
                 from_environment("FETTLE_MODEL_SEED", 1)));
 }
 
-TEST_CASE("random edits of scripts and handlers with formulas agree with a naive world",
-          "[model]") {
+TEST_CASE("random edits by scripts and handlers with formulas agree with the model", "[model]") {
     CHECK(agree(false, from_environment("FETTLE_MODEL_OPERATIONS", 20'000) / 2,
                 from_environment("FETTLE_MODEL_SEED", 1)));
 }

@@ -1,4 +1,4 @@
-// A snapshot of one tree restored in another, whose instances are others at the same handles.
+// A snapshot of one tree restored in another, in which the same handles refer to other instances.
 
 #include <memory>
 
@@ -15,7 +15,7 @@ using namespace fettle::property::testing;
 
 namespace {
 
-/// A module whose rows tell of which class they are.
+/// A module that records the class of each row.
 struct Rows {
     std::vector<std::string> made;  // by row
     std::vector<std::string> wrong;
@@ -59,7 +59,8 @@ std::vector<Handle> make(Tree& tree, const std::string& of, int count) {
 
 }  // namespace
 
-TEST_CASE("instances of another class at the same handles are others with rows of their own") {
+TEST_CASE(
+    "instances of another class with the same handles are different ones with their own rows") {
     const Snapshots kept = GENERATE(Snapshots::by_value, Snapshots::never);
     CAPTURE(static_cast<int>(kept));
     Rows rows;
@@ -93,7 +94,7 @@ TEST_CASE("instances of another class at the same handles are others with rows o
     CHECK(rows.wrong.empty());
 }
 
-TEST_CASE("watchers of an instance end with it where another class has its handle then") {
+TEST_CASE("watchers of an instance end if its handle now refers to an instance of another class") {
     Rows rows;
     Tree a, b;
     for (Tree* tree : {&a, &b}) {
@@ -104,23 +105,23 @@ TEST_CASE("watchers of an instance end with it where another class has its handl
     const Handle second = make(b, "Second", 1)[0];
     REQUIRE(first == second);
     b.barrier();
-    std::vector<std::string> told;
-    b.watch(second, "label", [&](const Change&) { told.emplace_back("changed"); });
+    std::vector<std::string> reported;
+    b.watch(second, "label", [&](const Change&) { reported.emplace_back("changed"); });
     b.watch_deleted(second, [&](const Existence& gone) {
-        told.push_back(gone.instance_class->name() + " deleted: " + gone.path);
+        reported.push_back(gone.instance_class->name() + " deleted: " + gone.path);
     });
     b.watch_created(b.class_named("First"),
-                    [&](const Existence& made) { told.push_back(b.path(made.instance)); });
+                    [&](const Existence& made) { reported.push_back(b.path(made.instance)); });
     set(a, "First0.label", "of a");
     b.restore(a.snapshot());
     b.barrier();
-    CHECK(told == std::vector<std::string>{"Second deleted: Second0", "First0"});
+    CHECK(reported == std::vector<std::string>{"Second deleted: Second0", "First0"});
     b.set(first, "label", "of b");
     b.barrier();
-    CHECK(told.size() == 2);
+    CHECK(reported.size() == 2);
 }
 
-TEST_CASE("edits of one tree are no history of another") {
+TEST_CASE("edits of one tree are not in the history of another") {
     const bool lives = GENERATE(true, false);
     auto a = std::make_unique<Tree>();
     Tree b;
@@ -155,7 +156,7 @@ TEST_CASE("edits of one tree are no history of another") {
         CHECK(message_of([&] { other.play(each); }) ==
               "this piece of a log of writes is of another tree");
     CHECK(b.history().empty());
-    // The slots that were kept for the dead of those edits are free again.
+    // The slots reserved for the deleted instances of those edits are free again.
     std::vector<Handle> made;
     for (int i = 0; i < 3; ++i) made.push_back(b.create(b.class_named("Kind"), b.root()));
     for (const Handle each : made) CHECK(&b.class_of(each) == &b.class_named("Kind"));
@@ -207,7 +208,7 @@ TEST_CASE("formulas of one tree are compiled by the compiler of the other") {
         CHECK(restore_remarks(b)[0] ==
               "o.sum: its formula cannot be compiled here; it keeps the value that it had");
     }
-    SECTION("with a formula of its own at the same place") {
+    SECTION("if the same cell has a formula there") {
         b.set_formula(of_b, "secret", {.function = [](const Tree&) { return Value(7.0); }});
         b.restore(snapshot);
         b.barrier();
@@ -216,7 +217,7 @@ TEST_CASE("formulas of one tree are compiled by the compiler of the other") {
     CHECK(runs == 2);
 }
 
-TEST_CASE("what a part keeps in memory is given to that part only") {
+TEST_CASE("memory that a part keeps is given only to that part") {
     struct Keeper : SnapshotPart {
         explicit Keeper(Tree& in) : tree(in) { tree.add_part(*this); }
         ~Keeper() override { tree.remove_part(*this); }

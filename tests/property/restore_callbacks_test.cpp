@@ -1,5 +1,5 @@
-// What modules and hosts do while a restore calls them: it is refused, or the restore is whole all
-// the same.
+// Calls of modules and hosts during a restore: they are refused, or the restore is complete all the
+// same.
 
 #include <memory>
 
@@ -16,13 +16,13 @@ using namespace fettle::property::testing;
 
 namespace {
 
-/// Instances with rows of their own, and what else their module does when it is called.
+/// A class with a row per instance, and functions that its module calls.
 struct Things {
     std::function<void(Handle)> making, ending;
     std::vector<Row> ended;
     Row rows = 0;
     const Class* is = nullptr;
-    Tree tree;  // last: as it ends it tells of each
+    Tree tree;  // last, because its destructor calls the module for each instance
 
     Things() {
         ClassDescriptor d{.name = "Thing"};
@@ -54,7 +54,7 @@ struct Things {
 
 }  // namespace
 
-TEST_CASE("a module that is told of the end of its rows in a restore changes no structure") {
+TEST_CASE("a module notified of the end of its rows in a restore may not change the structure") {
     Things things;
     Tree& tree = things.tree;
     const Handle stays = things.make("stays");
@@ -84,19 +84,20 @@ TEST_CASE("a module that is told of the end of its rows in a restore changes no 
         change();
     };
     tree.restore(before);
-    CHECK(refused == "a module is told of the instances that a restore takes away: it cannot " +
-                         what + " before the restore is over");
+    CHECK(refused ==
+          "a module is being notified of the instances that a restore removes: it cannot " + what +
+              " before the restore is over");
     CHECK(things.ended.size() == 50);
     CHECK(tree.size() == 2);
     CHECK(tree.path(stays) == "stays");
     REQUIRE(restore_remarks(tree).size() == 50);
     CHECK(restore_remarks(tree)[0] ==
-          "thing_1: its module, told of its end, has failed: " + refused);
+          "thing_1: its module failed when it was notified of the removal: " + refused);
     things.ending = {};
     CHECK(tree.alive(things.make("after")));
 }
 
-TEST_CASE("what a module makes below an instance in a restore has one row") {
+TEST_CASE("an instance that a module makes below another in a restore has one row") {
     Things things;
     Tree& tree = things.tree;
     const Handle a = things.make("a"), b = things.make("b");
@@ -134,7 +135,7 @@ TEST_CASE("what a module makes below an instance in a restore has one row") {
     CHECK(std::set<Row>(things.ended.begin(), things.ended.end()) == rows);
 }
 
-TEST_CASE("a watcher of an instance that is gone can be stopped within a restore") {
+TEST_CASE("a watcher of a deleted instance can be stopped within a restore") {
     Tree tree;
     const Handle hole = tree.create(tree.object_class(), tree.root(), "hole");
     tree.create(tree.object_class(), tree.root(), "last");
@@ -154,7 +155,7 @@ TEST_CASE("a watcher of an instance that is gone can be stopped within a restore
     tree.barrier();
 }
 
-TEST_CASE("a watcher that is registered within a restore is not that of who had the slot") {
+TEST_CASE("a watcher registered within a restore is not that of the earlier instance in the slot") {
     Tree tree;
     const Handle old = tree.create(tree.object_class(), tree.root(), "old");
     tree.set_or_add(old, "v", 0);
@@ -164,33 +165,35 @@ TEST_CASE("a watcher that is registered within a restore is not that of who had 
     tree.set_or_add(late, "v", 0);
     REQUIRE(late.index == old.index);
     tree.barrier();
-    std::vector<std::string> told;
-    tree.watch(late, "v", [&](const Change&) { told.emplace_back("late changed"); });
-    tree.watch_deleted(late, [&](const Existence&) { told.emplace_back("late gone"); });
+    std::vector<std::string> reported;
+    tree.watch(late, "v", [&](const Change&) { reported.emplace_back("late changed"); });
+    tree.watch_deleted(late, [&](const Existence&) { reported.emplace_back("late gone"); });
     tree.restore(before, [&] {
-        tree.watch(old, "v", [&](const Change&) { told.emplace_back("old changed"); });
-        tree.watch_deleted(old, [&](const Existence&) { told.emplace_back("old gone"); });
+        tree.watch(old, "v", [&](const Change&) { reported.emplace_back("old changed"); });
+        tree.watch_deleted(old, [&](const Existence&) { reported.emplace_back("old gone"); });
     });
     tree.barrier();
-    CHECK(told == std::vector<std::string>{"late gone"});
+    CHECK(reported == std::vector<std::string>{"late gone"});
     tree.set(old, "v", 1);
     tree.barrier();
-    CHECK(told == std::vector<std::string>{"late gone", "old changed"});
+    CHECK(reported == std::vector<std::string>{"late gone", "old changed"});
     tree.destroy(old);
     tree.barrier();
-    CHECK(told == std::vector<std::string>{"late gone", "old changed", "old gone"});
+    CHECK(reported == std::vector<std::string>{"late gone", "old changed", "old gone"});
 }
 
-TEST_CASE("watchers of who comes and goes within a restore are not those of the next in the slot") {
+TEST_CASE(
+    "watchers of instances made and deleted within a restore are not those of the next in the "
+    "slot") {
     Tree tree;
     const Handle old = tree.create(tree.object_class(), tree.root(), "old");
     const Snapshot before = tree.snapshot();
     tree.destroy(old);
     tree.barrier();
-    int told = 0;
+    int reported = 0;
     Handle next;
     tree.restore(before, [&] {
-        tree.watch(old, [&](const Change&) { ++told; });
+        tree.watch(old, [&](const Change&) { ++reported; });
         tree.destroy(old);
         next = tree.create(tree.object_class(), tree.root(), "next");
         REQUIRE(next.index == old.index);
@@ -199,11 +202,13 @@ TEST_CASE("watchers of who comes and goes within a restore are not those of the 
     tree.rename(next, "renamed");
     tree.set_or_add(next, "v", 1);
     tree.barrier();
-    CHECK(told == 0);
+    CHECK(reported == 0);
     CHECK(tree.watcher_count() == 0);
 }
 
-TEST_CASE("a formula of a time that is left is no formula of who has its cell in a restore") {
+TEST_CASE(
+    "a formula of the abandoned timeline is not used for another instance in its cell after a "
+    "restore") {
     Things things;
     Tree& tree = things.tree;
     const Snapshot before = [&] {
@@ -235,7 +240,7 @@ TEST_CASE("a formula of a time that is left is no formula of who has its cell in
 
 namespace {
 
-/// A part of snapshots that notes what is put into place.
+/// A part of snapshots that counts its restores.
 struct Part : SnapshotPart {
     Part(Tree& in, std::string called) : tree(in), name(std::move(called)) { tree.add_part(*this); }
     ~Part() override {
@@ -266,7 +271,7 @@ struct Part : SnapshotPart {
 
 }  // namespace
 
-TEST_CASE("a part that is removed while a snapshot is restored has nothing to put into place") {
+TEST_CASE("a part that is removed during a restore is not restored") {
     Things things;
     Tree& tree = things.tree;
     alignas(Part) std::byte room[sizeof(Part)];
@@ -278,7 +283,7 @@ TEST_CASE("a part that is removed while a snapshot is restored has nothing to pu
     Part* another = nullptr;
     const auto replace = [&] {
         first->~Part();
-        another = new (room) Part(tree, "another");  // in the same place
+        another = new (room) Part(tree, "another");  // at the same address
     };
     if (by_module) {
         things.make("thing");
@@ -304,7 +309,8 @@ TEST_CASE("a part that is removed while a snapshot is restored has nothing to pu
     (by_module ? another : first)->~Part();
 }
 
-TEST_CASE("a log brings up to date the very part that it noted, whatever came and went since") {
+TEST_CASE(
+    "a log updates only the part that it recorded even if parts were removed and added since") {
     Tree tree;
     auto first = std::make_unique<Part>(tree, "first");
     Part second(tree, "second"), third(tree, "third");

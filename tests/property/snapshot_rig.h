@@ -1,5 +1,5 @@
 #pragma once
-// A tree whose instances the tests of snapshots save and change, and snapshots as a file has them.
+// A tree whose instances the tests of snapshots save and change, and snapshots as in a file.
 
 #include "fixture.h"
 
@@ -29,7 +29,7 @@ struct SnapshotRig {
     }
 };
 
-/// The same bytes as a save file's: nothing of this process's memory goes along.
+/// The same bytes as in a save file, without the memory that only this process has.
 inline Snapshot through_bytes(const Snapshot& snapshot) {
     return Snapshot::from_bytes(snapshot.to_bytes());
 }

@@ -1,4 +1,4 @@
-// Snapshots of the tree itself: handles, values, formulas, history, watchers, and damaged bytes.
+// Snapshots of the tree: handles, values, formulas, history, watchers, and damaged bytes.
 
 #include "catch.h"
 #include "snapshot_rig.h"
@@ -46,7 +46,7 @@ TEST_CASE("a restored tree has the values it had") {
     REQUIRE(r.tree.path(b) == "a.b");
 }
 
-TEST_CASE("whoever existed then has the same handle again and later ones are dead for ever") {
+TEST_CASE("instances of the snapshot have the same handles again and later handles stay invalid") {
     SnapshotRig r;
     const Handle kept = r.make("kept"), lost = r.make("lost"), ball = r.ball("ball");
     r.tree.set(ball, "mass", 8);
@@ -63,7 +63,7 @@ TEST_CASE("whoever existed then has the same handle again and later ones are dea
     REQUIRE_FALSE(r.tree.alive(other));
     REQUIRE_THROWS_AS(r.tree.get(later, "lives"), Error);
 
-    // Slots are used again; their generations are not.
+    // Slots are used again, generations are not.
     for (int round = 0; round < 4; ++round) {
         r.tree.destroy(lost);
         const Handle again = r.make("again"), more = r.make("more");
@@ -77,7 +77,7 @@ TEST_CASE("whoever existed then has the same handle again and later ones are dea
     }
 }
 
-TEST_CASE("restoring twice gives no handle of a left future away again") {
+TEST_CASE("after two restores no handle of an abandoned timeline is used again") {
     SnapshotRig r;
     const Snapshot before = r.tree.snapshot();
     const Handle lost = r.make("lost");
@@ -88,7 +88,7 @@ TEST_CASE("restoring twice gives no handle of a left future away again") {
     CHECK(r.tree.alive(made));
 }
 
-TEST_CASE("who watches an added property hears that a restore brought it back") {
+TEST_CASE("a watcher of an ad-hoc property is notified when a restore adds it again") {
     SnapshotRig r;
     const Handle thing = r.make("thing");
     r.tree.set_or_add(thing, "score", 5);
@@ -104,7 +104,7 @@ TEST_CASE("who watches an added property hears that a restore brought it back") 
     CHECK(log == std::vector<std::string>{"5>nil", "nil>5"});
 }
 
-TEST_CASE("new instances get the slots they would have got") {
+TEST_CASE("new instances after a restore get the same slots as before") {
     SnapshotRig r;
     std::vector<Handle> all;
     for (int i = 0; i < 10; ++i) all.push_back(r.make("t" + std::to_string(i)));
@@ -117,7 +117,7 @@ TEST_CASE("new instances get the slots they would have got") {
     REQUIRE(first == second);
 }
 
-TEST_CASE("children keep their order and generated names go on where they were") {
+TEST_CASE("children keep their order and generated names continue") {
     SnapshotRig r;
     const Handle top = r.make("top");
     for (int i = 0; i < 5; ++i) r.tree.create(r.thing, top);
@@ -131,7 +131,7 @@ TEST_CASE("children keep their order and generated names go on where they were")
     REQUIRE(r.tree.name(r.tree.create(r.thing, top)) == "thing_6");
 }
 
-TEST_CASE("watchers hear what a restore changed and stay with whom they watch") {
+TEST_CASE("watchers are notified of changes by a restore and stay with their instances") {
     SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     std::vector<std::string> heard;
@@ -147,7 +147,7 @@ TEST_CASE("watchers hear what a restore changed and stay with whom they watch") 
     r.tree.set(b, "label", "x");
     r.tree.barrier();
     heard.clear();
-    r.tree.set(a, "lives", 10);  // not yet told, and never true
+    r.tree.set(a, "lives", 10);  // not yet reported, and never valid
     r.tree.restore(snapshot);
     r.tree.barrier();
     REQUIRE(heard == std::vector<std::string>{"a 10 3 restore", "b \"x\" \"\" restore"});
@@ -157,7 +157,7 @@ TEST_CASE("watchers hear what a restore changed and stay with whom they watch") 
     REQUIRE(heard == std::vector<std::string>{"a 3 5 module"});
 }
 
-TEST_CASE("watchers of instances that a restore ends hear deleted") {
+TEST_CASE("handlers of deleted are called for instances that a restore removes") {
     SnapshotRig r;
     const Handle a = r.make("a");
     const Snapshot snapshot = r.tree.snapshot();
@@ -180,7 +180,7 @@ TEST_CASE("watchers of instances that a restore ends hear deleted") {
     REQUIRE_THROWS_WITH(r.tree.require(later), contains("later was deleted"));
 }
 
-TEST_CASE("watchers of creation hear of whom a restore brings back") {
+TEST_CASE("watchers of creation are called for instances that a restore adds") {
     SnapshotRig r;
     const Handle a = r.make("a");
     std::vector<std::string> heard;
@@ -193,7 +193,7 @@ TEST_CASE("watchers of creation hear of whom a restore brings back") {
     REQUIRE(heard == std::vector<std::string>{"a"});
 }
 
-TEST_CASE("the root tells that a snapshot was restored") {
+TEST_CASE("the root emits an event for a restore") {
     SnapshotRig r;
     r.tree.set_step(3);
     const Snapshot snapshot = r.tree.snapshot();
@@ -208,7 +208,7 @@ TEST_CASE("the root tells that a snapshot was restored") {
     REQUIRE(heard == "3 10");
 }
 
-TEST_CASE("formulas come back and follow their sources again") {
+TEST_CASE("restored formulas follow their sources again") {
     SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     r.tree.set_formula(b, "lives",
@@ -223,14 +223,14 @@ TEST_CASE("formulas come back and follow their sources again") {
     r.tree.set(a, "lives", 4);
     REQUIRE(r.tree.get(b, "lives") == Value(8));
 
-    // And one made since is gone.
+    // A formula made since is removed.
     r.tree.set_formula(a, "lives", {[](const Tree&) { return Value(1); }});
     r.tree.restore(snapshot);
     REQUIRE(r.tree.formula_count() == 1);
     REQUIRE(r.tree.get(a, "lives") == Value(3));
 }
 
-TEST_CASE("after a restore the list of undo is that of the snapshot") {
+TEST_CASE("after a restore the history is that of the snapshot") {
     SnapshotRig r;
     const Handle a = r.make("a"), b = r.make("b");
     const auto edit = [&](auto what) {
@@ -242,7 +242,7 @@ TEST_CASE("after a restore the list of undo is that of the snapshot") {
     const Snapshot snapshot = r.tree.snapshot();
     edit([&] { r.tree.set(a, "lives", 5); });
     REQUIRE(r.tree.undo().done);
-    REQUIRE(r.tree.undo().done);  // b is back
+    REQUIRE(r.tree.undo().done);  // restores b
     REQUIRE(r.tree.alive(b));
     edit([&] { r.make("c"); });
     r.tree.restore(snapshot);
@@ -258,14 +258,14 @@ TEST_CASE("after a restore the list of undo is that of the snapshot") {
     REQUIRE(r.tree.redo().done);
     REQUIRE_FALSE(r.tree.alive(b));
 
-    // A file holds no history: the places of the dead are free again.
+    // A file contains no history, so the reserved slots are free.
     r.tree.restore(through_bytes(snapshot));
     REQUIRE(r.tree.history().empty());
     REQUIRE(r.make("d").index == b.index);
     REQUIRE_FALSE(r.tree.alive(b));
 }
 
-TEST_CASE("classes defined since a snapshot stay and have nobody in them") {
+TEST_CASE("classes defined since a snapshot stay without instances") {
     SnapshotRig r;
     const Snapshot snapshot = r.tree.snapshot();
     ClassDescriptor d;
@@ -280,7 +280,7 @@ TEST_CASE("classes defined since a snapshot stay and have nobody in them") {
     REQUIRE(r.tree.get(two, "x") == Value(1.0));
 }
 
-TEST_CASE("a snapshot of another process is read by names") {
+TEST_CASE("a snapshot of another process is matched by names") {
     std::vector<std::byte> bytes;
     Handle a;
     {
@@ -289,7 +289,7 @@ TEST_CASE("a snapshot of another process is read by names") {
         r.tree.set(a, "lives", 11);
         bytes = r.tree.snapshot().to_bytes();
     }
-    // Another order of classes, another type of a property, one more and one less.
+    // Another order of classes, another type of a property, one property more and one less.
     Tree tree;
     ClassDescriptor first;
     first.name = "First";
@@ -328,7 +328,8 @@ TEST_CASE("damaged bytes are refused and nothing changes") {
         damaged[at] ^= std::byte{1} << (at % 8);
         REQUIRE_THROWS_AS(Snapshot::from_bytes(damaged), Error);
     }
-    // As if the checksum were right: the reader has to notice itself, or it is harmless.
+    // Without the check of the checksum: the reader must refuse the bytes, or the change is
+    // harmless.
     const Snapshot good = Snapshot::from_bytes(bytes);
     for (std::size_t size = 0; size < good.payload().size(); ++size) {
         const auto part = good.payload().first(size);
@@ -351,7 +352,7 @@ TEST_CASE("damaged bytes are refused and nothing changes") {
     REQUIRE(r.tree.alive(ball));
 }
 
-TEST_CASE("a snapshot cannot be restored in a handler and waits for the end of the barrier") {
+TEST_CASE("a restore in a handler is refused and another waits for the end of the barrier") {
     SnapshotRig r;
     const Handle a = r.make("a");
     const Snapshot snapshot = r.tree.snapshot();

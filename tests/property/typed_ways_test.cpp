@@ -13,7 +13,7 @@ using namespace fettle::property::testing;
 
 namespace {
 
-struct Told {
+struct Report {
     std::string what;
     Writer writer;
     std::uint64_t step;
@@ -24,13 +24,13 @@ class Listener : public Observer {
     explicit Listener(Tree& tree) : tree_(tree) { tree.observe(*this); }
     ~Listener() override { tree_.unobserve(*this); }
     void wrote(Handle, const Property& p, const Value& now) override {
-        told.push_back(
+        reported.push_back(
             {p.name + " = " + tree_.text(now), tree_.cause().writer, tree_.cause().step});
     }
     void destroying(Handle h) override {
-        told.push_back({"destroying " + tree_.path(h), tree_.cause().writer, tree_.step()});
+        reported.push_back({"destroying " + tree_.path(h), tree_.cause().writer, tree_.step()});
     }
-    std::vector<Told> told;
+    std::vector<Report> reported;
 
   private:
     Tree& tree_;
@@ -57,7 +57,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "numbers and vectors are written and read without a value in between") {
+TEST_CASE_METHOD(Fixture, "numbers and vectors are written and read without a Value in between") {
     CHECK(tree.write(ball, of(ball, "mass"), 2.5));
     CHECK(tree.write(ball, of(ball, "velocity"), Vec2(1, -2)));
     CHECK(tree.write(ball, of(ball, "radius"), 0.75));
@@ -77,21 +77,21 @@ TEST_CASE_METHOD(Fixture, "numbers and vectors are written and read without a va
     CHECK(number == 7.0);
     CHECK(tree.read(ball, of(ball, "velocity"), vector));
     CHECK(vector == Vec2(1, -2));
-    CHECK(tree.read(ball, of(ball, "area"), number));  // read-only, but a number
+    CHECK(tree.read(ball, of(ball, "area"), number));  // read-only, but readable as a number
     CHECK(number == 3 * 0.75 * 0.75);
 }
 
-TEST_CASE_METHOD(Fixture, "what the memory cannot hold exactly is rounded before it is compared") {
+TEST_CASE_METHOD(Fixture, "a value is rounded to the type of the memory before it is compared") {
     const Property& mass = of(ball, "mass");
     module.ball(ball).awake = false;
     CHECK(tree.write(ball, mass, 0.1));
-    CHECK(module.ball(ball).awake);  // the hook of the module ran
+    CHECK(module.ball(ball).awake);  // the wake function of the module was called
     module.ball(ball).awake = false;
     CHECK(tree.write(ball, mass, 0.1));
     CHECK_FALSE(module.ball(ball).awake);
 }
 
-TEST_CASE_METHOD(Fixture, "the typed ways leave what is out of the ordinary to get and set") {
+TEST_CASE_METHOD(Fixture, "the typed functions leave special cases to get and set") {
     double number = 0;
     Vec2 vector(0, 0);
     CHECK_FALSE(tree.write(ball, of(ball, "mass"), -1.0));
@@ -99,7 +99,7 @@ TEST_CASE_METHOD(Fixture, "the typed ways leave what is out of the ordinary to g
     CHECK_FALSE(tree.write(ball, of(ball, "mass"), 1e300));
     CHECK_FALSE(tree.write(ball, of(ball, "mass"), std::nan("")));
     CHECK_FALSE(tree.write(ball, of(ball, "velocity"), Vec2(0, std::nan(""))));
-    CHECK_FALSE(tree.write(ball, of(ball, "charge"), 11.0));  // to be clamped
+    CHECK_FALSE(tree.write(ball, of(ball, "charge"), 11.0));  // must be clamped
     CHECK_FALSE(tree.write(ball, of(ball, "area"), 1.0));
     CHECK_FALSE(tree.write(ball, of(ball, "velocity"), 1.0));
     CHECK_FALSE(tree.write(kept, of(kept, "lives"), 1.0));
@@ -122,7 +122,7 @@ TEST_CASE_METHOD(Fixture, "the typed ways leave what is out of the ordinary to g
     CHECK_FALSE(tree.read(ball, mass, number));
 }
 
-TEST_CASE_METHOD(Fixture, "a person's edit never takes the typed way past the history") {
+TEST_CASE_METHOD(Fixture, "the typed functions refuse edits of a person because of the history") {
     const Tree::CauseScope console(tree, Writer::console);
     CHECK_FALSE(tree.write(ball, of(ball, "mass"), 2.0));
     tree.set(ball, "mass", 2.0);
@@ -130,7 +130,7 @@ TEST_CASE_METHOD(Fixture, "a person's edit never takes the typed way past the hi
 }
 
 TEST_CASE_METHOD(Fixture, "a formula read inside a setter is read again after the write") {
-    // What the formula reads depends on the cell in a way that nobody has declared.
+    // The formula depends on the cell in a way that is not declared.
     struct Gauge {
         Tree& tree;
         double level = 0, seen = 0;
@@ -162,13 +162,14 @@ TEST_CASE_METHOD(Fixture, "a formula read inside a setter is read again after th
     }
 }
 
-TEST_CASE_METHOD(Fixture, "a setter that refuses is heard on the typed way too") {
+TEST_CASE_METHOD(Fixture, "a refusal of a setter is reported by the typed functions too") {
     CHECK(message_of([&] { tree.write(ball, of(ball, "radius"), 13.0); }) ==
           "ball.radius: thirteen brings bad luck");
     CHECK(module.ball(ball).radius == 0.5);
 }
 
-TEST_CASE_METHOD(Fixture, "observers hear of typed writes in order and before anything else") {
+TEST_CASE_METHOD(Fixture,
+                 "observers are notified of typed writes in order and before other reports") {
     Listener listener(tree);
     const Property& mass = of(ball, "mass");
     tree.set_step(5);
@@ -176,9 +177,9 @@ TEST_CASE_METHOD(Fixture, "observers hear of typed writes in order and before an
         const Tree::CauseScope script(tree, Writer::script);
         tree.write(ball, mass, 2.0);
         tree.write(ball, of(ball, "velocity"), Vec2(1, 2));
-        tree.write(ball, mass, 2.0);  // it is that already
+        tree.write(ball, mass, 2.0);  // an unchanged value
         tree.set(ball, mass, 3.0);
-        CHECK(listener.told.size() == 3);
+        CHECK(listener.reported.size() == 3);
         tree.write(ball, mass, 4.0);
     }
     tree.write(ball, mass, 5.0);
@@ -188,16 +189,16 @@ TEST_CASE_METHOD(Fixture, "observers hear of typed writes in order and before an
     tree.write(kept, of(kept, "score"), 1.0);
     tree.barrier();
     std::string all;
-    for (const Told& told : listener.told)
-        all += told.what + " by " + std::string(writer_name(told.writer)) + " at " +
-               std::to_string(told.step) + "; ";
+    for (const Report& reported : listener.reported)
+        all += reported.what + " by " + std::string(writer_name(reported.writer)) + " at " +
+               std::to_string(reported.step) + "; ";
     CHECK(all ==
           "mass = 2 by script at 5; velocity = vec(1, 2) by script at 5; mass = 3 by script at 5; "
           "mass = 4 by script at 5; mass = 5 by module at 5; mass = 6 by module at 6; destroying "
           "ball by module at 6; score = 1 by module at 6; ");
 }
 
-TEST_CASE_METHOD(Fixture, "a change that a callback's write brings about says who and when") {
+TEST_CASE_METHOD(Fixture, "a change caused by a write of a callback has that cause") {
     std::string cause;
     int calls = 0;
     auto locate = std::function<std::string()>([&] { return ++calls, std::string("main.lua:7"); });
@@ -211,9 +212,9 @@ TEST_CASE_METHOD(Fixture, "a change that a callback's write brings about says wh
     }
     tree.barrier();
     CHECK(cause == "script, step 3");
-    CHECK(calls == 0);  // finding the line costs more than a callback may pay
+    CHECK(calls == 0);  // finding the line costs more than the limit for a callback
 
-    // Once something derived is watched, an edit that may change it says where it was made.
+    // While a derived property is watched, an edit of its sources has its place as cause.
     const Connection derived = tree.watch(
         ball, of(ball, "area"), [&](const Change& change) { cause = change.cause.text(); });
     {
@@ -226,7 +227,7 @@ TEST_CASE_METHOD(Fixture, "a change that a callback's write brings about says wh
     CHECK(cause == "main.lua:7, step 3");
 }
 
-TEST_CASE_METHOD(Fixture, "the shortest way tells what the memory holds, not what was given") {
+TEST_CASE_METHOD(Fixture, "the fast write reports the value in memory and not the argument") {
     Listener listener(tree);
     const Property& velocity = of(ball, "velocity");
     const Vec2 given(0.1, 0.2);
@@ -234,16 +235,15 @@ TEST_CASE_METHOD(Fixture, "the shortest way tells what the memory holds, not wha
     CHECK(tree.begin_write(ball, velocity, given) == Put::same);
     CHECK(tree.end_write(Put::same, ball, velocity, given));
     CHECK(module.ball(ball).velocity[1] == 0.2f);
-    CHECK_FALSE(tree.write(ball, velocity, Vec2(0x1p24 + 1, 0)));  // no float is that number
+    CHECK_FALSE(tree.write(ball, velocity, Vec2(0x1p24 + 1, 0)));  // no float equals that number
     tree.barrier();
-    REQUIRE(listener.told.size() == 1);
+    REQUIRE(listener.reported.size() == 1);
     const Vec2 held(static_cast<double>(0.1f), static_cast<double>(0.2f));
-    CHECK(listener.told[0].what == "velocity = " + tree.text(Value(held)));
+    CHECK(listener.reported[0].what == "velocity = " + tree.text(Value(held)));
     CHECK(tree.who(ball, of(ball, "charge")).known == false);
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "whoever has to be told at once closes the shortest way while it must be") {
+TEST_CASE_METHOD(Fixture, "the fast write is closed while a write must be reported at once") {
     const Property& charge = of(ball, "charge");
     double next = 0;
     const auto is_open = [&] { return tree.begin_write(ball, charge, ++next) == Put::done; };
@@ -274,8 +274,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(is_open());
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "a shadow anywhere keeps who wrote last, and lets go of it when it ends") {
+TEST_CASE_METHOD(Fixture, "a shadow of any cell keeps the last writer until it ends") {
     const Handle other = tree.create(*module.type, tree.root(), "other");
     const Property& charge = of(other, "charge");
     std::string cause;

@@ -1,4 +1,4 @@
-// Events that name what was deleted before their turn came.
+// Events that refer to an instance that was deleted before their delivery.
 
 #include "catch.h"
 #include "fixture.h"
@@ -49,17 +49,18 @@ using Log = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE_METHOD(Meeting, "an event that names what was deleted is not told") {
+TEST_CASE_METHOD(Meeting, "an event that refers to a deleted instance is not delivered") {
     note("hit", true);
     note("hit");
     emit(first, "hit", brick);
     emit(second, "hit", brick);
     tree.barrier();
-    // Neither to the second handler of the first event, nor to anyone of the second.
+    // Neither the second handler of the first event nor any handler of the second is called.
     CHECK(log == Log{"first hit"});
 }
 
-TEST_CASE_METHOD(Meeting, "a list that names what was deleted is not told either") {
+TEST_CASE_METHOD(Meeting,
+                 "an event with a list that contains a deleted instance is not delivered") {
     tree.on(*type, event("group_seen"),
             [this](const Occurrence& o) { log.push_back(tree.name(o.instance)); });
     emit(first, "group_seen", List{first, brick});
@@ -69,8 +70,9 @@ TEST_CASE_METHOD(Meeting, "a list that names what was deleted is not told either
     CHECK(log == Log{"second"});
 }
 
-TEST_CASE_METHOD(Meeting,
-                 "the end of what was deleted is told to those who know of the beginning") {
+TEST_CASE_METHOD(
+    Meeting,
+    "the end of a touch with a deleted instance is delivered to the handlers of its beginning") {
     note("meeting_begin", true);
     note("meeting_end");
     emit(first, "meeting_begin", brick);
@@ -81,13 +83,13 @@ TEST_CASE_METHOD(Meeting,
     emit(second, "meeting_end", brick);
     tree.barrier();
     CHECK(log == Log{"first meeting_begin", "first meeting_end"});
-    // That end is over; another has a beginning of its own.
+    // That touch is over; another one has its own beginning.
     emit(second, "meeting_end", brick);
     tree.barrier();
     CHECK(log.back() == "second meeting_end");
 }
 
-TEST_CASE_METHOD(Meeting, "an end whose beginning nobody wanted to hear of is told") {
+TEST_CASE_METHOD(Meeting, "the end of a touch whose beginning had no handler is delivered") {
     note("meeting_end");
     emit(first, "meeting_begin", brick);
     tree.destroy(brick);
@@ -97,7 +99,7 @@ TEST_CASE_METHOD(Meeting, "an end whose beginning nobody wanted to hear of is to
     CHECK(log == Log{"first meeting_end"});
 }
 
-TEST_CASE_METHOD(Meeting, "nobody hears of events of an instance that a handler before deleted") {
+TEST_CASE_METHOD(Meeting, "events of an instance that a handler has deleted are not delivered") {
     tree.on(*type, event("hit"), [this](const Occurrence& o) {
         log.push_back(tree.name(o.instance));
         tree.destroy(o.instance);
@@ -108,7 +110,7 @@ TEST_CASE_METHOD(Meeting, "nobody hears of events of an instance that a handler 
     CHECK(log == Log{"first"});
 }
 
-TEST_CASE_METHOD(Meeting, "of what was deleted class and name are still known") {
+TEST_CASE_METHOD(Meeting, "class and name of a deleted instance are still available") {
     CHECK_FALSE(tree.remains(brick));
     tree.destroy(brick);
     REQUIRE(tree.remains(brick));

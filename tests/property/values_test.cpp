@@ -1,5 +1,5 @@
-// What becomes of a value on its way into a property and out again, for every kind of memory that
-// can be behind one.
+// Conversions of values that are written into properties and read from them, for every kind of
+// memory behind a property.
 
 #include <array>
 #include <cmath>
@@ -21,8 +21,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double denormal = std::numeric_limits<double>::denorm_min();
-constexpr std::int64_t beyond = (std::int64_t{1} << 53) + 1;  // the first no double has
-const double most = std::numeric_limits<double>::max();
+constexpr std::int64_t beyond =
+    (std::int64_t{1} << 53) + 1;  // the first integer that no double equals
+const double largest = std::numeric_limits<double>::max();
 
 struct Cell {
     double f64 = 0;
@@ -34,7 +35,7 @@ struct Cell {
     float vec2f[2] = {0, 0};
     Color color{};
     std::uint8_t kind = 0;
-    Value kept = 0.0;  // behind an accessor
+    Value kept = 0.0;  // behind a getter and a setter
 };
 
 using Cells = std::vector<Cell>;
@@ -94,7 +95,8 @@ class CellFixture {
 
 using Outcome = std::variant<Value, ErrorKind>;
 
-/// What reading gives after writing, or why writing was refused. A refused write changes nothing.
+/// The value that is read after writing, or the reason for a refusal. A refused write changes
+/// nothing.
 Outcome write(Tree& tree, Handle cell, const std::string& name, const Value& value) {
     const Value before = tree.get(cell, name);
     try {
@@ -139,7 +141,7 @@ double random_double(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE_METHOD(CellFixture, "numbers keep every bit in every kind of memory of doubles") {
+TEST_CASE_METHOD(CellFixture, "numbers keep every bit in every kind of double memory") {
     check(*this, {"f64", "behind", "kept_number"},
           {{-2, Value(-2.0)},
            {-2.0, Value(-2.0)},
@@ -148,7 +150,7 @@ TEST_CASE_METHOD(CellFixture, "numbers keep every bit in every kind of memory of
            {infinity, Value(infinity)},
            {-infinity, Value(-infinity)},
            {denormal, Value(denormal)},
-           {most, Value(most)},
+           {largest, Value(largest)},
            {INT64_MIN, Value(-0x1p63)},
            {beyond - 1, Value(0x1p53)},
            {nan, ErrorKind::not_finite},
@@ -164,15 +166,15 @@ TEST_CASE_METHOD(CellFixture, "numbers keep every bit in every kind of memory of
            {List{1.0}, ErrorKind::wrong_type}});
 }
 
-TEST_CASE_METHOD(CellFixture, "infinity stays out where it is not allowed") {
+TEST_CASE_METHOD(CellFixture, "infinity is refused where it is not allowed") {
     check(*this, {"finite"},
           {{infinity, ErrorKind::not_finite},
            {-infinity, ErrorKind::not_finite},
            {nan, ErrorKind::not_finite},
-           {most, Value(most)}});
+           {largest, Value(largest)}});
 }
 
-TEST_CASE_METHOD(CellFixture, "numbers behind a float are the nearest float") {
+TEST_CASE_METHOD(CellFixture, "numbers in a float are the nearest float") {
     check(*this, {"f32"},
           {{-2, Value(-2.0)},
            {-0.0, Value(-0.0)},
@@ -191,7 +193,7 @@ TEST_CASE_METHOD(CellFixture, "numbers behind a float are the nearest float") {
            {nan, ErrorKind::not_finite}});
 }
 
-TEST_CASE_METHOD(CellFixture, "integers keep every bit and take numbers that are integers") {
+TEST_CASE_METHOD(CellFixture, "integers keep every bit and accept numbers that are integers") {
     check(*this, {"i64", "kept_integer"},
           {{-2, Value(-2)},
            {INT64_MIN, Value(INT64_MIN)},
@@ -210,7 +212,7 @@ TEST_CASE_METHOD(CellFixture, "integers keep every bit and take numbers that are
            {true, ErrorKind::wrong_type}});
 }
 
-TEST_CASE_METHOD(CellFixture, "integers of 32 bits refuse what they cannot hold") {
+TEST_CASE_METHOD(CellFixture, "32 bit integers refuse larger values") {
     check(*this, {"i32"},
           {{INT32_MIN, Value(INT32_MIN)},
            {INT32_MAX, Value(INT32_MAX)},
@@ -237,7 +239,7 @@ TEST_CASE_METHOD(CellFixture, "vectors are checked component by component") {
 }
 
 TEST_CASE_METHOD(CellFixture,
-                 "colors take names and hexadecimal digits and stay within their range") {
+                 "colors accept names and hexadecimal digits and stay within their range") {
     check(*this, {"color", "kept_color"},
           {{Color{0.1f, 0.2f, 0.3f, 0.4f}, Value(Color{0.1f, 0.2f, 0.3f, 0.4f})},
            {"#f00", Value(Color{1, 0, 0, 1})},
@@ -254,7 +256,7 @@ TEST_CASE_METHOD(CellFixture,
            {1, ErrorKind::wrong_type}});
 }
 
-TEST_CASE_METHOD(CellFixture, "texts keep every byte and enumerations take their words only") {
+TEST_CASE_METHOD(CellFixture, "texts keep every byte and enumerations accept only their words") {
     std::string bytes;
     for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
     check(*this, {"kept_text"},
@@ -272,7 +274,7 @@ TEST_CASE_METHOD(CellFixture, "texts keep every byte and enumerations take their
            {1, ErrorKind::wrong_type}});
 }
 
-TEST_CASE_METHOD(CellFixture, "booleans are neither numbers nor texts") {
+TEST_CASE_METHOD(CellFixture, "booleans are not converted from numbers or texts") {
     check(*this, {"flag", "kept_flag"},
           {{true, Value(true)},
            {1, ErrorKind::wrong_type},
@@ -293,7 +295,7 @@ TEST_CASE_METHOD(CellFixture, "lists are checked element by element") {
                         contains("cell.kept_list[2]: expected a number, got text \"x\""));
 }
 
-TEST_CASE_METHOD(CellFixture, "ad hoc properties keep value and type but no NaN at any depth") {
+TEST_CASE_METHOD(CellFixture, "ad hoc properties keep value and type but refuse NaN at any depth") {
     for (const Value& value :
          {Value(-2), Value(-2.0), Value(INT64_MIN), Value(INT64_MAX), Value(-0.0), Value(infinity),
           Value(-infinity), Value(denormal), Value(beyond), Value(""),
@@ -310,7 +312,7 @@ TEST_CASE_METHOD(CellFixture, "ad hoc properties keep value and type but no NaN 
     }
 }
 
-TEST_CASE_METHOD(CellFixture, "any double goes in and out unchanged or is NaN") {
+TEST_CASE_METHOD(CellFixture, "any double is stored unchanged or is NaN") {
     std::mt19937_64 random(1);
     for (int i = 0; i < 20000; ++i) {
         const double number = random_double(random);
@@ -325,7 +327,7 @@ TEST_CASE_METHOD(CellFixture, "any integer becomes exactly that number or is ref
     for (int i = 0; i < 20000; ++i) {
         const auto integer = static_cast<std::int64_t>(random()) >> (random() % 64);
         const auto number = static_cast<double>(integer);
-        // 2^63 is the one double near an integer that no integer is.
+        // 2^63 is the only double near an integer that is not equal to one.
         const bool exact = number != 0x1p63 && static_cast<std::int64_t>(number) == integer;
         const Outcome got = write(tree, cell, "f64", integer);
         CAPTURE(integer);
@@ -333,7 +335,8 @@ TEST_CASE_METHOD(CellFixture, "any integer becomes exactly that number or is ref
     }
 }
 
-TEST_CASE("a printed number reads back as itself and a float is no longer than it needs") {
+TEST_CASE(
+    "a printed number reads back as itself and a float is printed with as few digits as possible") {
     std::mt19937_64 random(3);
     for (int i = 0; i < 20000; ++i) {
         const double number = random_double(random);
@@ -355,7 +358,7 @@ TEST_CASE("a printed number reads back as itself and a float is no longer than i
     CHECK(number_text(1e6) == "1000000");
 }
 
-TEST_CASE("copies of values share nothing that a change could reach") {
+TEST_CASE("a change of a value does not affect its copies") {
     Value text("a text that is longer than any small buffer would be");
     const Value copy = text;
     text = Value(2);
@@ -371,7 +374,7 @@ TEST_CASE("copies of values share nothing that a change could reach") {
     CHECK(moved.list()[1] == Value("two"));
 }
 
-TEST_CASE("hexadecimal colors print as they were read") {
+TEST_CASE("hexadecimal colors are printed as they were read") {
     std::mt19937 random(5);
     for (int i = 0; i < 2000; ++i) {
         char text[10];

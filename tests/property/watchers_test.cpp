@@ -26,7 +26,8 @@ struct Fixture {
 using Log = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "changes arrive at the barrier coalesced and in order of registration") {
+TEST_CASE_METHOD(Fixture,
+                 "changes are delivered at the barrier combined and in order of registration") {
     tree.watch(ball, "mass", note("a"));
     tree.watch(*module.type, module.type->property("mass"), note("b"));
     tree.watch_pattern("world.*.mass", note("c"));
@@ -41,7 +42,7 @@ TEST_CASE_METHOD(Fixture, "changes arrive at the barrier coalesced and in order 
     CHECK(log.size() == 4);
 }
 
-TEST_CASE_METHOD(Fixture, "a value that comes back to what it was is no change") {
+TEST_CASE_METHOD(Fixture, "a value that returns to its old value is no change") {
     tree.watch(ball, "mass", note("a"));
     tree.set(ball, "mass", 2);
     tree.set(ball, "mass", 1);
@@ -49,7 +50,7 @@ TEST_CASE_METHOD(Fixture, "a value that comes back to what it was is no change")
     CHECK(log.empty());
 }
 
-TEST_CASE_METHOD(Fixture, "changes carry who caused them and when") {
+TEST_CASE_METHOD(Fixture, "changes contain their cause and step") {
     std::optional<Change> seen;
     tree.watch(ball, "mass", [&](const Change& c) { seen = c; });
     tree.set_step(30);
@@ -65,11 +66,11 @@ TEST_CASE_METHOD(Fixture, "changes carry who caused them and when") {
     CHECK(seen->cause.text() == "main.lua:30, step 30");
 }
 
-TEST_CASE_METHOD(Fixture, "what the simulation writes is seen at the barrier after the step") {
+TEST_CASE_METHOD(Fixture, "changes by the simulation are found at the barrier after the step") {
     tree.watch(ball, "velocity", note("a"));
     module.ball(ball).velocity[0] = 5;
     tree.barrier();
-    CHECK(log.empty());  // nobody stepped
+    CHECK(log.empty());  // no step was made
     tree.set_step(1);
     tree.stepped();
     tree.barrier();
@@ -80,7 +81,7 @@ TEST_CASE_METHOD(Fixture, "what the simulation writes is seen at the barrier aft
     CHECK(log.size() == 1);
 }
 
-TEST_CASE_METHOD(Fixture, "an edit of a simulated property is told once") {
+TEST_CASE_METHOD(Fixture, "an edit of a simulated property is reported once") {
     tree.watch(ball, "velocity", note("a"));
     tree.set(ball, "velocity", Vec2(1, 0));
     tree.set_step(1);
@@ -89,7 +90,9 @@ TEST_CASE_METHOD(Fixture, "an edit of a simulated property is told once") {
     CHECK(log == Log{"a world.ball.velocity vec(0, 0)>vec(1, 0)"});
 }
 
-TEST_CASE_METHOD(Fixture, "pattern and class watchers follow instances that come and move and go") {
+TEST_CASE_METHOD(
+    Fixture,
+    "pattern and class watchers include new and moved instances and exclude deleted ones") {
     tree.watch_pattern("world.*.velocity", note("p"));
     const Handle late = tree.create(*module.type, world, "late");
     const Handle away = tree.create(*module.type, tree.root(), "away");
@@ -109,7 +112,7 @@ TEST_CASE_METHOD(Fixture, "pattern and class watchers follow instances that come
     CHECK(log.back() == "p world.away.velocity vec(0, 1)>vec(0, 2)");
 }
 
-TEST_CASE_METHOD(Fixture, "a watcher of a derived value is told when its source is edited") {
+TEST_CASE_METHOD(Fixture, "a watcher of a derived value is called when its source is edited") {
     tree.get(ball, "area");
     tree.watch(ball, "area", note("a"));
     tree.set(ball, "radius", 1.0);
@@ -117,8 +120,7 @@ TEST_CASE_METHOD(Fixture, "a watcher of a derived value is told when its source 
     CHECK(log == Log{"a world.ball.area 0.75>3"});
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "writes made by a handler come in the next generation of the same barrier") {
+TEST_CASE_METHOD(Fixture, "writes by a handler are in the next generation of the same barrier") {
     tree.watch(ball, "mass", [&](const Change& c) {
         log.push_back("mass " + tree.text(c.new_value));
         if (c.new_value.number() < 4) tree.set(ball, "mass", c.new_value.number() + 1);
@@ -128,8 +130,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(log == Log{"mass 2", "mass 3", "mass 4"});
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "handlers that never settle stop the barrier with the chain of paths and causes") {
+TEST_CASE_METHOD(Fixture, "endless handlers stop the barrier with the chain of paths and causes") {
     const Handle other = tree.create(*module.type, world, "other");
     tree.watch(ball, "mass",
                [&](const Change& c) { tree.set(other, "mass", c.new_value.number() + 1); });
@@ -140,12 +141,12 @@ TEST_CASE_METHOD(Fixture,
     CHECK_THAT(message, contains("16 generations") &&
                             contains("world.ball.mass by module, step 0") &&
                             contains("world.other.mass"));
-    tree.barrier();  // and goes on
+    tree.barrier();  // the next barrier works
     CHECK(tree.get(ball, "mass") == Value(18.0));
 }
 
 TEST_CASE_METHOD(Fixture,
-                 "a handler may remove itself and others and nothing is skipped or called twice") {
+                 "a handler may remove itself and others and every other handler is called once") {
     Connection first, second, third;
     first = tree.watch(ball, "mass", [&](const Change&) {
         log.push_back("first");
@@ -166,7 +167,8 @@ TEST_CASE_METHOD(Fixture,
 }
 
 TEST_CASE_METHOD(
-    Fixture, "a handler may delete the instance it is about and the others still hear the change") {
+    Fixture,
+    "a handler may delete the instance of its change and the others still get the change") {
     tree.watch(*module.type, module.type->property("mass"), [&](const Change& c) {
         log.push_back("first");
         tree.destroy(c.instance);
@@ -181,8 +183,9 @@ TEST_CASE_METHOD(
     CHECK(log == Log{"first", "second", "deleted world.ball"});
 }
 
-TEST_CASE_METHOD(Fixture,
-                 "deletion is told once with the last values and ends the instance's watchers") {
+TEST_CASE_METHOD(
+    Fixture,
+    "a deletion is reported once with the last values and ends the watchers of the instance") {
     tree.set(ball, "mass", 8);
     int deleted = 0;
     tree.watch(ball, "mass", note("cell"));
@@ -196,7 +199,7 @@ TEST_CASE_METHOD(Fixture,
     tree.on(ball, *module.type->event("deleted"),
             [&](const Occurrence& o) { log.push_back("event " + o.record.get("path").text()); });
     tree.destroy(ball);
-    // The slot is taken again before the barrier: its new owner inherits no watcher.
+    // The slot is reused before the barrier: the new instance has none of the old watchers.
     const Handle next = tree.create(*module.type, world, "next");
     REQUIRE(next.index == ball.index);
     tree.set(next, "mass", 3);
@@ -208,7 +211,7 @@ TEST_CASE_METHOD(Fixture,
 }
 
 TEST_CASE_METHOD(Fixture,
-                 "a handler may create instances and watchers which hear what comes later only") {
+                 "instances and watchers created by a handler are notified only of later changes") {
     tree.watch(ball, "mass", [&](const Change&) {
         const Handle made = tree.create(*module.type, world, "made");
         tree.watch(ball, "mass", note("late"));
@@ -220,7 +223,7 @@ TEST_CASE_METHOD(Fixture,
     CHECK(log == Log{"made world.made.mass 1>7"});
 }
 
-TEST_CASE_METHOD(Fixture, "a handler that throws is named and the others run") {
+TEST_CASE_METHOD(Fixture, "a handler that throws is reported by name and the others are called") {
     std::vector<HandlerError> errors;
     tree.on_handler_error([&](const HandlerError& e) { errors.push_back(e); });
     tree.watch(ball, "mass", [](const Change&) { throw std::runtime_error("boom"); },
@@ -235,7 +238,7 @@ TEST_CASE_METHOD(Fixture, "a handler that throws is named and the others run") {
     CHECK(errors[0].message == "boom");
 }
 
-TEST_CASE_METHOD(Fixture, "a new watcher that asks is given the current value") {
+TEST_CASE_METHOD(Fixture, "a new watcher gets the current value if requested") {
     tree.watch(ball, "mass", note("a"), {.initial = true});
     tree.watch_pattern("**.radius", note("p"), {.initial = true});
     tree.set(ball, "mass", 2);
@@ -256,10 +259,10 @@ TEST_CASE_METHOD(Fixture, "ad-hoc properties are watched like declared ones") {
           Log{"p world.ball.lives nil>3", "p world.ball.lives 3>2", "p world.ball.lives 2>nil"});
 }
 
-TEST_CASE_METHOD(Fixture, "events reach listeners of the instance and of its class") {
+TEST_CASE_METHOD(Fixture, "events are delivered to handlers of the instance and of its class") {
     const Event& bounced = *module.type->event("bounced");
     CHECK_FALSE(tree.listens(ball, bounced));
-    tree.emit(ball, bounced, {1.0});  // nobody listens: nothing is kept
+    tree.emit(ball, bounced, {1.0});  // without handlers nothing is stored
     tree.on(ball, bounced,
             [&](const Occurrence& o) { log.push_back("one " + tree.text(o.record.get("speed"))); });
     tree.on(*module.type, bounced, [&](const Occurrence&) { log.push_back("class"); });
@@ -269,7 +272,7 @@ TEST_CASE_METHOD(Fixture, "events reach listeners of the instance and of its cla
     CHECK(log == Log{"one 2.5", "class"});
 }
 
-TEST_CASE("patterns match names and any depth") {
+TEST_CASE("patterns match names at any depth") {
     Tree tree;
     const Handle a = tree.create(tree.object_class(), tree.root(), "a");
     const Handle b = tree.create(tree.object_class(), a, "ball_1");
@@ -286,7 +289,7 @@ TEST_CASE("patterns match names and any depth") {
         CHECK_THROWS_AS(Pattern(bad), Error);
 }
 
-TEST_CASE("a connection outlives its tree") {
+TEST_CASE("a connection may outlive its tree") {
     Connection connection;
     {
         Tree tree;
@@ -298,7 +301,8 @@ TEST_CASE("a connection outlives its tree") {
 }
 
 TEST_CASE_METHOD(
-    Fixture, "what comes and goes between two barriers is told to nobody but its own watchers") {
+    Fixture,
+    "an instance made and deleted between two barriers is reported only to its own watchers") {
     tree.barrier();
     tree.watch_created(*module.type, [&](const Existence&) { log.push_back("created"); });
     tree.watch_deleted(*module.type, [&](const Existence&) { log.push_back("deleted"); });

@@ -37,7 +37,7 @@ struct Crowd : Fixture {
 
 }  // namespace
 
-TEST_CASE_METHOD(Crowd, "a pattern over a hundred thousand instances hears of those that moved") {
+TEST_CASE_METHOD(Crowd, "a pattern for a hundred thousand instances reports those that moved") {
     std::map<std::string, int> heard;
     int wrong = 0;
     Connection pattern = tree.watch_pattern("world.*.velocity", [&](const Change& change) {
@@ -67,7 +67,8 @@ TEST_CASE_METHOD(Crowd, "a pattern over a hundred thousand instances hears of th
     CHECK(tree.watcher_count() == 0);
 }
 
-TEST_CASE_METHOD(Fixture, "instances come under patterns and leave them by their names") {
+TEST_CASE_METHOD(Fixture,
+                 "instances match patterns or stop matching them when their names change") {
     std::vector<std::string> heard;
     tree.watch_pattern("world.ball_*.velocity",
                        [&](const Change& change) { heard.push_back(tree.name(change.instance)); });
@@ -84,7 +85,7 @@ TEST_CASE_METHOD(Fixture, "instances come under patterns and leave them by their
     CHECK(heard.back() == "ball_100");
 }
 
-TEST_CASE_METHOD(Fixture, "an edit and a motion of one cell are one change") {
+TEST_CASE_METHOD(Fixture, "an edit and a simulated change of one cell are one change") {
     std::vector<Change> heard;
     tree.watch(balls[0], velocity(), [&](const Change& change) { heard.push_back(change); });
     tree.watch(balls[1], velocity(), [&](const Change& change) { heard.push_back(change); });
@@ -100,7 +101,8 @@ TEST_CASE_METHOD(Fixture, "an edit and a motion of one cell are one change") {
     CHECK(heard[1].new_value == Value(Vec2(7, 0)));
 }
 
-TEST_CASE_METHOD(Fixture, "who wrote a watched cell last is the later of person and simulation") {
+TEST_CASE_METHOD(Fixture,
+                 "the last writer of a watched cell is the later of person and simulation") {
     tree.watch(balls[0], velocity(), [](const Change&) {});
     const auto who = [&] { return tree.who(balls[0], velocity()).cause; };
     {
@@ -113,7 +115,7 @@ TEST_CASE_METHOD(Fixture, "who wrote a watched cell last is the later of person 
     CHECK(who().writer == Writer::simulation);
     CHECK(who().step == 1);
     step();
-    CHECK(who().step == 1);  // it did not move in the second
+    CHECK(who().step == 1);  // it did not move in the second step
     {
         const Tree::CauseScope console(tree, Writer::console);
         tree.set(balls[0], velocity(), Vec2(5, 0));
@@ -122,14 +124,15 @@ TEST_CASE_METHOD(Fixture, "who wrote a watched cell last is the later of person 
     CHECK(who().step == 2);
 }
 
-TEST_CASE_METHOD(Fixture, "handlers of a motion may stop themselves and others and delete") {
+TEST_CASE_METHOD(
+    Fixture, "handlers of a simulated change may stop themselves and others and delete instances") {
     std::set<std::string> heard;
     std::vector<Connection> connections(balls.size());
     const auto on = [&](std::size_t i, std::function<void()> then) {
         connections[i] = tree.watch(balls[i], velocity(), [&, i, then](const Change&) {
             const std::string mine = std::to_string(i);
             then();
-            heard.insert(mine);  // the handler is still there when it has removed itself
+            heard.insert(mine);  // the captures of the handler still exist after it removed itself
         });
     };
     on(0, [&] { connections[0].stop(); });
@@ -149,7 +152,8 @@ TEST_CASE_METHOD(Fixture, "handlers of a motion may stop themselves and others a
     CHECK(heard == std::set<std::string>{"1", "5"});
 }
 
-TEST_CASE_METHOD(Fixture, "a handler that throws in a motion keeps it from nobody else") {
+TEST_CASE_METHOD(Fixture,
+                 "after an exception in a handler of a simulated change the others are called") {
     int heard = 0;
     for (const Handle ball : balls)
         tree.watch(ball, velocity(), [&, ball](const Change&) {
@@ -160,15 +164,15 @@ TEST_CASE_METHOD(Fixture, "a handler that throws in a motion keeps it from nobod
     tree.stepped();
     CHECK_THROWS_AS(tree.barrier(), std::runtime_error);
     CHECK(heard == 6);
-    std::string told;
+    std::string reported;
     tree.on_handler_error(
-        [&](const HandlerError& error) { told = error.path + ": " + error.message; });
+        [&](const HandlerError& error) { reported = error.path + ": " + error.message; });
     move(balls[1], 2);
     step();
-    CHECK(told == "world.ball_2.velocity: no");
+    CHECK(reported == "world.ball_2.velocity: no");
 }
 
-TEST_CASE_METHOD(Fixture, "handlers without end are named by what they follow from") {
+TEST_CASE_METHOD(Fixture, "endless handlers are reported with their triggers") {
     const Property& mass = *module.type->property("mass");
     tree.watch(balls[1], velocity(), [&](const Change&) { tree.set(balls[2], mass, 2.0); });
     tree.watch(balls[2], mass, [&](const Change&) {
@@ -177,10 +181,10 @@ TEST_CASE_METHOD(Fixture, "handlers without end are named by what they follow fr
     for (const Handle ball : balls) tree.watch(ball, velocity(), [](const Change&) {});
     for (const Handle ball : balls) move(ball, 1);
     tree.stepped();
-    const std::string told = message_of([&] { tree.barrier(); });
-    CHECK(told.find("world.ball_3.mass by module") != std::string::npos);
-    CHECK(told.find("world.ball_2.velocity by simulation") != std::string::npos);
-    CHECK(told.find("world.ball_1.velocity") == std::string::npos);
+    const std::string reported = message_of([&] { tree.barrier(); });
+    CHECK(reported.find("world.ball_3.mass by module") != std::string::npos);
+    CHECK(reported.find("world.ball_2.velocity by simulation") != std::string::npos);
+    CHECK(reported.find("world.ball_1.velocity") == std::string::npos);
 }
 
 }  // namespace watching_many_test

@@ -1,4 +1,4 @@
-// Who wrote what, of more writes than are kept, and what keeping them takes.
+// The last writers of cells, with more writes than are kept, and the memory for them.
 
 #include <map>
 #include <random>
@@ -43,7 +43,7 @@ std::size_t memory_in_use() {
 
 }  // namespace
 
-TEST_CASE_METHOD(Writing, "who wrote last is known of each cell among very many writes") {
+TEST_CASE_METHOD(Writing, "the last writer of each cell is known among very many writes") {
     make(700);
     const Property* const properties[] = {&property("mass"), &property("charge"),
                                           &property("radius")};
@@ -79,14 +79,14 @@ TEST_CASE_METHOD(Writing, "who wrote last is known of each cell among very many 
         }
     }
     CHECK(wrong == 0);
-    // A slot's next owner has been written by nobody.
+    // The next instance in a slot has no writer.
     tree.destroy(balls[7]);
     const Handle next = tree.create(*module.type, world);
     REQUIRE(next.index == balls[7].index);
     CHECK_FALSE(tree.who(next, *properties[0]).known);
 }
 
-TEST_CASE_METHOD(Writing, "who wrote is forgotten after a quarter of a million writes") {
+TEST_CASE_METHOD(Writing, "the writer is dropped after a quarter of a million later writes") {
     make(2);
     const Property& mass = property("mass");
     tree.set_step(1);
@@ -99,7 +99,7 @@ TEST_CASE_METHOD(Writing, "who wrote is forgotten after a quarter of a million w
     CHECK(tree.who(balls[1], mass).cause.step == 2);
 }
 
-TEST_CASE_METHOD(Writing, "what an instance takes hardly grows with the numbers written to it") {
+TEST_CASE_METHOD(Writing, "the memory of an instance hardly grows with the numbers written to it") {
     if (memory_in_use() == 0) return;
     make(20'000);
     const Property* const properties[] = {&property("mass"), &property("charge"),
@@ -112,7 +112,7 @@ TEST_CASE_METHOD(Writing, "what an instance takes hardly grows with the numbers 
     CHECK(each < 3 * 5.5);  // bytes
 }
 
-TEST_CASE_METHOD(Writing, "what was written after the moment gone back to was restored") {
+TEST_CASE_METHOD(Writing, "a value restored by going back has the writer restore") {
     make(2);
     const Property& mass = property("mass");
     const Property& charge = property("charge");

@@ -10,7 +10,7 @@
 
 namespace wrong_calls_test {
 
-// What a caller in C++ can do wrong: each is an error that says what, and harms nothing.
+// Wrong calls in C++: each gives an error with an explanation and changes nothing.
 
 using namespace fettle::property;
 using fettle::property::testing::BallModule;
@@ -22,7 +22,7 @@ Result do_nothing(void*, Tree&, Handle, Row, std::span<const Value>) {
     return Value();
 }
 
-/// A descriptor that is sound until `spoil` has changed it.
+/// A descriptor that is valid until `spoil` changes it.
 std::string refusal(const std::function<void(ClassDescriptor&)>& spoil,
                     const std::string& base = "Object") {
     Tree tree;
@@ -35,7 +35,7 @@ std::string refusal(const std::function<void(ClassDescriptor&)>& spoil,
     described.events = {Event{.name = "opened"}};
     spoil(described);
     const std::string message = message_of([&] { tree.define(std::move(described)); });
-    // A descriptor that was refused leaves nothing behind.
+    // A refused descriptor defines no class.
     REQUIRE((message.empty() || tree.find_class("Crate") == nullptr));
     return message;
 }
@@ -46,7 +46,7 @@ std::string refused_property(Property property, const std::string& base = "Objec
 
 }  // namespace
 
-TEST_CASE("a value read as another type is an error that names both types") {
+TEST_CASE("reading a value as another type is an error that names both types") {
     struct Accessor {
         Type type;
         std::function<void(const Value&)> read;
@@ -85,7 +85,7 @@ TEST_CASE("a value read as another type is an error that names both types") {
     CHECK_THAT(message_of([&] { (void)moved.text(); }), contains("of type nil"));
 }
 
-TEST_CASE("a text from a null pointer and lists without end are refused") {
+TEST_CASE("a text from a null pointer and lists of unlimited depth are refused") {
     const char* const nothing = nullptr;
     CHECK_THAT(message_of([&] { (void)Value(nothing); }), contains("null pointer"));
     Value nested;
@@ -96,7 +96,7 @@ TEST_CASE("a text from a null pointer and lists without end are refused") {
     CHECK(value_text(nested).size() > 64);
 }
 
-TEST_CASE("a class whose rows its base would take for its own is refused") {
+TEST_CASE("a class whose rows its base would use as its own is refused") {
     const auto with = [](const std::string& base, const std::function<void(Lifecycle&)>& set) {
         return refusal([&](ClassDescriptor& d) { set(d.lifecycle); }, base);
     };
@@ -125,7 +125,7 @@ TEST_CASE("a class whose rows its base would take for its own is refused") {
     makes(far.lifecycle);
     CHECK_THAT(message_of([&] { tree.define(std::move(far)); }),
                contains("\"mass\" of Plain, which uses rows that the lifecycle of Ball makes"));
-    // Methods get the row as well.
+    // Methods get the row, too.
     ClassDescriptor doer{.name = "Doer"};
     makes(doer.lifecycle);
     doer.methods = {{.name = "act", .call = do_nothing}};
@@ -143,7 +143,7 @@ TEST_CASE("a class whose rows its base would take for its own is refused") {
                contains("Saved, from which it derives, is saved natively"));
 }
 
-TEST_CASE("a class descriptor with a name that is none or taken is refused by name") {
+TEST_CASE("a class descriptor with an invalid or used name is refused by name") {
     CHECK(refusal([](ClassDescriptor&) {}).empty());
     CHECK_THAT(refusal([](ClassDescriptor& d) { d.name = ""; }), contains("name of a class"));
     CHECK_THAT(refusal([](ClassDescriptor& d) { d.name = "two words"; }), contains("two words"));
@@ -169,7 +169,7 @@ TEST_CASE("a class descriptor with a name that is none or taken is refused by na
     CHECK_THAT(with_method("width"), contains("the class has a property of that name"));
     CHECK_THAT(with_method("mass", "Ball"), contains("has a property of that name"));
     CHECK_THAT(with_method("name"), contains("Object, from which it derives"));
-    CHECK(with_method("grow", "Ball").empty());  // a derived class may do it its own way
+    CHECK(with_method("grow", "Ball").empty());  // a derived class may override a method
     const auto with_event = [](const std::string& name, const std::string& base = "Object") {
         return refusal([&](ClassDescriptor& d) { d.events.push_back({.name = name}); }, base);
     };
@@ -186,7 +186,7 @@ TEST_CASE("a class descriptor with a name that is none or taken is refused by na
                contains("a parameter has no name"));
 }
 
-TEST_CASE("a class descriptor with a member that nothing stands behind is refused by name") {
+TEST_CASE("a class descriptor with a member without functions or memory is refused by name") {
     Property made{.name = "made"};
     made.binding.kind = BindingKind::accessor;
     CHECK_THAT(refused_property(made), contains("property \"made\": its accessor has no `get`"));
@@ -216,15 +216,16 @@ TEST_CASE("a class descriptor with a member that nothing stands behind is refuse
                contains("2 of its 0 parameters are required"));
 }
 
-TEST_CASE("a class descriptor with values that do not fit together is refused by name") {
+TEST_CASE("a class descriptor with contradictory values is refused by name") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(refused_property({.name = "x", .range = {2, 1}}),
                contains("property \"x\": its range begins at 2 and ends at 1"));
     CHECK_THAT(refused_property({.name = "x", .range = {nan, 1}}), contains("range begins at nan"));
     CHECK_THAT(refused_property({.name = "x", .default_value = 12.0, .range = {0, 9}}),
                contains("class Crate: default of x"));
-    CHECK_THAT(refused_property({.name = "x", .range = {1, 9}}),
-               contains("class Crate: default of x"));  // not given, and 0 is out of range
+    CHECK_THAT(
+        refused_property({.name = "x", .range = {1, 9}}),
+        contains("class Crate: default of x"));  // the default is missing, and 0 is out of range
     CHECK_THAT(refused_property({.name = "x", .default_value = "wide"}), contains("default of x"));
     CHECK_THAT(refused_property({.name = "x", .default_value = nan}), contains("default of x"));
     CHECK_THAT(
@@ -242,7 +243,7 @@ TEST_CASE("a class descriptor with values that do not fit together is refused by
     CHECK_THAT(refused_property({.name = "x", .type = Type::nil}), contains("of no type"));
 }
 
-TEST_CASE("what a base class declares may get another default and nothing else") {
+TEST_CASE("a derived class may change only the default of an inherited property") {
     CHECK(
         refused_property({.name = "radius", .default_value = 3.0, .doc = "Wide."}, "Ball").empty());
     CHECK_THAT(refused_property({.name = "radius", .type = Type::text}, "Ball"),
@@ -260,7 +261,7 @@ TEST_CASE("what a base class declares may get another default and nothing else")
     tree.define(
         {.name = "Told", .base = "Ball", .properties = {{.name = "mass", .doc = "Heavy."}}});
     CHECK(tree.class_named("Told").property("mass")->default_value == Value(1.0));
-    // A default that the module refuses once there is an instance: nothing is made.
+    // The module refuses a default after an instance was created: the instance is removed.
     tree.define({.name = "Unlucky",
                  .base = "Ball",
                  .properties = {{.name = "radius", .default_value = 13.0}}});
@@ -319,12 +320,12 @@ TEST_CASE("members of another class or another tree are refused") {
                contains("Crate has no such event"));
     const Connection heard = tree.on(ball, bounced, [](const Occurrence&) {});
     CHECK_THAT(message_of([&] { tree.emit(box, bounced, {1.0}); }), contains("no such event"));
-    CHECK_THAT(message_of([&] { tree.emit(ball, bounced, {}); }), contains("it tells 1 values"));
-    // What is inherited is the instance's own.
+    CHECK_THAT(message_of([&] { tree.emit(ball, bounced, {}); }), contains("it has 1 values"));
+    // An inherited member belongs to the instance.
     CHECK(tree.get(ball, *tree.object_class().property("name")) == Value("ball"));
 }
 
-TEST_CASE("to watch without a function is refused at once") {
+TEST_CASE("watching without a function is refused at once") {
     Tree tree;
     BallModule module(tree);
     const Handle ball = tree.create(*module.type, tree.root(), "ball");
@@ -365,7 +366,7 @@ TEST_CASE("connections and logs may outlive their tree") {
     CHECK(snapshot.step() == 0);
 }
 
-TEST_CASE("a handler that holds the connection of another one ends with the tree") {
+TEST_CASE("a handler that owns the connection of another one ends with the tree") {
     Tree tree;
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");
     for (int i = 0; i < 50; ++i) {
@@ -375,7 +376,7 @@ TEST_CASE("a handler that holds the connection of another one ends with the tree
     REQUIRE(tree.watcher_count() == 100);
 }
 
-TEST_CASE("a handler an action or a method may destroy the tree that calls it") {
+TEST_CASE("a handler or an action or a method may destroy the tree that calls it") {
     const auto says_so = [](const std::function<void()>& act) {
         CHECK_THAT(message_of(act), contains("the tree was destroyed by what it was calling"));
     };
@@ -419,7 +420,7 @@ TEST_CASE("a handler an action or a method may destroy the tree that calls it") 
         CHECK(owned == nullptr);
     }
     {
-        // What the handler throws afterwards comes first.
+        // The exception of the handler has priority.
         auto owned = std::make_unique<Tree>();
         Tree* const tree = owned.get();
         const Handle node = tree->create(tree->object_class(), tree->root(), "node");
@@ -433,7 +434,8 @@ TEST_CASE("a handler an action or a method may destroy the tree that calls it") 
     }
 }
 
-TEST_CASE("a handler that stops itself while it is asked inside of another handler lives on") {
+TEST_CASE(
+    "a handler that stops itself while a question calls it inside of another handler stays valid") {
     Tree tree;
     BallModule module(tree);
     const Handle ball = tree.create(*module.type, tree.root(), "ball");
@@ -446,7 +448,7 @@ TEST_CASE("a handler that stops itself while it is asked inside of another handl
         outer.stop();
         std::vector<Value> values = {1.0};
         ask(tree, ball, bounced, values, 0);
-        said += kept.substr(0, 3);  // its captures are still there
+        said += kept.substr(0, 3);  // its captures still exist
     });
     tree.set(ball, "mass", 2.0);
     tree.barrier();

@@ -1,4 +1,4 @@
-// Classes made in scripts, events, watchers, timers, coroutines.
+// Classes of scripts, events, watchers, timers, coroutines.
 
 #include <fettle/property/storage/scene.h>
 
@@ -42,7 +42,7 @@ assert(Body {}.friction > 0.5)
     CHECK_THAT(s.fails("function Body:step() end"), contains("derive one"));
 }
 
-TEST_CASE("instances of a script's class are made ready and stepped and told of events") {
+TEST_CASE("the functions ready and step and event handlers of a class of a script are called") {
     Stage s;
     s.run(R"lua(
 Ball = class("Ball", Body) { n = 0 }
@@ -76,7 +76,7 @@ detached = Ball {}
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("instances of a script's class come and go by the thousand") {
+TEST_CASE("thousands of instances of a class of a script are created and deleted") {
     Stage s;
     s.run(R"lua(
 Spark = class("Spark", Object) { age = 0 }
@@ -89,7 +89,7 @@ every(0, function() for i = 1, 100 do world:add(Spark {}) end end)
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("instances that a module makes of a script's class are called too") {
+TEST_CASE("functions are called for instances of a class of a script that a module creates") {
     Stage s;
     s.run(R"lua(
 Ball = class("Ball", Body) { n = 0 }
@@ -103,7 +103,7 @@ function Ball:step(dt) self.n = self.n + 1 end
     CHECK(stage::joined(s.printed) == "ready\tworld.native");
 }
 
-TEST_CASE("watchers hear of changes at the barrier with old and new value") {
+TEST_CASE("watchers are called at the barrier with old and new value") {
     Stage s;
     s.run(R"lua(
 world.b = Body {}
@@ -135,7 +135,7 @@ world.b.title = "t"
     CHECK_THAT(s.fails("c.stp()"), contains("did you mean \"stop\""));
 }
 
-TEST_CASE("a handler that raises is reported with its own traceback and the others go on") {
+TEST_CASE("an error in a handler is reported with its own traceback and the others are called") {
     Stage s;
     s.run(R"lua(
 world.b = Body {}
@@ -157,7 +157,7 @@ world.b.mass = 2
     CHECK_THAT(error.traceback, contains("main.lua:4"));
 }
 
-TEST_CASE("events of creation and deletion reach handlers") {
+TEST_CASE("handlers get the events of creation and deletion") {
     Stage s;
     s.run(R"lua(
 Body:on("created", function(e) print("created", e.path) end)
@@ -170,7 +170,7 @@ world.b:on("deleted", function(e) print("gone", e.path, e.last.mass) end)
     CHECK(stage::joined(s.printed) == "created\tworld.b|gone\tworld.b\t7.0");
 }
 
-TEST_CASE("timers fire in simulation time and in order") {
+TEST_CASE("timers run in simulation time and in order") {
     Stage s;
     s.run(R"lua(
 after(0.05, function() print("b") end)
@@ -225,7 +225,7 @@ after(0, function() wait(0.05); print("timer") end)
     CHECK_THAT(s.errors[0].locals, contains("here = 7"));
 }
 
-TEST_CASE("an error that leaves a coroutine keeps the place where it arose") {
+TEST_CASE("an error in a coroutine keeps the place where it occurred") {
     Stage s;
     s.fails(R"lua(
 local co = coroutine.wrap(function()
@@ -249,7 +249,7 @@ assert(coroutine.close(c) and coroutine.status(c) == "dead")
 )lua");
 }
 
-TEST_CASE("the game is loaded from a folder and its modules from beside it") {
+TEST_CASE("the game is loaded from a folder and its modules from the same folder") {
     Stage s;
     const TemporaryFolder temporary;
     const std::filesystem::path& folder = temporary.path;
@@ -278,7 +278,7 @@ TEST_CASE("the game is loaded from a folder and its modules from beside it") {
     CHECK_THAT(s.fails("require 'outside.passwd'"), contains("no module"));
     CHECK_THAT(s.fails("require 'broken'"), contains("broken.lua:1:"));
     CHECK(s.errors[0].source_line == "local x = = 3");
-    // Loading again starts afresh, with the same tree.
+    // Loading again starts the game anew with the same tree.
     s.run("leftover = 1; every(0, function() print('old timer') end)");
     s.printed.clear();
     REQUIRE(s.runtime->load(folder));
@@ -312,7 +312,7 @@ TEST_CASE("a class can be loaded again with new functions but not with other pro
     CHECK_THAT(s.errors.back().message, contains("other properties"));
 }
 
-TEST_CASE("random numbers depend on the seed alone") {
+TEST_CASE("random numbers depend only on the seed") {
     const auto sequence = [](std::uint64_t seed) {
         fettle::script::Options options;
         options.seed = seed;
@@ -388,7 +388,7 @@ struct Recorder : fettle::property::Painter {
 
 }  // namespace
 
-TEST_CASE("draw gets a pen that works only while drawing") {
+TEST_CASE("draw gets a pen that can be used only during the call") {
     Stage s;
     s.run(R"lua(
 Ball = class("Ball", Body) {}
@@ -418,10 +418,10 @@ end
     CHECK_FALSE(s.runtime->draw(recorder));
 }
 
-TEST_CASE("a pen tells what it cannot draw") {
+TEST_CASE("a pen reports arguments that it cannot draw") {
     Stage s;
     Recorder recorder;
-    const auto [call, told] = GENERATE(table<std::string, std::string>({
+    const auto [call, reported] = GENERATE(table<std::string, std::string>({
         {"pen.circle(vec(0, 0), 1, 'golden')",
          "pen.circle: \"golden\" is no color (did you mean \"gold\"?)"},
         {"pen.rect(vec(0, 0), 1, 1)", "pen has no rect (did you mean \"box\"?)"},
@@ -436,11 +436,11 @@ TEST_CASE("a pen tells what it cannot draw") {
     }));
     s.run("function draw(pen) " + call + " end");
     CHECK_FALSE(s.runtime->draw(recorder));
-    CHECK_THAT(s.errors.back().message, contains(told));
+    CHECK_THAT(s.errors.back().message, contains(reported));
     CHECK(recorder.log == "");
 }
 
-TEST_CASE("a text without a height can be read in the world and on the screen") {
+TEST_CASE("a text without a height is readable in the world and on the screen") {
     Stage s;
     s.run(
         "function draw(pen) "
@@ -449,7 +449,7 @@ TEST_CASE("a text without a height can be read in the world and on the screen") 
     Recorder recorder;
     CHECK(s.runtime->draw(recorder));
     CHECK(recorder.heights == std::vector<double>{0.5, 16, 0.5});
-    // However the function ends.
+    // The state of the pen is restored however the function ends.
     s.run(
         "function draw(pen) pcall(pen.screen, function() error('x') end) "
         "pen.text(vec(0, 0), 'a') end");

@@ -1,4 +1,4 @@
-// Console commands: what they print, echo and complete.
+// Console commands: output, echo and completion.
 
 #include "stage.h"
 
@@ -28,7 +28,7 @@ TEST_CASE("a bare expression prints its value with the unit of its property") {
     CHECK(s.console("_ + 1") == "3");
 }
 
-TEST_CASE("an assignment echoes old and new value once") {
+TEST_CASE("an assignment prints old and new value once") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");
     CHECK(s.console("world.ball.mass = 5") == "world.ball.mass: 2 → 5 kg");
@@ -77,7 +77,7 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
     CHECK(s.console("world:all('Circle'):set('radius', 1) and nil") != "");
 }
 
-TEST_CASE("an incomplete chunk asks for more") {
+TEST_CASE("the console waits for the rest of an incomplete chunk") {
     Stage s;
     CHECK(s.console("for i = 1, 3 do") == "incomplete");
     CHECK(s.console("world.ball = Body {") == "incomplete");
@@ -87,7 +87,7 @@ TEST_CASE("an incomplete chunk asks for more") {
     CHECK_THAT(s.console("for for"), contains("error: console:1:"));
 }
 
-TEST_CASE("errors in the console show line and caret and the nearest spelling") {
+TEST_CASE("errors in the console show line and caret and the nearest name") {
     Stage s;
     s.run("world.ball = Body {}");
     auto e = s.runtime->evaluate("local x = 1\nprint(world.ball.mas)");
@@ -107,11 +107,11 @@ TEST_CASE("errors in the console show line and caret and the nearest spelling") 
     REQUIRE(e.error);
     CHECK_THAT(e.error->message, contains("arithmetic on a nil value"));
     CHECK_THAT(s.console("a.b is 3 + 4"), contains("a: no such name"));
-    // What was printed and changed before the error is still told.
+    // Output and changes before the error are still printed.
     CHECK(s.runtime->evaluate("print('before') error('x')").lines.size() == 1);
 }
 
-TEST_CASE("documentation is asked for with a question mark or help") {
+TEST_CASE("documentation is printed with a question mark or help") {
     Stage s;
     s.run("world.ball = Body {}");
     CHECK_THAT(s.console("world.ball.mass?"), contains("How hard it is to move."));
@@ -132,7 +132,7 @@ TEST_CASE("documentation is asked for with a question mark or help") {
     CHECK_THAT(s.console("find('zzz')"), contains("nothing has"));
 }
 
-TEST_CASE("it is what was selected") {
+TEST_CASE("it is the selected instance") {
     Stage s;
     s.run("world.ball = Body {}");
     CHECK_THAT(s.console("it"), contains("nothing is selected"));
@@ -154,7 +154,7 @@ bool has(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-// The input with the first candidate taken.
+// The input with the first candidate inserted.
 std::string taken(Stage& s, const std::string& input) {
     const auto list = s.runtime->complete(input, input.size());
     if (list.empty()) return "";
@@ -163,7 +163,7 @@ std::string taken(Stage& s, const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("completion knows paths and keys and methods and enumerators") {
+TEST_CASE("completion includes paths and keys and methods and enumerators") {
     Stage s;
     s.run(
         "world.ball = Body { mass = 2 }; world[\"my ball\"] = Body {}; lives = 3; "
@@ -202,7 +202,7 @@ TEST_CASE("completion knows paths and keys and methods and enumerators") {
     CHECK(taken(s, "world.ball.mas") == "world.ball.mass");
     CHECK(taken(s, "world.gravi") == "world.gravity");
     CHECK(labels(s, "world.").size() == 200);
-    // Nothing of a script runs meanwhile.
+    // Completion runs no function of a script.
     s.run(
         "trap = setmetatable({}, { __index = function() error('ran') end }); "
         "trap2 = setmetatable({}, { __index = function() while true do end end })");
@@ -213,7 +213,7 @@ TEST_CASE("completion knows paths and keys and methods and enumerators") {
         s.runtime->complete(odd, std::string(odd).size() + 5);
 }
 
-TEST_CASE("what takes no arguments works as a word") {
+TEST_CASE("a function without arguments can be called without parentheses") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");
     s.console("world.ball.mass = 5");
@@ -222,7 +222,7 @@ TEST_CASE("what takes no arguments works as a word") {
     CHECK(s.console("undo") == "undo: world.ball.mass = 5");
 }
 
-TEST_CASE("records and objects without fields are shown alike by print and the console") {
+TEST_CASE("print and the console show records and objects without fields in the same form") {
     Stage s;
     s.run("world.crate = Body {} hit = world:raycast(vec(-1, 0), vec(5, 0))");
     const std::string shown = s.prints("print(hit)");

@@ -24,7 +24,7 @@ void load(Stage& s, const std::string& text, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the text of a formula function is found and makes the same formula again") {
+TEST_CASE("the text of a formula function is found and defines the same formula again") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");
     s.run(
@@ -48,7 +48,7 @@ TEST_CASE("the text of a formula function is found and makes the same formula ag
                contains("is function() if world.ball.mass > 3 then return 3 end"));
 }
 
-TEST_CASE("functions on one line are told apart") {
+TEST_CASE("several functions on one line are distinguished") {
     Stage s;
     s.run(
         "world.ball = Body { mass = 2 } world.shadow = Body {} "
@@ -62,7 +62,7 @@ TEST_CASE("functions on one line are told apart") {
     CHECK_THAT(text, contains(R"("c": {"is": "function() return 30 end", "value": 30})"));
 }
 
-TEST_CASE("a formula made inside other functions has its text too") {
+TEST_CASE("the text of a formula made inside other functions is found") {
     Stage s;
     s.run(
         "world.ball = Body { mass = 2 } world.shadow = Body {}\n"
@@ -73,7 +73,7 @@ TEST_CASE("a formula made inside other functions has its text too") {
     CHECK_THAT(saved(s, "shadow"), contains(R"({"is": "function() return world.ball.mass end")"));
 }
 
-TEST_CASE("a formula that uses local variables is saved as its value and says which") {
+TEST_CASE("a formula that uses local variables is saved as its value and names them") {
     Stage s;
     s.run(
         "world.shadow = Body {}\nlocal speed, gain = 3, 2\n"
@@ -89,7 +89,7 @@ TEST_CASE("a formula that uses local variables is saved as its value and says wh
     CHECK_THAT(warnings[1], contains("is built in"));
 }
 
-TEST_CASE("a text that came later is never taken for that of an older function") {
+TEST_CASE("a later text is never used for an older function") {
     Stage s;
     s.run("world.shadow = Body {}");
     s.console("keep_it = function() return 1 end");
@@ -101,7 +101,7 @@ TEST_CASE("a text that came later is never taken for that of an older function")
     CHECK_THAT(warnings[0], contains("has no text that could be found"));
 }
 
-TEST_CASE("a formula of the console is saved as it was typed") {
+TEST_CASE("a formula of the console is saved as typed") {
     Stage s;
     s.run("world.ball = Body { mass = 2 } world.shadow = Body {}");
     s.console("world.shadow.mass is world.ball.mass  *  2");

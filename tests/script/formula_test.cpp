@@ -1,4 +1,4 @@
-// Formulas and history as scripts and the console see them.
+// Formulas and history in scripts and in the console.
 
 #include "stage.h"
 
@@ -6,7 +6,7 @@ namespace formula_test {
 
 using stage::Stage;
 
-TEST_CASE("a formula of a script follows what it reads") {
+TEST_CASE("a formula of a script follows its sources") {
     Stage s;
     s.run("world.ball = Body { mass = 2 } world.shadow = Body {}");
     s.run("world.shadow.mass = formula(function() return world.ball.mass * 2 end)");
@@ -21,12 +21,13 @@ TEST_CASE("a formula of a script follows what it reads") {
     CHECK(s.prints("print(world.third.mass)") == "5.0");
 }
 
-TEST_CASE("what tells where an instance is cannot have a formula") {
+TEST_CASE("name and parent cannot have a formula") {
     Stage s;
     s.run("world.ball = Body {}");
     for (const std::string name : {"name", "parent"}) {
         INFO(name);
-        const std::string reason = name + ": cannot have a formula: it tells where the instance is";
+        const std::string reason =
+            name + ": cannot have a formula: it is the place of the instance";
         CHECK_THAT(s.fails("world.ball." + name + " = formula(function() return 'a' end)"),
                    contains("world.ball." + reason));
         CHECK_THAT(s.fails("world.b = Body { " + name + " = formula(function() return 1 end) }"),
@@ -42,7 +43,7 @@ TEST_CASE("what tells where an instance is cannot have a formula") {
     CHECK(s.prints("print(world.ball.name)") == "ball");
 }
 
-TEST_CASE("a formula in error raises when it is read and mends itself") {
+TEST_CASE("reading a formula in error raises and the formula recovers") {
     Stage s;
     s.run("world.total = formula(function() return world.ball.mass end)");
     CHECK_THAT(s.prints("print(world:problem('total'))"), contains("world.ball: no such name"));
@@ -55,7 +56,7 @@ TEST_CASE("a formula in error raises when it is read and mends itself") {
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("a formula computes and does nothing else") {
+TEST_CASE("a formula may compute and do nothing else") {
     Stage s;
     s.run("world.ball = Body {}");
     s.run("world.a = formula(function() world.ball.mass = 2 return 1 end)");
@@ -74,7 +75,7 @@ TEST_CASE("a formula computes and does nothing else") {
     CHECK(s.prints("print(co())") == "1.0");
 }
 
-TEST_CASE("the console defines formulas and says when one is replaced") {
+TEST_CASE("the console defines formulas and reports a replaced one") {
     Stage s;
     s.run("world.ball = Body { mass = 2 } world.shadow = Body {}");
     CHECK(s.console("world.shadow.mass is world.ball.mass * 2") ==
@@ -114,7 +115,7 @@ TEST_CASE("a command of the console is one step of undo") {
     CHECK_THAT(s.console("who('world.ball')"), contains("is an instance"));
 }
 
-TEST_CASE("what a script does in an edit is undoable and nothing else it does") {
+TEST_CASE("changes by a script can be undone only within an edit") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");
     s.run("world.ball.mass = 3");

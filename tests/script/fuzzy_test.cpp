@@ -35,7 +35,7 @@ TEST_CASE("fuzzy matching prefers beginnings of names and of words") {
     CHECK_FALSE(fuzzy_match("x", ""));
 }
 
-TEST_CASE("fuzzy matching tells which letters matched") {
+TEST_CASE("fuzzy matching returns the matching letters") {
     const auto positions = [](std::string_view typed, std::string_view name) {
         return fuzzy_match(typed, name).value().positions;
     };

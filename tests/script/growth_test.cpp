@@ -1,6 +1,6 @@
-// What grows, and what must not: limits of what one command may make, and operations whose cost
-// must not depend on how much there is. The great numbers below take under a second each; where the
-// cost grows with the square of what there is, they take hours.
+// Limits of the memory of one command, and operations whose cost must not depend on the number of
+// objects. The large cases below take less than a second each; with quadratic cost they would take
+// hours.
 
 #include <fettle/property/path.h>
 
@@ -14,7 +14,7 @@ using stage::starts_with;
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr bool slowly = true;  // the great numbers would take minutes
+constexpr bool slowly = true;  // the large cases would take minutes
 #else
 constexpr bool slowly = false;
 #endif
@@ -27,7 +27,8 @@ fettle::script::Options small_memory() {
 
 }  // namespace
 
-TEST_CASE("a command that makes the tree grow without end is stopped and says what it made") {
+TEST_CASE(
+    "a command that creates instances without end is stopped with a list of what it created") {
     const std::string attack = GENERATE(
         as<std::string>{}, "while true do world:add(Body {}) end",
         "while true do pcall(function() world:add(Body {}) end) end",
@@ -56,12 +57,12 @@ TEST_CASE("a command that makes the tree grow without end is stopped and says wh
     CHECK_THAT(e.error->message,
                starts_with("console:1: stopped: it needs more memory than a command may use, 8 MB; "
                            "it made "));
-    // None of what it made is left to burden the game.
+    // None of the created instances is left.
     CHECK(s.tree->size() == before);
     CHECK(s.console("1 + 1") == "2");
 }
 
-TEST_CASE("what a command made and gave back does not count") {
+TEST_CASE("created and deleted instances do not count") {
     Stage s(small_memory());
     const std::string many = std::to_string(slowly ? 10000 : 50000);
     CHECK(s.console("for i = 1, " + many +
@@ -75,7 +76,7 @@ TEST_CASE("what a command made and gave back does not count") {
                     "0") != "");
 }
 
-TEST_CASE("a command that writes two cells in turn keeps their ends and no more") {
+TEST_CASE("a command that writes two cells alternately stores only their first and last values") {
     Stage s(small_memory());
     s.run("world.a = 1 world.b = 1");
     CHECK_THAT(s.console("for i = 1, 50000 do world.a = i world.b = i end return 1"),
@@ -85,7 +86,7 @@ TEST_CASE("a command that writes two cells in turn keeps their ends and no more"
     CHECK(s.get("world.b").integer() == 1);
 }
 
-TEST_CASE("the limit of a command can be set") {
+TEST_CASE("the memory limit of a command can be set") {
     Stage s;
     std::size_t megabytes = 4;
     s.runtime->on_command_memory([&] { return megabytes << 20; }, "console.memory_limit");
@@ -97,7 +98,7 @@ TEST_CASE("the limit of a command can be set") {
     CHECK_THAT(s.console(command), contains("1"));
 }
 
-TEST_CASE("a chunk may make what the scripts of a game may and no more") {
+TEST_CASE("a chunk has the memory limit of the game and not that of a command") {
     fettle::script::Options options;
     options.memory_limit = std::size_t{16} << 20;
     Stage s(options);
@@ -109,37 +110,37 @@ TEST_CASE("a chunk may make what the scripts of a game may and no more") {
     s.run("for i = 1, 60000000 do end");
 }
 
-TEST_CASE("snapshots that scripts hold are held to a limit of memory") {
+TEST_CASE("snapshots held by scripts have a memory limit") {
     fettle::script::Options options;
     options.memory_limit = std::size_t{16} << 20;
     Stage s(options);
     s.run("for i = 1, 20000 do world:add(Object {}) end held = {}");
     s.step();
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     s.tree->on_handler_error(
-        [&](const fettle::property::HandlerError& error) { told.push_back(error.message); });
+        [&](const fettle::property::HandlerError& error) { reported.push_back(error.message); });
     for (int i = 0; i < 30; ++i) {
         (void)s.runtime->run("held[#held + 1] = snapshot()", "main.lua");
         s.tree->barrier();
     }
     REQUIRE(!s.errors.empty());
     CHECK_THAT(s.errors.back().message, contains("of 16 MB; let go of some"));
-    // Those that were not taken for want of room say so when they are to be restored.
+    // A snapshot that was not stored because of the limit is refused when it is restored.
     s.errors.clear();
     s.run("held = nil collectgarbage() held = { snapshot() }");
     s.tree->barrier();
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("a tree has a thousand levels at most and says so") {
+TEST_CASE("the depth of a tree is limited to a thousand levels") {
     Stage s;
-    const std::string told = s.fails(R"lua(
+    const std::string reported = s.fails(R"lua(
 local deep = world
 while true do deep = deep:add(Object {}) end
 )lua");
-    CHECK_THAT(told, contains("nothing can hang so deep; a tree has 1000 levels at most"));
-    CHECK(told.size() < 300);
-    // From below, and by moving.
+    CHECK_THAT(reported, contains("nothing can hang so deep; a tree has 1000 levels at most"));
+    CHECK(reported.size() < 300);
+    // By adding a parent, and by moving.
     CHECK_THAT(s.fails("local top = Object {} while true do top = Object { top } end"),
                contains("1000 levels at most"));
     s.run(R"lua(
@@ -159,7 +160,7 @@ copy:delete()
     s.step();
 }
 
-TEST_CASE("an undo that would bring something back too deep says so") {
+TEST_CASE("an undo that would exceed the depth is refused") {
     Stage s;
     s.run(R"lua(
 world.p = Object {}
@@ -175,7 +176,7 @@ for i = 1, 600 do bottom = bottom:add(Object {}) end
                contains("cannot be brought back: what it hung under hangs deeper"));
 }
 
-TEST_CASE("children are reached by number however many there are") {
+TEST_CASE("access to a child by index does not depend on the number of children") {
     Stage s;
     CHECK(s.prints(R"lua(
 local n = 100000
@@ -193,7 +194,7 @@ print(#box, box[1])
 )lua") == "300000\tnil\tnil\tnil|0\tnil");
 }
 
-TEST_CASE("a child's number follows what comes and goes") {
+TEST_CASE("the index of a child follows creations and deletions") {
     Stage s;
     s.run(R"lua(
 local box = Object {}
@@ -220,7 +221,7 @@ end
 )lua");
 }
 
-TEST_CASE("watchers and timers are stopped in any order however many there are") {
+TEST_CASE("the cost of stopping watchers and timers does not depend on their number") {
     Stage s;
     const std::string many = std::to_string(slowly ? 30000 : 100000);
     s.run("local n = " + many + R"lua(
@@ -232,16 +233,16 @@ for i = 1, n do kept[i] = world.ball:watch("position", print) end
 for i = 1, n do kept[i]:stop() end
 for i = 1, n do kept[i] = after(1, print) end
 for i = 1, n do kept[i]:stop() end
-for i = 1, n do world.ball:on("deleted", function() told = (told or 0) + 1 end) end
-told = 0
+for i = 1, n do world.ball:on("deleted", function() reported = (reported or 0) + 1 end) end
+reported = 0
 world.ball = nil
 )lua");
     s.tree->barrier();
-    CHECK(s.prints("print(told)") == many);
+    CHECK(s.prints("print(reported)") == many);
     CHECK(s.tree->watcher_count() == 0);
 }
 
-TEST_CASE("a pattern costs the same however many others are watched") {
+TEST_CASE("the cost of a pattern does not depend on the number of other watched instances") {
     Stage s;
     s.run(R"lua(
 local kept = {}
@@ -273,7 +274,7 @@ for _, o in ipairs(box:children()) do o.f = nil end
     CHECK(s.tree->formula_count() == 0);
 }
 
-TEST_CASE("a source that is written again and again marks its formulas once") {
+TEST_CASE("a source that is written repeatedly marks its formulas once") {
     Stage s;
     CHECK(s.prints(R"lua(
 world.v = 0
@@ -292,14 +293,14 @@ print(world.o1.f, world.o2.f)
 )lua") == "100000\t100000|5|6\t6");
 }
 
-TEST_CASE("a formula somewhere does not make names of what comes and goes stay for ever") {
+TEST_CASE("a formula does not keep the names of created and deleted instances") {
     Stage s;
     s.run("world.n = formula(function() return 1 end) local _ = world.n");
     s.run("for i = 1, 200 do local o = world:add(Object {}, 'unheard_of_' .. i) o:delete() end");
     CHECK_FALSE(fettle::property::Symbol::find("unheard_of_17"));
 }
 
-TEST_CASE("there is an end to classes and to names of ad-hoc properties") {
+TEST_CASE("the number of classes and of names of ad-hoc properties is limited") {
     Stage s;
     CHECK_THAT(s.fails("for i = 1, 20000 do class('K' .. i, Object) {} end"),
                contains("K") && contains("there are 10000 classes already"));
@@ -310,7 +311,7 @@ TEST_CASE("there is an end to classes and to names of ad-hoc properties") {
     CHECK(names.prints("local o = Object { n17 = 3 } print(o.n17)") == "3");
 }
 
-TEST_CASE("a hundred restores wait for one barrier and no more") {
+TEST_CASE("the number of restores that wait for one barrier is limited") {
     Stage s;
     s.run("kept = snapshot()");
     s.tree->barrier();
@@ -321,8 +322,8 @@ TEST_CASE("a hundred restores wait for one barrier and no more") {
     s.tree->barrier();
 }
 
-TEST_CASE("pairs visits instances in an order that does not hang on addresses") {
-    // The keys were made in another order than the instances, with garbage between them.
+TEST_CASE("the order of pairs does not depend on addresses") {
+    // The keys are created in another order than the instances, with garbage between them.
     const char* game = R"(
 local all, seen = {}, {}
 for i = 1, 40 do all[i] = Object {} world:add(all[i]) end

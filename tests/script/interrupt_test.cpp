@@ -1,4 +1,4 @@
-// Scripts of a run that is to end: stopped wherever they are, until they may go on.
+// Interrupted scripts of a run that must end: they stop at any place, until they may run again.
 
 #include "stage.h"
 
@@ -6,7 +6,7 @@ namespace interrupt_test {
 
 using stage::Stage;
 
-TEST_CASE("a script that is interrupted stops wherever it is and the next ones too") {
+TEST_CASE("an interrupted script stops at any place and the next ones do too") {
     const std::string loop = GENERATE(
         as<std::string>{}, "while true do end", "while true do pcall(error) end",
         "while true do pcall(function() while true do end end) end",
@@ -18,7 +18,7 @@ TEST_CASE("a script that is interrupted stops wherever it is and the next ones t
         "(('a'):rep(30000)):match('.-.-.-.-b')",
         "for i = 1, 1e12 do world.gravity = vec(0, i) end");
     Stage s;
-    // As a signal handler does it, at a moment when the script runs.
+    // As a signal handler does while the script runs.
     s.runtime->on_print([&](std::string_view) { s.runtime->interrupt(); });
     CHECK_FALSE(s.runtime->run("print('go') " + loop, "chunk"));
     REQUIRE(s.errors.size() == 1);
@@ -36,7 +36,7 @@ TEST_CASE("a script that is interrupted stops wherever it is and the next ones t
     CHECK(s.console("n") == "500500");
 }
 
-TEST_CASE("what is not running when it is interrupted stops when it begins") {
+TEST_CASE("a script that starts after an interruption is stopped at its start") {
     Stage s;
     s.run("function update() end");
     s.runtime->interrupt();
@@ -47,7 +47,7 @@ TEST_CASE("what is not running when it is interrupted stops when it begins") {
     s.run("x = 1");
 }
 
-TEST_CASE("out of memory is told with its place and the limit") {
+TEST_CASE("out of memory is reported with its place and the limit") {
     fettle::script::Options options;
     options.memory_limit = std::size_t{16} << 20;
     Stage s(options);
@@ -67,11 +67,11 @@ TEST_CASE("out of memory is told with its place and the limit") {
     CHECK(s.errors[0].line == 2);
     s.errors.clear();
     s.run("assert(1 + 1 == 2)");
-    // A script that catches the error reads the same.
-    s.run("ok, told = pcall(function() " + chunk + "\nend)");
-    CHECK(s.prints("print(ok, told:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
-    s.run("ok, told = xpcall(function() " + chunk + "\nend, function(e) return e end)");
-    CHECK(s.prints("print(ok, told:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
+    // A script that catches the error gets the same text.
+    s.run("ok, message = pcall(function() " + chunk + "\nend)");
+    CHECK(s.prints("print(ok, message:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
+    s.run("ok, message = xpcall(function() " + chunk + "\nend, function(e) return e end)");
+    CHECK(s.prints("print(ok, message:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
 }
 
 }  // namespace interrupt_test

@@ -4,7 +4,7 @@
 
 namespace lifetime_test {
 
-// Runtimes that end before, after and while what they are bound to is used.
+// Runtimes that are destroyed before, after and during the use of their trees and callbacks.
 
 using namespace stage;
 using fettle::property::Error;
@@ -24,7 +24,7 @@ std::string error_of(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST_CASE("a tree has one runtime at a time and another one after it") {
+TEST_CASE("a tree has one runtime at a time and can get another one afterwards") {
     Stage stage;
     const Handle ball = stage.tree->create(stage.tree->class_named("Body"), stage.world, "ball");
     stage.run(
@@ -33,7 +33,7 @@ TEST_CASE("a tree has one runtime at a time and another one after it") {
     CHECK(stage.tree->get(ball, "mass") == Value(2.0));
     CHECK(error_of([&] { Runtime second(*stage.tree, {}); }) ==
           "the tree has a runtime already: it has one at a time");
-    stage.run("world.ball.friction = 0.25");  // the first goes on
+    stage.run("world.ball.friction = 0.25");  // the first still works
     stage.runtime = nullptr;
     stage.tree->set(ball, "friction", 1);
     CHECK(stage.tree->problem(ball, stage.tree->property(ball, "mass"))
@@ -43,7 +43,7 @@ TEST_CASE("a tree has one runtime at a time and another one after it") {
     CHECK(stage.tree->get(ball, "mass") == Value(3.0));
 }
 
-TEST_CASE("a runtime that outlives its tree says so and ends without harm") {
+TEST_CASE("a runtime that outlives its tree reports this and ends without harm") {
     auto tree = std::make_unique<Tree>();
     Runtime runtime(*tree, {});
     runtime.on_print([](std::string_view) {});
@@ -70,7 +70,7 @@ TEST_CASE("a runtime that outlives its tree says so and ends without harm") {
     CHECK_FALSE(runtime.quit_status());
 }
 
-TEST_CASE("what a runtime calls may end it") {
+TEST_CASE("a function called by a runtime may destroy the runtime") {
     for (const std::string way :
          {"print", "error", "command", "print in a handler", "print in a timer", "method",
           "print in a class", "print in a formula"}) {
@@ -133,21 +133,21 @@ TEST_CASE("what a runtime calls may end it") {
     }
 }
 
-TEST_CASE("an error sink whose scripts are in error themselves comes to an end") {
+TEST_CASE("an error handler whose own scripts fail does not run without end") {
     Stage stage;
-    int told = 0;
+    int reported = 0;
     stage.runtime->on_error([&](const ScriptError&) {
-        ++told;
+        ++reported;
         stage.runtime->run("error('and again')", "main.lua");
     });
     CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
-    CHECK(told == 16);
+    CHECK(reported == 16);
     CHECK_FALSE(stage.runtime->run("error('no')", "main.lua"));
-    CHECK(told == 32);
+    CHECK(reported == 32);
     CHECK(stage.runtime->run("local n = 1", "main.lua"));
 }
 
-TEST_CASE("a method that throws what is no exception is an error of the script") {
+TEST_CASE("a method that throws an unknown type is an error of the script") {
     Stage stage;
     std::string said;
     stage.runtime->on_print([&](std::string_view text) { said += text; });
@@ -162,7 +162,7 @@ TEST_CASE("a method that throws what is no exception is an error of the script")
     CHECK_THAT(said, contains("bomb:explode(): an exception of no known type"));
 }
 
-TEST_CASE("what a runtime calls may replace what it calls") {
+TEST_CASE("a callback of a runtime may replace itself") {
     Stage stage;
     std::string said;
     stage.runtime->on_print([&, kept = std::string(100, 'a')](std::string_view) {
@@ -179,7 +179,7 @@ TEST_CASE("what a runtime calls may replace what it calls") {
     CHECK(said == "aaasecondeeelater");
 }
 
-TEST_CASE("no game is loaded while a script of the runtime runs") {
+TEST_CASE("loading a game while a script of the runtime runs is refused") {
     Stage stage;
     std::string said;
     stage.runtime->on_print(
@@ -188,7 +188,7 @@ TEST_CASE("no game is loaded while a script of the runtime runs") {
     CHECK_THAT(said, contains("no game can be loaded while a script"));
 }
 
-TEST_CASE("a runtime with too little memory is refused and leaves the tree as it was") {
+TEST_CASE("a runtime with too little memory is refused and the tree is unchanged") {
     Tree tree;
     int refused = 0;
     for (const std::size_t limit :
@@ -206,7 +206,7 @@ TEST_CASE("a runtime with too little memory is refused and leaves the tree as it
     CHECK(runtime.run("game.n = 1", "main.lua"));
 }
 
-TEST_CASE("a runtime that ends at a barrier before a snapshot of its script is taken") {
+TEST_CASE("a runtime can end at a barrier before a snapshot requested by its script is taken") {
     Tree tree;
     auto runtime = std::make_unique<Runtime>(tree, Options{});
     REQUIRE(runtime->run("S = snapshot() restore(S)", "main.lua"));

@@ -1,4 +1,4 @@
-// Calls into scripts that do not come back.
+// Calls of scripts that do not return.
 
 #include <thread>
 
@@ -12,11 +12,11 @@ using stage::starts_with;
 
 namespace {
 
-constexpr double patience = 0.1;  // s: the loops in here end no sooner, however fast the machine is
+constexpr double patience = 0.1;  // s: the loops in these tests run longer on any machine
 
 }  // namespace
 
-TEST_CASE("a loop without end in a game is stopped when nobody lets it go on") {
+TEST_CASE("an endless loop in a game is stopped if the host does not extend its time") {
     const std::string loop =
         GENERATE(as<std::string>{}, "while true do end", "while true do pcall(error) end",
                  "while true do pcall(function() while true do end end) end",
@@ -40,12 +40,12 @@ TEST_CASE("a loop without end in a game is stopped when nobody lets it go on") {
     CHECK_THAT(s.errors.front().message, starts_with("main.lua:2: stopped: it ran for "));
     CHECK(s.errors.front().line == 2);
     CHECK(s.errors.front().source_line != "");
-    // The game lives on, and what comes back in time is left alone.
+    // The game continues, and calls that return in time are not stopped.
     CHECK(s.prints("local n = 0 for i = 1, 1000000 do n = n + 1 end print(n)") == "1000000");
     CHECK(s.console("1 + 1") == "2");
 }
 
-TEST_CASE("a loop without end is stopped wherever the host called the script") {
+TEST_CASE("an endless loop is stopped in every kind of call by the host") {
     Stage s;
     s.run(R"lua(
 function update() if loops == "update" then while true do end end end
@@ -58,7 +58,7 @@ after(0.01, function() if loops == "timer" then while true do end end end)
 loops = ""
 )lua");
     s.runtime->limit_calls(patience, {});
-    const auto told = [&] {
+    const auto reported = [&] {
         REQUIRE(s.errors.size() == 1);
         const auto error = s.errors.front();
         s.errors.clear();
@@ -67,24 +67,24 @@ loops = ""
     };
     s.run("loops = 'update'");
     CHECK_FALSE(s.runtime->call("update", {}));
-    CHECK(told() == "update 2");
+    CHECK(reported() == "update 2");
     s.run("loops = 'timer'");
     s.step();
-    CHECK(told() == "timer 8");
-    // The first of the class that does not come back is enough: the others wait for the next step.
+    CHECK(reported() == "timer 8");
+    // Stopping the first endless instance of the class is enough: the others run in the next step.
     s.run("loops = 'step' calls = 0");
     s.step();
-    CHECK(told() == "Thing:step of world.t1 5");
+    CHECK(reported() == "Thing:step of world.t1 5");
     CHECK(s.prints("print(calls)") == "1");
     s.run("loops = 'watcher' world.scale = 3");
     s.tree->barrier();
-    CHECK(told() == "watcher of world.scale 7");
+    CHECK(reported() == "watcher of world.scale 7");
     s.run("loops = ''");
     s.step(3);
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("who is asked about a long call sees where it is and may let it go on") {
+TEST_CASE("the host gets the place of a long call and may extend its time") {
     Stage s;
     std::vector<std::string> places;
     std::string said;
@@ -94,7 +94,7 @@ TEST_CASE("who is asked about a long call sees where it is and may let it go on"
         CHECK(call.seconds >= patience);
         CHECK_THAT(call.where.traceback, contains("in function spin"));
         CHECK_THAT(call.where.locals, contains("apples = 7"));
-        // A console that is opened meanwhile works, and its commands have their budget.
+        // The console works during the question, and its commands have their budget.
         if (places.size() == 1) said = s.console("while true do end");
         if (places.size() == 3) said += "|" + s.console("done = true");
         return true;
@@ -114,19 +114,19 @@ result = spin()
     CHECK(s.prints("print(result)") == "7");
 }
 
-TEST_CASE("a call that takes long is asked about again and again until it is stopped") {
+TEST_CASE("the host is asked again at intervals about a long call until it is stopped") {
     Stage s;
     int asked = 0;
     s.runtime->limit_calls(patience, [&](const LongCall&) { return ++asked < 4; });
     s.fails("while true do end");
     CHECK(asked == 4);
-    // With a coroutine on top.
+    // The same within a coroutine.
     asked = 0;
     s.fails("coroutine.wrap(function() while true do end end)()");
     CHECK(asked == 4);
 }
 
-TEST_CASE("a long call whose runtime is destroyed is stopped whatever the answer was") {
+TEST_CASE("a long call whose runtime is destroyed is stopped with any answer") {
     Stage s;
     fettle::script::Runtime& runtime = *s.runtime;
     runtime.limit_calls(patience, [&](const LongCall&) {
@@ -137,7 +137,7 @@ TEST_CASE("a long call whose runtime is destroyed is stopped whatever the answer
     CHECK(s.runtime == nullptr);
 }
 
-TEST_CASE("no call is limited unless the host asks for it") {
+TEST_CASE("calls are limited only if the host requests it") {
     Stage s;
     s.runtime->limit_calls(patience, {});
     s.runtime->limit_calls(0, {});
@@ -153,7 +153,7 @@ TEST_CASE("a console command keeps its own budget while calls are limited") {
     CHECK(asked == 0);
 }
 
-TEST_CASE("a call into a script returns by itself however a host made the runtime") {
+TEST_CASE("an endless call is stopped by default for every kind of runtime") {
     CHECK(fettle::script::Options().call_seconds == 10);
     fettle::script::Options options;
     options.call_seconds = patience;
@@ -168,17 +168,17 @@ TEST_CASE("a call into a script returns by itself however a host made the runtim
     s.run("x = 1");
 }
 
-TEST_CASE("calls of two runtimes one inside the other are limited each for itself") {
+TEST_CASE("nested calls of two runtimes are limited separately") {
     fettle::script::Options options;
     options.call_seconds = patience;
     Stage inner(options), outer(options);
-    int told = 0;
+    int reported = 0;
     outer.runtime->on_print([&](std::string_view) {
-        ++told;
+        ++reported;
         CHECK_FALSE(inner.runtime->run("while true do end", "inner"));
     });
     CHECK_FALSE(outer.runtime->run("print('go') while true do end", "outer"));
-    CHECK(told == 1);
+    CHECK(reported == 1);
     REQUIRE(inner.errors.size() == 1);
     CHECK_THAT(inner.errors[0].message, starts_with("inner:1: stopped"));
     REQUIRE(outer.errors.size() == 1);

@@ -1,4 +1,4 @@
-// What classes have, as scripts read it.
+// Descriptions of classes in scripts.
 
 #include "stage.h"
 
@@ -6,7 +6,7 @@ namespace reflection_test {
 
 using stage::Stage;
 
-TEST_CASE("a script walks the properties of a class") {
+TEST_CASE("a script can list the properties of a class") {
     Stage s;
     CHECK(s.prints("local n = 0 "
                    "for _, p in ipairs(classes.Body.properties) do "
@@ -16,7 +16,7 @@ TEST_CASE("a script walks the properties of a class") {
                    "print(n == #Body.properties)") == "velocity\tvec2\tm/s|true");
 }
 
-TEST_CASE("every class of the tree is among the classes by number and by name") {
+TEST_CASE("the table of classes has every class by number and by name") {
     Stage s;
     std::string expected;
     for (const auto* of : s.tree->classes()) expected += (expected.empty() ? "" : "|") + of->name();
@@ -25,7 +25,7 @@ TEST_CASE("every class of the tree is among the classes by number and by name") 
                    "print(classes.Body == Body, Body.base, Object.base)") == "true\tObject\tnil");
 }
 
-TEST_CASE("a property tells its unit range default and kind") {
+TEST_CASE("the description of a property has unit and range and default and kind") {
     Stage s;
     CHECK(s.prints("local p = Body.properties.mass "
                    "print(p.type, p.unit, p.min, p.max, p.default, p.inf, p.read_only, p.owner)") ==
@@ -35,7 +35,7 @@ TEST_CASE("a property tells its unit range default and kind") {
     CHECK(s.prints("print(Body.properties.type.min, Body.properties.name.default)") == "nil\tnil");
 }
 
-TEST_CASE("methods and events tell what they take and give") {
+TEST_CASE("descriptions of methods and events have arguments and results") {
     Stage s;
     CHECK(s.prints("local m = World.methods.raycast "
                    "print(m.signature, m.doc, m.many) "
@@ -55,7 +55,7 @@ TEST_CASE("classes that scripts define are described like native ones") {
           "integer\t3\tLeft.\tBall\tA ball.\ttrue|1\ttrue");
 }
 
-TEST_CASE("descriptions cannot be changed and their slips are named") {
+TEST_CASE("descriptions cannot be changed and unknown fields are reported") {
     Stage s;
     CHECK(s.fails("Body.properties.mass.unit = 'g'").find("cannot be changed") !=
           std::string::npos);
@@ -75,7 +75,7 @@ TEST_CASE("descriptions cannot be changed and their slips are named") {
                    "print(p.default.x, Body.properties.position.default.x)") == "0.0\t0.0");
 }
 
-TEST_CASE("a global of the game called classes hides nothing but the name") {
+TEST_CASE("a global of the game named classes hides only that name") {
     Stage s;
     CHECK(s.prints("classes = { 1 } print(#classes, Body.properties.mass.unit)") == "1\tkg");
 }
@@ -90,7 +90,7 @@ TEST_CASE("pairs of a description visits its fields in the documented order") {
           "1\traycast|2\traycast_all");
 }
 
-TEST_CASE("an instance describes itself with what was added to it") {
+TEST_CASE("the description of an instance includes its ad-hoc properties") {
     Stage s;
     CHECK(s.prints("world.ball = Body {} world.ball.lives = 3 "
                    "local p = world.ball:describe('lives') print(p.type, p.owner) "

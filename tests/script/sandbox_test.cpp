@@ -1,4 +1,4 @@
-// What hostile console commands try. None may crash, hang, or get out.
+// Hostile console commands: none may crash, run without end or leave the sandbox.
 
 #include "stage.h"
 
@@ -19,7 +19,7 @@ fettle::script::Options small_budget(std::uint64_t instructions = 3'000'000,
 
 }  // namespace
 
-TEST_CASE("a runaway command is stopped and says where") {
+TEST_CASE("an endless command is stopped with its place") {
     const std::string attack = GENERATE(
         as<std::string>{}, "while true do end", "while true do pcall(error) end",
         "while true do pcall(function() while true do end end) end",
@@ -68,7 +68,7 @@ TEST_CASE("a runaway command is stopped and says where") {
     REQUIRE(e.error);
     CHECK_THAT(e.error->message,
                contains("console:1: ") || contains("stopped") || contains("C stack overflow"));
-    // The console lives on.
+    // The console still works.
     CHECK(s.console("1 + 1") == "2");
     CHECK(s.prints("local n = 0 for i = 1, 1000000 do n = n + 1 end print(n)") == "1000000");
 }
@@ -101,7 +101,7 @@ TEST_CASE("a command that needs too much memory is stopped") {
     CHECK(s.prints("local t = {} for i = 1, 1000 do t[i] = {} end print(#t)") == "1000");
 }
 
-TEST_CASE("memory that a command asked for is given back") {
+TEST_CASE("memory of a command is freed after it") {
     Stage s(small_budget());
     s.run("function fill() local t = {} for i = 1, 300000 do t[i] = { i } end end");
     CHECK_THAT(s.console("local t = {} for i = 1, 1e8 do t[i] = { i } end"),
@@ -109,7 +109,7 @@ TEST_CASE("memory that a command asked for is given back") {
     CHECK(s.console("#('x'):rep(1e7)") == "10000000");
 }
 
-TEST_CASE("nothing dangerous can be reached") {
+TEST_CASE("dangerous functions are not available") {
     Stage s;
     for (const char* name :
          {"debug", "io", "package", "dofile", "loadfile", "loadstring", "newproxy", "getfenv"}) {
@@ -150,7 +150,7 @@ assert(not pcall(function() return ("").x.y end))
     }
 }
 
-TEST_CASE("errors of any type are told") {
+TEST_CASE("errors of any type are reported") {
     Stage s;
     CHECK_THAT(s.fails("error({ code = 3 })"), contains("{code = 3}"));
     CHECK_THAT(s.fails("error(nil)"), contains("nil"));

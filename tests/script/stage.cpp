@@ -184,7 +184,7 @@ Stage::~Stage() {
 void Stage::run(const std::string& chunk) {
     errors.clear();
     const bool ok = runtime->run(chunk, "main.lua");
-    if (!ok) FAIL((errors.empty() ? std::string("no error told") : errors.front().message));
+    if (!ok) FAIL((errors.empty() ? std::string("no error reported") : errors.front().message));
 }
 
 std::string Stage::fails(const std::string& chunk) {

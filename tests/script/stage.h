@@ -1,6 +1,6 @@
 #pragma once
-// A tree with a small module of its own, a runtime over it, and what came out of both: the
-// scripting library is tested without physics and without a window.
+// A tree with a small module, a runtime, and the output of both: the script library is tested
+// without physics and without a window.
 
 #include <memory>
 #include <string>
@@ -45,7 +45,7 @@ struct Module {
     void attach(Tree& tree);
 };
 
-/// No call is stopped for its time: a machine may be slow, and a sanitizer is.
+/// Options without a time limit for calls: a machine may be slow, and a sanitizer makes it slower.
 inline fettle::script::Options unhurried() {
     fettle::script::Options options;
     options.call_seconds = 0;
@@ -57,13 +57,13 @@ class Stage {
     explicit Stage(fettle::script::Options options = unhurried());
     ~Stage();
 
-    /// Runs a chunk as the game; the test fails when it raises.
+    /// Runs a chunk as the game; the test fails if it raises.
     void run(const std::string& chunk);
-    /// Runs a chunk that must raise; its message.
+    /// Runs a chunk that must raise; returns the message.
     std::string fails(const std::string& chunk);
-    /// What the chunk printed, line by line joined with '|'.
+    /// The printed lines of a chunk, joined with '|'.
     std::string prints(const std::string& chunk);
-    /// One fixed step, as the loop does it.
+    /// One fixed step, as the loop makes it.
     void step(int count = 1);
     /// Lines of a console command joined with '|'; "error: message" when it failed.
     std::string console(const std::string& command);
@@ -80,7 +80,7 @@ class Stage {
 
 std::string joined(const std::vector<std::string>& lines);
 
-/// Matches a text that begins so.
+/// Matches a text with this beginning.
 inline auto starts_with(const std::string& part) {
     return Catch::Matchers::StartsWith(part);
 }

@@ -1,4 +1,4 @@
-// The tree as a script sees it: names, creation, deletion, values.
+// The tree in scripts: names, creation, deletion, values.
 
 #include "stage.h"
 
@@ -8,7 +8,7 @@ namespace tree_test {
 
 using stage::Stage;
 
-TEST_CASE("a ball bounces in a few lines of Lua") {
+TEST_CASE("a few lines of Lua make a ball bounce") {
     Stage s;
     s.run(R"lua(
 world.floor = Body { type = "static", position = vec(0, -1), Circle { radius = 40 } }
@@ -51,7 +51,7 @@ b.mass = 3  assert(math.type(b.mass) == "float")
 )lua");
 }
 
-TEST_CASE("hostile values survive or are refused on every way in") {
+TEST_CASE("hostile values are stored exactly or refused by every kind of write") {
     Stage s;
     s.run(R"lua(
 world.b = Body {}
@@ -96,7 +96,7 @@ assert(b.position == vec(0, 0))
     CHECK(s.console("1 / world.b.number") != "nan");
 }
 
-TEST_CASE("an unknown name is an error with the nearest spelling") {
+TEST_CASE("an unknown name is an error with the nearest name") {
     Stage s;
     s.run("world.ball = Body {}");
     CHECK(s.fails("print(world.ball.mas)") ==
@@ -112,7 +112,7 @@ TEST_CASE("an unknown name is an error with the nearest spelling") {
           "false\ttrue\ttrue");
 }
 
-TEST_CASE("a new name becomes a property of its own unless it nearly is a declared one") {
+TEST_CASE("a new name becomes an ad-hoc property unless it is similar to a declared one") {
     Stage s;
     s.run("world.ball = Body {}; world.ball.lives = 3; world.ball.home = vec(1, 2)");
     CHECK(s.get("world.ball.lives") == stage::Value(3));
@@ -125,7 +125,7 @@ TEST_CASE("a new name becomes a property of its own unless it nearly is a declar
     CHECK_THAT(s.fails("world.ball.f = {x = 1}"), contains("named keys (x)"));
 }
 
-TEST_CASE("every name keeps what it stands for however many there are") {
+TEST_CASE("every name keeps its meaning with any number of names") {
     Stage s;
     s.run(R"(
         class "Crate" { stock = 0, home = vec(0, 0) }
@@ -165,7 +165,7 @@ TEST_CASE("assigning nil restores the default") {
     s.run("world.bounds = {1, 2}; world.bounds = nil; assert(world.bounds == nil)");
 }
 
-TEST_CASE("constructors name what they get and refuse what is wrong") {
+TEST_CASE("constructors set the named values and refuse wrong ones") {
     Stage s;
     s.run(R"lua(
 world.b = Body { Circle {}, Circle { radius = 2 }, wheel = Circle { radius = 3 }, lives = 3 }
@@ -188,14 +188,14 @@ assert(added.parent == world and added.class == "Body")
     const std::size_t before = s.tree->size();
     CHECK_THAT(s.fails("Body { mass = -1 }"), contains("Body.mass"));
     CHECK(s.tree->size() == before);
-    // A child that was given is as it was before: detached, and the script's.
+    // A child in the arguments is as before: detached, and owned by the script.
     CHECK_THAT(s.fails("given = Circle {} Body { given, mass = -1 }"), contains("Body.mass"));
     CHECK(s.tree->size() == before + 1);
     s.run("assert(given.parent == nil) given:delete()");
     CHECK(s.tree->size() == before);
 }
 
-TEST_CASE("assigning an instance places it and replaces what hung there") {
+TEST_CASE("assigning an instance places it and replaces the instance of that name") {
     Stage s;
     s.run(R"lua(
 world.a = Body { mass = 1 }
@@ -218,7 +218,7 @@ assert(seen[world.a])
     CHECK(s.prints("print(world.a, Body {}, game)") == "world.a\t(detached body)\tgame");
 }
 
-TEST_CASE("using what was deleted says who deleted it and when") {
+TEST_CASE("the error for a deleted instance says who deleted it and when") {
     Stage s;
     s.step(3);
     s.run("world.ball = Body {}; ball = world.ball; world.ball = nil");
@@ -232,7 +232,9 @@ TEST_CASE("using what was deleted says who deleted it and when") {
     CHECK_THAT(s.fails("world.nothing_here.x = 1"), contains("no such name"));
 }
 
-TEST_CASE("what a script holds is whatever a game saved elsewhere has in its place") {
+TEST_CASE(
+    "a variable of a script is not affected by an instance of another saved game with the same "
+    "handle") {
     const std::string crate = "Crate = class('Crate') { level = 1.5, home = vec(0, 0) }\n";
     std::vector<std::byte> saved;
     {
@@ -263,7 +265,8 @@ TEST_CASE("what a script holds is whatever a game saved elsewhere has in its pla
     CHECK_THAT(s.fails("y:nudge(vec(1, 0))"), contains("nudge"));
 }
 
-TEST_CASE("what comes back is of its class for whoever got to know it while it was gone") {
+TEST_CASE(
+    "a variable keeps an instance of a class of a script through its deletion and restoration") {
     Stage s;
     s.run(R"(
         Crate = class("Crate") { level = 1.5 }
@@ -284,7 +287,7 @@ TEST_CASE("what comes back is of its class for whoever got to know it while it w
     )");
 }
 
-TEST_CASE("a component of a vec that was read is written back") {
+TEST_CASE("a write to a component of a vec writes it back to the property") {
     Stage s;
     s.run(R"lua(
 world.b = Body { position = vec(1, 2) }
@@ -305,7 +308,7 @@ world.b.home = vec(1, 1); world.b.home.y = 4; assert(world.b.home == vec(1, 4))
                contains("no such name any more"));
 }
 
-TEST_CASE("vectors and colors have their arithmetic") {
+TEST_CASE("vectors and colors have arithmetic operators") {
     Stage s;
     s.run(R"lua(
 assert(vec(1, 2) + vec(3, 4) == vec(4, 6) and vec(1, 2) - vec(3, 4) == vec(-2, -2))
@@ -324,7 +327,7 @@ assert(vec(1, 2) ~= vec(1, 3) and vec(1, 2) ~= 3)
     CHECK(s.prints("print(vec(1, 0.1), color('red'))").find("vec(1, 0.1)") == 0);
 }
 
-TEST_CASE("an element of a list is a change of the whole list") {
+TEST_CASE("a write to an element of a list writes the whole list") {
     Stage s;
     s.run("world.hull = Polygon {}");
     const auto& polygon = s.module.polygons.front();
@@ -359,7 +362,7 @@ assert(#world.hull.vertices == 3 and world.hull.vertices == v)
     CHECK(changes == 1);
 }
 
-TEST_CASE("lists inside lists are written back too") {
+TEST_CASE("writes to nested lists are written back too") {
     Stage s;
     s.run(R"lua(
 world.grid = { {1, 2}, {3, 4} }
@@ -370,7 +373,7 @@ assert(#world.grid == 3 and world.grid[3][1] == 5)
 )lua");
 }
 
-TEST_CASE("methods coerce their arguments and return records") {
+TEST_CASE("methods convert their arguments and return records") {
     Stage s;
     s.run(R"lua(
 world.b = Body {}
@@ -389,7 +392,7 @@ assert(#world:raycast_all(vec(0, 0), vec(1, 1)) == 1)
     CHECK_THAT(s.fails("return world:raycast(vec(0, 0), vec(2, 0)).bdy"), contains("body"));
 }
 
-TEST_CASE("sets of instances are filtered and changed in bulk") {
+TEST_CASE("sets of instances are filtered and changed together") {
     Stage s;
     s.run(R"lua(
 for i = 1, 5 do world:add(Body { mass = i, Circle {} }) end
@@ -428,7 +431,7 @@ print(next(t))
           "0.1\t2.0\t0.3333333333333333\t3");
 }
 
-TEST_CASE("instances that nobody keeps go away") {
+TEST_CASE("instances without references are collected") {
     Stage s;
     s.run(
         "kept = Body {}; holder = Object {}; holder.inner = Circle {}; inner = holder.inner; "

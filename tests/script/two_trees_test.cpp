@@ -5,7 +5,8 @@
 
 namespace two_trees_test {
 
-// Two trees with a runtime each, and what a snapshot or a host takes from one to the other.
+// Two trees with a runtime each, and formulas and timers that a snapshot or a host moves from one
+// to the other.
 
 using namespace stage;
 using fettle::property::get;
@@ -28,7 +29,7 @@ struct Game {
 
 }  // namespace
 
-TEST_CASE("a formula that a snapshot takes to another tree is computed by the scripts there") {
+TEST_CASE("a formula that a snapshot copies to another tree is computed by the scripts there") {
     Game first, second;
     first.run("game.x = 1 game.y = formula(function() return game.x + 1 end)");
     first.tree->barrier();
@@ -44,18 +45,18 @@ TEST_CASE("a formula that a snapshot takes to another tree is computed by the sc
     set(*second.tree, "x", 5);
     second.tree->barrier();
     CHECK(get(*second.tree, "y") == Value(6));
-    // The formula is of that runtime: it ends with it.
+    // The formula belongs to that runtime and ends with it.
     second.runtime = nullptr;
     set(*second.tree, "x", 7);
     CHECK_THROWS_WITH(get(*second.tree, "y"), Catch::Matchers::Contains("its script has ended"));
 }
 
-TEST_CASE("a tree without scripts keeps the values of formulas of another tree and says so") {
+TEST_CASE("a tree without scripts keeps the values of formulas of another tree and reports it") {
     Game first;
     Tree plain;
     first.run("game.x = 1 game.y = formula(function() return game.x + 1 end)");
     first.tree->barrier();
-    first.runtime = nullptr;  // else its part is missing here
+    first.runtime = nullptr;  // otherwise its part of the snapshot is missing here
     const auto snapshot = first.tree->snapshot();
     plain.restore(snapshot);
     CHECK(fettle::property::restore_remarks(plain) ==
@@ -67,7 +68,7 @@ TEST_CASE("a tree without scripts keeps the values of formulas of another tree a
 
 TEST_CASE("timers of one tree do not run in another") {
     Game first, second;
-    // What is first kept of a function here has the number that the other has there.
+    // The first function kept here has the same number as one kept there.
     first.run("every(1, function() print('first') end) after(1, function() print('once') end)");
     second.run("kept = every(1, function() print('second') end) kept:stop()");
     second.run("every(1, function() print('second') end) after(1, function() print('once') end)");
@@ -79,7 +80,7 @@ TEST_CASE("timers of one tree do not run in another") {
     CHECK(second.errors.empty());
 }
 
-TEST_CASE("a formula that a host gives to another tree is in error there") {
+TEST_CASE("a formula that a host copies to another tree is in error there") {
     Game first;
     first.run("game.x = 1 game.y = formula(function() return game.x + 1 end)");
     const auto& y = first.tree->property(first.tree->root(), "y");

@@ -1,5 +1,5 @@
-// Values that are hard to get right, written in every way there is: what one way makes of them, all
-// make of them, and what was taken comes back bit for bit.
+// Special values, written in every way: all ways give the same result, and an accepted value is
+// saved and loaded bit for bit.
 
 #include <cmath>
 #include <cstring>
@@ -21,8 +21,9 @@ namespace {
 struct Hard {
     const char* name;
     Value value;
-    std::string lua;   // how a script says it
-    std::string json;  // how a scene file says it, where a number or text is declared; "" cannot
+    std::string lua;   // in a script
+    std::string json;  // in a scene file, for a property declared as number or text; "" if it
+                       // cannot be written
 };
 
 std::vector<Hard> hard_values() {
@@ -46,7 +47,7 @@ std::vector<Hard> hard_values() {
     };
 }
 
-/// "number 0x8000000000000000"; "refused" when the value was.
+/// As "number 0x8000000000000000"; "refused" if the value was refused.
 std::string outcome(const Stage& s, Handle ball, const std::string& property) {
     const Value value = s.tree->get(ball, property);
     if (value.is(fettle::property::Type::number)) {
@@ -98,7 +99,7 @@ std::string from_scene(Stage& s, const Hard& hard, const std::string& property) 
     s.tree->destroy(s.tree->child(s.world, "b"));
     const bool declared = s.tree->class_named("Body").property(property) != nullptr;
     std::string json = hard.json;
-    // Where no number is declared it says that it is one.
+    // If the property is not declared as a number, the file says that the value is one.
     if ((!declared || property == "title") && hard.value.is(fettle::property::Type::number) &&
         json.front() == '"')
         json = "{\"number\": " + json + "}";
@@ -115,7 +116,7 @@ std::string from_scene(Stage& s, const Hard& hard, const std::string& property) 
 
 }  // namespace
 
-TEST_CASE("a hard value means the same in C++ and Lua and the console and a scene file") {
+TEST_CASE("a special value has the same result in C++ and Lua and the console and a scene file") {
     Stage s;
     const std::vector<Hard> all = hard_values();
     for (const char* property : {"number", "counter", "title", "mass", "friction", "own"}) {
@@ -132,7 +133,7 @@ TEST_CASE("a hard value means the same in C++ and Lua and the console and a scen
     };
     CHECK(made("number", 0) == "number c000000000000000");
     CHECK(made("number", 2) == "number c3e0000000000000");
-    CHECK(made("number", 3) == refused);  // no double is that integer
+    CHECK(made("number", 3) == refused);  // no double equals that integer
     CHECK(made("number", 4) == "number 8000000000000000");
     CHECK(made("number", 7) == refused);
     CHECK(made("number", 8) == "number 0000000000000001");
@@ -148,7 +149,7 @@ TEST_CASE("a hard value means the same in C++ and Lua and the console and a scen
     CHECK(made("title", 13) == "text of 300000");
 }
 
-TEST_CASE("a hard value that was taken comes back bit for bit from a scene file") {
+TEST_CASE("an accepted special value comes back bit for bit from a scene file") {
     Stage s;
     for (const char* property : {"number", "counter", "title", "mass", "friction", "own"}) {
         for (const Hard& hard : hard_values()) {

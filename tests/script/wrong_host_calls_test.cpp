@@ -10,7 +10,7 @@
 
 namespace wrong_host_calls_test {
 
-// What a host can hand to a runtime that is none: each is an error that says what.
+// Invalid arguments of a host for a runtime: each is an error with an explanation.
 
 using namespace stage;
 using fettle::property::Error;
@@ -31,7 +31,7 @@ std::string error_of(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST_CASE("times that are none are refused by a runtime") {
+TEST_CASE("a runtime refuses invalid times") {
     Stage stage;
     const double nan = std::nan("");
     for (const double wrong : {nan, -1.0, std::numeric_limits<double>::infinity()}) {
@@ -50,7 +50,7 @@ TEST_CASE("times that are none are refused by a runtime") {
     CHECK(stage.runtime->step(1, 0.1));
 }
 
-TEST_CASE("too little memory for Lua is told with what it needs") {
+TEST_CASE("too little memory for Lua is reported with the required amount") {
     Tree tree;
     Options options;
     options.memory_limit = 1000;
@@ -61,13 +61,13 @@ TEST_CASE("too little memory for Lua is told with what it needs") {
     CHECK(runtime.run("local x = 1", "main.lua"));
 }
 
-TEST_CASE("a game of no name is a file that cannot be read") {
+TEST_CASE("a game with an empty path is a file that cannot be read") {
     Stage stage;
     CHECK_THROWS_AS(stage.runtime->load(""), fettle::property::FileError);
     CHECK_THROWS_AS(stage.runtime->load("/nowhere/at/all"), fettle::property::FileError);
 }
 
-TEST_CASE("a sink of commands that destroys the tree ends the command") {
+TEST_CASE("a function for commands that destroys the tree ends the command") {
     Stage stage;
     stage.runtime->on_command([&](std::string_view) { stage.tree.reset(); });
     CHECK_THAT(error_of([&] { stage.runtime->evaluate("1 + 1"); }),

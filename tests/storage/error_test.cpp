@@ -1,4 +1,4 @@
-// What a file may not say: told with line, column and path, and nothing has changed.
+// Errors in scene files: reported with line, column and path, and nothing has changed.
 
 #include <random>
 
@@ -29,7 +29,7 @@ struct Refused {
 
 }  // namespace
 
-TEST_CASE("a wrong value is told with line column path and expectation") {
+TEST_CASE("a wrong value is reported with line and column and path and expectation") {
     SceneWorld w;
     CHECK(w.refusal(thing("\"density\": \"abc\"")) ==
           "level.json:6:16: world.ball.density: expected a number from 0 to 1000 kg/m², got text "
@@ -52,8 +52,8 @@ TEST_CASE("a wrong value is told with line column path and expectation") {
         {thing("\"kind\": \"statc\""), "level.json:6:13: world.ball.kind: expected one of"},
         {thing("\"tint\": \"tomatoe\""), "level.json:6:13: world.ball.tint: no color is called"},
         {thing("\"weight\": 5"), "level.json:6:15: world.ball.weight"},
-        {thing("\"parent\": \"world\""), "level.json:6:15: world.ball.parent: is told by"},
-        {thing("\"name\": \"other\""), "level.json:6:13: world.ball.name: is told by"},
+        {thing("\"parent\": \"world\""), "level.json:6:15: world.ball.parent: is set by"},
+        {thing("\"name\": \"other\""), "level.json:6:13: world.ball.name: is set by"},
         {thing("\"mass\": 13"), "level.json:6:13: world.ball.mass: thirteen kilograms"},
         {thing("/* ü */ \"mass\": \"é\""), "level.json:6:21: world.ball.mass: expected"},
         {note("\"text\": {\"bytes\": \"%4\"}"),
@@ -81,7 +81,7 @@ TEST_CASE("a wrong value is told with line column path and expectation") {
     }
 }
 
-TEST_CASE("a wrong structure is told with line and column") {
+TEST_CASE("a wrong structure is reported with line and column") {
     SceneWorld w;
     const std::vector<Refused> all = {
         {"", "level.json:1:1: not JSON: "},
@@ -148,7 +148,7 @@ TEST_CASE("a wrong structure is told with line and column") {
     }
 }
 
-TEST_CASE("what stands in the wrong place is told with the place it belongs to") {
+TEST_CASE("a misplaced key is reported with its right place") {
     SceneWorld w;
     const auto scene = [](const std::string& members) {
         return "{\n  \"fettle_scene\": 1,\n  \"class\": \"Thing\",\n  " + members +
@@ -172,7 +172,7 @@ TEST_CASE("what stands in the wrong place is told with the place it belongs to")
         {scene("\"weight\": 3"),
          "level.json:4:3: world.ball: an instance has no key \"weight\"; it is a property of "
          "Thing, "
-         "which no scene tells"},
+         "which no scene file sets"},
         {scene("\"children\": [{\"class\": \"Thing\", \"fettle_scene\": 1}]"),
          "level.json:4:35: world.ball.thing: an instance has no key \"fettle_scene\": it stands "
          "once"},
@@ -187,7 +187,7 @@ TEST_CASE("what stands in the wrong place is told with the place it belongs to")
         {scene("\"properties\": {\"properties\": {\"mass\": 1}}"),
          "level.json:4:18: world.ball: \"properties\" stands inside \"properties\""},
         {scene("\"properties\": {\"class\": \"Note\"}"),
-         "level.json:4:27: world.ball.class: is told by the keys of the instance"},
+         "level.json:4:27: world.ball.class: is set by the keys and the place of the instance"},
         {scene("\"properties\": {\"circle\": {\"class\": \"Note\"}}"),
          "level.json:4:18: world.ball: \"circle\" stands inside \"properties\" and belongs into "
          "the "
@@ -208,7 +208,7 @@ TEST_CASE("what stands in the wrong place is told with the place it belongs to")
     }
 }
 
-TEST_CASE("a key that may be a slip is told and kept and any other is kept in silence") {
+TEST_CASE("an unknown key that may be a slip is kept with a warning and any other without") {
     SceneWorld w;
     const std::string head = "{\"fettle_scene\": 1, \"class\": \"Thing\", \"name\": \"ball\",\n";
     w.load(head + "\"propreties_\": {\"mass\": 1}}");
@@ -220,7 +220,7 @@ TEST_CASE("a key that may be a slip is told and kept and any other is kept in si
     CHECK(w.warnings.empty());
 }
 
-TEST_CASE("an error carries its kind and place") {
+TEST_CASE("an error contains its kind and place") {
     SceneWorld w;
     try {
         w.load(thing("\"density\": -2"));
@@ -240,11 +240,12 @@ TEST_CASE("a load that fails changes nothing") {
     w.tree.barrier();
     const std::string before = w.everything();
     const std::size_t size = w.tree.size();
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     const Class& object = w.tree.object_class();
-    w.tree.watch_created(object, [&](const Existence& e) { told.push_back("created " + e.path); });
+    w.tree.watch_created(object,
+                         [&](const Existence& e) { reported.push_back("created " + e.path); });
     w.tree.on(object, *object.event("ready"),
-              [&](const Occurrence& o) { told.push_back("ready " + w.tree.path(o.instance)); });
+              [&](const Occurrence& o) { reported.push_back("ready " + w.tree.path(o.instance)); });
     const std::string tail =
         "\"children\": [{\"class\": \"Thing\", \"name\": \"a\", \"properties\": {\"number\": 1}},"
         "{\"class\": \"Note\", \"name\": \"b\", \"properties\": {\"target\": \".c\"}}]}";
@@ -256,7 +257,7 @@ TEST_CASE("a load that fails changes nothing") {
     CHECK(w.everything() == before);
     CHECK(w.tree.size() == size);
     w.tree.barrier();
-    CHECK(told.empty());
+    CHECK(reported.empty());
 }
 
 TEST_CASE("loading below a deleted parent is refused") {

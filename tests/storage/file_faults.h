@@ -1,5 +1,5 @@
 #pragma once
-// What can be wrong with a place for files: no permission, no room.
+// Faults of a place for files: no permission, no room.
 
 #include <sys/resource.h>
 
@@ -11,7 +11,7 @@
 
 namespace scene_test {
 
-/// As somebody whom permissions stop, when the tests run as root.
+/// Switches to a user without permissions if the tests run as root.
 class Nobody {
   public:
     Nobody() : root_(::geteuid() == 0) {
@@ -26,7 +26,7 @@ class Nobody {
     bool root_;
 };
 
-/// Files cannot grow beyond so many bytes: what a full disk is to a program.
+/// Limits the size of files, which has the effect of a full disk.
 class SmallFiles {
   public:
     explicit SmallFiles(rlim_t bytes) {

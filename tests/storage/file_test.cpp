@@ -1,4 +1,4 @@
-// Files: replaced whole or not at all, whatever fails.
+// Files: replaced completely or not at all, whatever fails.
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -47,7 +47,7 @@ std::string refusal(const SceneWorld& w, Handle node, const fs::path& file) {
     return "";
 }
 
-/// As somebody whom permissions stop, when the tests run as root.
+/// Switches to a user without permissions if the tests run as root.
 class Nobody {
   public:
     Nobody() : root_(::geteuid() == 0) {
@@ -65,7 +65,7 @@ class Nobody {
 
 }  // namespace
 
-TEST_CASE("a scene goes through a file") {
+TEST_CASE("a scene is saved to a file and loaded from it") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "level one.json";
@@ -79,7 +79,7 @@ TEST_CASE("a scene goes through a file") {
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("saving again replaces the file and keeps its permissions and links to it") {
+TEST_CASE("saving again replaces the file and keeps its permissions and links") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "level.json";
@@ -96,7 +96,7 @@ TEST_CASE("saving again replaces the file and keeps its permissions and links to
     CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("a file that cannot be read says why") {
+TEST_CASE("a file that cannot be read is reported with the reason") {
     SceneWorld w;
     const Folder folder;
     const auto message = [&](const fs::path& file) -> std::string {
@@ -120,7 +120,7 @@ TEST_CASE("a file that cannot be read says why") {
     CHECK(message(big).find("larger than 64 MB") != std::string::npos);
 }
 
-TEST_CASE("errors in a file name it as it was given") {
+TEST_CASE("errors in a file name it as the caller did") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "bad.json";
@@ -133,7 +133,7 @@ TEST_CASE("errors in a file name it as it was given") {
     }
 }
 
-TEST_CASE("what cannot be written to says why") {
+TEST_CASE("a place that cannot be written to is reported with the reason") {
     SceneWorld w;
     const Folder folder;
     const Handle thing = w.add("Thing", "ball");
@@ -153,7 +153,7 @@ TEST_CASE("what cannot be written to says why") {
     CHECK(folder.entries() == 2);
 }
 
-TEST_CASE("a read only folder or file leaves the old file as it was") {
+TEST_CASE("a read-only folder or file leaves the old file unchanged") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "level.json";
@@ -171,14 +171,14 @@ TEST_CASE("a read only folder or file leaves the old file as it was") {
     fs::permissions(folder.path, fs::perms(0777));
     fs::permissions(file, fs::perms(0444));
     {
-        const Nobody nobody;  // could rename over it: the folder is open to everybody
+        const Nobody nobody;  // may write to the folder, so only the mode of the file forbids it
         CHECK(refusal(w, thing, file).find("could not be written") != std::string::npos);
     }
     CHECK(content(file) == before);
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a full disk leaves the old file as it was") {
+TEST_CASE("a full disk leaves the old file unchanged") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "level.json";
@@ -187,8 +187,8 @@ TEST_CASE("a full disk leaves the old file as it was") {
     const std::string before = content(file);
     w.tree.set(note, "text", std::string(200'000, 'x'));
 
-    // No file may grow beyond 64 kB: writing fails as on a full disk, after some of it succeeded.
-    // In a process of its own, since the limit would stop the test's report too.
+    // Files are limited to 64 kB: a write fails as on a full disk, after some data are written.
+    // This is done in another process, since the limit would also stop the output of the test.
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {
@@ -211,7 +211,7 @@ TEST_CASE("a full disk leaves the old file as it was") {
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a process killed while saving leaves the old file or the new one") {
+TEST_CASE("a process killed while saving leaves the complete old or new file") {
     SceneWorld w;
     const Folder folder;
     const fs::path file = folder.path / "level.json";

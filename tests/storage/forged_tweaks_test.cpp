@@ -1,5 +1,5 @@
-// Tweaks that an earlier run, a damaged disk or a stranger has left in the journal: what is none is
-// told and left aside, and nothing of it makes a file one that cannot be read.
+// Tweaks in the journal of an earlier run that are damaged or forged: invalid ones are reported and
+// ignored, and none of them makes a file unreadable.
 
 #include <filesystem>
 
@@ -42,7 +42,7 @@ void change(const GameFolder& folder, const std::string& sql) {
     sqlite3_close(database);
 }
 
-/// A run that has left one tweak of a thing in a scene file, with its row changed as `sql` says.
+/// A run that leaves one tweak of a thing in a scene file; `sql` then changes its row.
 void leave(const GameFolder& folder, const std::string& sql) {
     folder.write("level.json", level);
     {
@@ -73,7 +73,7 @@ bool loads(const GameFolder& folder) {
 
 struct Forged {
     std::string sql;
-    std::string told;  // in what keeping says
+    std::string reported;  // text in the report of `keep`
 };
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("a value that the class refuses is not kept in a scene file and stays 
         {value("density", "[1, 2]"), "expected a number from 0"},
         {value("kind", "\"statc\""), "expected one of"},
         {value("weight", "5"), "world.level.a.weight: it is read-only"},
-        {value("name", "\"other\""), "is told by the keys of the instance"},
+        {value("name", "\"other\""), "is set by the keys and the place of the instance"},
         {value("tint", "\"no such color\""), "no color is called"},
         {value("lives", "{\"vec2\": [1]}"), "expected a vec2"},
         {value("lives", "{\"reference\": \"world.nobody\"}"), "does not exist"},
@@ -119,11 +119,11 @@ TEST_CASE("a value that the class refuses is not kept in a scene file and stays 
         leave(folder, forged.sql);
         Run run(folder);
         run.load(folder, "level.json");
-        CAPTURE(forged.sql, forged.told);
+        CAPTURE(forged.sql, forged.reported);
         REQUIRE(run.tweaks->open_earlier() == 1);
         const TweakReport report = run.tweaks->keep("**");
         REQUIRE(report.problems.size() == 1);
-        CHECK(has(report.problems[0], forged.told));
+        CHECK(has(report.problems[0], forged.reported));
         CHECK(report.count == 0);
         CHECK(folder.text("level.json") == level);
         CHECK(run.tweaks->open_earlier() == 1);
@@ -131,7 +131,7 @@ TEST_CASE("a value that the class refuses is not kept in a scene file and stays 
     }
 }
 
-TEST_CASE("what is right is kept beside what is not") {
+TEST_CASE("valid tweaks are kept in spite of invalid ones") {
     const GameFolder folder;
     folder.write("level.json", level);
     {
@@ -168,7 +168,7 @@ TEST_CASE("a value that the class refuses is not kept in the file of tweaks") {
     CHECK_FALSE(fs::exists(folder / "main.tweaks.json"));
 }
 
-TEST_CASE("a row that is no tweak is told and left aside and the others are as they were") {
+TEST_CASE("an invalid row is reported and ignored and the others are unchanged") {
     const std::string sql = GENERATE(
         as<std::string>{}, "UPDATE tweaks SET kind = 77", "UPDATE tweaks SET kind = -1",
         "UPDATE tweaks SET instance = 'world..a'", "UPDATE tweaks SET instance = 'world[3]'",
@@ -184,22 +184,23 @@ TEST_CASE("a row that is no tweak is told and left aside and the others are as t
     leave(folder, sql);
     Run run(folder);
     INFO(sql);
-    REQUIRE(run.told.size() == 1);
-    INFO(run.told[0]);
-    CHECK(has(run.told[0], "1 row that an earlier run has left is no tweak, and is left aside: "));
+    REQUIRE(run.reported.size() == 1);
+    INFO(run.reported[0]);
+    CHECK(has(run.reported[0],
+              "1 row that an earlier run has left is no tweak, and is left aside: "));
     CHECK(run.tweaks->open_earlier() == 0);
     const Handle b = run.add("Thing", "b");
     run.person([&] { run.tree.set(b, "number", 4.0); });
     CHECK(run.tweaks->keep("**").count == 1);
     CHECK(has(folder.text("main.tweaks.json"), "\"world.b.number\": 4"));
-    // It can be dropped, and is never heard of again.
+    // It can be dropped and is then not reported again.
     CHECK(run.tweaks->drop("**").count == 1);
     Run next(folder);
-    CHECK(next.told.empty());
+    CHECK(next.reported.empty());
     CHECK(next.tweaks->drop("**").count == 0);
 }
 
-TEST_CASE("several rows that are no tweaks are told in one sentence") {
+TEST_CASE("several invalid rows are reported in one sentence") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -208,16 +209,17 @@ TEST_CASE("several rows that are no tweaks are told in one sentence") {
     }
     change(folder, "UPDATE tweaks SET now = '{}'");
     Run run(folder);
-    REQUIRE(run.told.size() == 1);
-    CHECK(has(run.told[0], "2 rows that earlier runs have left are no tweaks, and are left aside"));
-    CHECK(has(run.told[0], "drop_tweaks(\"**\") removes them"));
+    REQUIRE(run.reported.size() == 1);
+    CHECK(has(run.reported[0],
+              "2 rows that earlier runs have left are no tweaks, and are left aside"));
+    CHECK(has(run.reported[0], "drop_tweaks(\"**\") removes them"));
     CHECK(run.tweaks->drop("world.other.*").count == 0);
     CHECK(run.tweaks->drop("world.a.density").count == 1);
     CHECK(run.tweaks->drop("**").count == 1);
-    CHECK(Run(folder).told.empty());
+    CHECK(Run(folder).reported.empty());
 }
 
-TEST_CASE("every edit that is accepted can be kept however long its texts are") {
+TEST_CASE("every accepted edit can be kept with texts of any length") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -239,12 +241,13 @@ TEST_CASE("every edit that is accepted can be kept however long its texts are") 
         });
     }
     Run run(folder);
-    CHECK(run.told.empty());
+    CHECK(run.reported.empty());
     CHECK(run.tweaks->open_earlier() == 2);
     CHECK(run.tweaks->keep("**").count == 2);
 }
 
-TEST_CASE("a tweak that the file of kept tweaks cannot hold is told and the others are kept") {
+TEST_CASE(
+    "a tweak that the file of kept tweaks cannot contain is reported and the others are kept") {
     const GameFolder folder;
     const int before = GENERATE(0, 1, 2);
     {
@@ -256,7 +259,7 @@ TEST_CASE("a tweak that the file of kept tweaks cannot hold is told and the othe
             }
         });
     }
-    // As deep as a row may be, and deeper than it may be inside of a file.
+    // As deep as a row may be, which is deeper than a value inside of a file may be.
     const std::string deep = std::string(999, '[') + std::string(999, ']');
     change(folder, "UPDATE tweaks SET now = '{\"value\": " + deep + "}' WHERE property = 'deep'");
     Run run(folder);
@@ -269,7 +272,7 @@ TEST_CASE("a tweak that the file of kept tweaks cannot hold is told and the othe
     CHECK(Run(folder).tweaks->open_earlier() == 1);
 }
 
-TEST_CASE("a row names no file that is not the game's own") {
+TEST_CASE("a row with a file outside of the game is refused") {
     const GameFolder folder;
     const fs::path outside = folder.path().parent_path() / "outside.json";
     leave(folder, "UPDATE tweaks SET file = '" + outside.string() + "'");
@@ -281,14 +284,14 @@ TEST_CASE("a row names no file that is not the game's own") {
     CHECK(fs::file_size(outside) == std::string(level).size());
 }
 
-TEST_CASE("a key that a file of kept tweaks does not have is told with the nearest") {
+TEST_CASE("an unknown key in a file of kept tweaks is reported with the nearest one") {
     const GameFolder folder;
     folder.write("main.tweaks.json",
                  "{\n  \"fettle_tweaks\": 1,\n  \"valeus\": {\"world.a.number\": 3}\n}\n");
     Run run(folder);
-    REQUIRE(run.told.size() == 1);
-    CHECK(has(run.told[0], "main.tweaks.json:3:3: "));
-    CHECK(has(run.told[0], "no key \"valeus\" (did you mean \"values\"?)"));
+    REQUIRE(run.reported.size() == 1);
+    CHECK(has(run.reported[0], "main.tweaks.json:3:3: "));
+    CHECK(has(run.reported[0], "no key \"valeus\" (did you mean \"values\"?)"));
 }
 
 }  // namespace forged_tweaks_test

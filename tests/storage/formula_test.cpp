@@ -1,4 +1,4 @@
-// Formulas in scene files: their text, and the value for whoever cannot compute it.
+// Formulas in scene files: their text, and the value for programs that cannot compute it.
 
 #include <fettle/property/path.h>
 
@@ -11,7 +11,7 @@ using namespace scene_test;
 
 namespace {
 
-/// Knows one kind of formula, "twice PATH", to stand for a language.
+/// Compiles one kind of formula, "twice PATH", in place of a language.
 Formula twice(const std::string& source) {
     if (!source.starts_with("twice "))
         throw Error(ErrorKind::formula, "the formula does not compile: expected twice PATH");
@@ -30,7 +30,7 @@ std::string scene(const std::string& members) {
 
 }  // namespace
 
-TEST_CASE("a formula is saved as its text and the value it has") {
+TEST_CASE("a formula is saved as its text and its current value") {
     SceneWorld w;
     const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
     w.tree.set(a, "number", 3.0);
@@ -41,7 +41,7 @@ TEST_CASE("a formula is saved as its text and the value it has") {
     CHECK(has(text, R"("score": {"is": "twice world.b.number", "value": 12.0})"));
 }
 
-TEST_CASE("a formula that was loaded goes on computing") {
+TEST_CASE("a loaded formula is computed again when its source changes") {
     SceneWorld w;
     w.tree.compile_formulas_with(twice);
     const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
@@ -60,7 +60,7 @@ TEST_CASE("a formula that was loaded goes on computing") {
     CHECK(w.text(c) == text);
 }
 
-TEST_CASE("where nobody can compute a formula its text and its value stay") {
+TEST_CASE("without a compiler the text and the value of a formula are kept") {
     SceneWorld w;
     const std::string text =
         w.text(w.load(scene(R"("properties": {"number": {"is": "magic", "value": 6}, "position": )"
@@ -99,7 +99,7 @@ TEST_CASE("a formula whose text does not compile is refused with its place") {
     CHECK(w.everything() == before);
 }
 
-TEST_CASE("a formula that is more than its text is saved as its value with a warning") {
+TEST_CASE("a formula that its text does not define is saved as its value with a warning") {
     SceneWorld w;
     const Handle b = w.add("Thing", "b");
     Formula bound = twice("twice world.a.number");
@@ -118,7 +118,7 @@ TEST_CASE("a formula that is more than its text is saved as its value with a war
     CHECK(has(warnings[1], "world.b.small: its formula has no text"));
 }
 
-TEST_CASE("a formula in error is saved with its last good value") {
+TEST_CASE("a formula in error is saved with its last valid value") {
     SceneWorld w;
     w.tree.compile_formulas_with(twice);
     const Handle a = w.add("Thing", "a"), b = w.add("Thing", "b");
@@ -134,22 +134,22 @@ TEST_CASE("a formula in error is saved with its last good value") {
     CHECK(w.tree.get(c, "number") == Value(8.0));
 }
 
-TEST_CASE("a file cannot give a formula to what tells where an instance is") {
+TEST_CASE("a file cannot define a formula for name or parent") {
     SceneWorld w;
     w.tree.compile_formulas_with(twice);
     const Handle top = w.load(scene(R"("properties": {"number": 2})"), "b");
     for (const std::string key : {"name", "parent"}) {
         INFO(key);
-        std::string told;
+        std::string reported;
         try {
             w.load(R"({"fettle_scene": 1, "class": "Thing", "properties": {")" + key +
                        R"(": {"is": "twice world.b.number", "value": "c"}}})",
                    "c");
         } catch (const Error& error) {
-            told = error.what();
+            reported = error.what();
         }
-        for (const std::string& warning : w.warnings) told += warning;
-        CHECK_THAT(told, contains(key));
+        for (const std::string& warning : w.warnings) reported += warning;
+        CHECK_THAT(reported, contains(key));
         CHECK(w.tree.name(top) == "b");
         w.tree.restore(w.tree.snapshot());
     }

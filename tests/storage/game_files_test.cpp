@@ -1,5 +1,4 @@
-// The files of a game, as who records its run learns of them and who makes it again gives them
-// back.
+// The files of a game: a recorder is notified of them, and a replay provides their contents.
 
 #include <catch.h>
 
@@ -14,7 +13,7 @@ using scene_test::GameFolder;
 
 namespace {
 
-std::vector<std::string> told(std::vector<GameFiles::Finding>& findings) {
+std::vector<std::string> reported(std::vector<GameFiles::Finding>& findings) {
     std::vector<std::string> all;
     for (const GameFiles::Finding& finding : findings)
         all.push_back(finding.file.filename().string() +
@@ -27,7 +26,7 @@ std::vector<std::string> told(std::vector<GameFiles::Finding>& findings) {
 
 }  // namespace
 
-TEST_CASE("files are told of once when they are read and before they are written") {
+TEST_CASE("files are reported once when they are read and before they are written") {
     const GameFolder folder;
     folder.write("a.json", "one");
     GameFiles files;
@@ -37,7 +36,7 @@ TEST_CASE("files are told of once when they are read and before they are written
     CHECK_FALSE(files.exists(folder / "b.json"));
     files.tell([&](const GameFiles::Finding& finding) { findings.push_back(finding); });
     CHECK(findings.front().checksum == file_checksum(folder / "a.json"));
-    CHECK(told(findings) == std::vector<std::string>{"a.json read", "b.json missing"});
+    CHECK(reported(findings) == std::vector<std::string>{"a.json read", "b.json missing"});
     CHECK(files.exists(folder / "a.json"));
     CHECK(files.read(folder / "a.json") == "one");
     CHECK(findings.empty());
@@ -45,11 +44,11 @@ TEST_CASE("files are told of once when they are read and before they are written
     files.write(folder / "a.json", "three");
     files.write(folder / "b.json", "four");
     CHECK(files.read(folder / "a.json") == "three");
-    CHECK(told(findings) ==
+    CHECK(reported(findings) ==
           std::vector<std::string>{"a.json overwritten one", "b.json overwritten nothing"});
     files.write(folder / "c.json", "five");
     CHECK(files.read(folder / "c.json") == "five");
-    CHECK(told(findings) == std::vector<std::string>{"c.json overwritten nothing"});
+    CHECK(reported(findings) == std::vector<std::string>{"c.json overwritten nothing"});
     CHECK(folder.text("a.json") == "three");
 }
 
@@ -64,7 +63,7 @@ TEST_CASE("a file is the same under every name it has") {
     CHECK(files.read(folder / "link.json") == "held");
 }
 
-TEST_CASE("what is written in memory stays there") {
+TEST_CASE("files written in memory stay in memory") {
     const GameFolder folder;
     folder.write("a.json", "as it is now");
     folder.write("b.json", "not there then");

@@ -17,7 +17,7 @@ GameFolder::GameFolder() {
     fs::create_directories(user_);
     setenv("XDG_DATA_HOME", user_.c_str(), 1);
     write("main.lua", "");
-    // Tests become somebody else to meet permissions.
+    // Tests switch to another user to test permissions.
     for (const fs::path& folder : {path_.parent_path(), path_, user_})
         fs::permissions(folder, fs::perms::all);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A folder for a game, and one for what its user owns, that go with the test.
+// Temporary folders for a game and for the files of its user, removed at the end of the test.
 
 #include <filesystem>
 #include <string>

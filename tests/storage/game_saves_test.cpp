@@ -1,4 +1,4 @@
-// Saving and loading a tree in slots.
+// Saving a tree into slots and loading it.
 
 #include <fettle/property/storage/game_saves.h>
 
@@ -21,15 +21,15 @@ struct Game : SceneWorld {
         : saves(std::make_unique<GameSaves>(
               tree, Saves(folder.user() / "saves", "ball game", "0.1.0"),
               GameSaves::Options{.pictures = pictures, .warn = [this](const std::string& text) {
-                                     told.push_back(text);
+                                     reported.push_back(text);
                                  }})) {}
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     std::unique_ptr<GameSaves> saves;
 };
 
 }  // namespace
 
-TEST_CASE("a saved tree comes back in another run and in the same one") {
+TEST_CASE("a saved tree is restored in another run and in the same one") {
     const GameFolder folder;
     Game game(folder);
     const Handle a = game.add("Thing", "a");
@@ -45,19 +45,20 @@ TEST_CASE("a saved tree comes back in another run and in the same one") {
     game.add("Note", "later");
     game.saves->load("one");
     game.tree.barrier();
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
     CHECK(game.everything() == then);
     CHECK(game.tree.alive(a));
 
     Game other(folder);
     other.saves->load("one");
     other.tree.barrier();
-    CHECK(other.told.empty());
+    CHECK(other.reported.empty());
     CHECK(other.everything() == then);
 }
 
 TEST_CASE(
-    "a slot that is saved again before the barrier is saved once and as the last call wants") {
+    "a slot that is saved twice before the barrier is saved once with the options of the last "
+    "call") {
     const GameFolder folder;
     Game game(folder);
     const Handle a = game.add("Thing", "a");
@@ -65,13 +66,13 @@ TEST_CASE(
     game.saves->save("old");
     game.tree.barrier();
     game.tree.set(a, "number", 2.0);
-    // Between its two saves another game is loaded: the second one is of that.
+    // Another game is loaded between the two saves, so the second one contains that.
     game.saves->save("one");
     game.saves->save("two");
     game.saves->load("old");
     game.saves->save("one");
     game.tree.barrier();
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
     const auto number = [&](const std::string& slot) {
         Game other(folder);
         other.saves->load(slot);
@@ -83,7 +84,7 @@ TEST_CASE(
     CHECK(game.saves->slots().list().size() == 3);
 }
 
-TEST_CASE("a loop of saves ends in an error and not in a queue without end") {
+TEST_CASE("an endless loop of saves ends in an error and the queue is limited") {
     const GameFolder folder;
     Game game(folder);
     game.add("Thing", "a");
@@ -94,17 +95,17 @@ TEST_CASE("a loop of saves ends in an error and not in a queue without end") {
     } catch (const Error& error) {
         refused = error.what();
     }
-    CHECK(asked == GameSaves::most_requests);
+    CHECK(asked == GameSaves::max_requests);
     CHECK(refused.find("more than 1000 times at one barrier") != std::string::npos);
     game.tree.barrier();
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
     CHECK(game.saves->slots().list().size() == 1);
     for (int i = 0; i < 5; ++i) game.saves->save("slot " + std::to_string(i % 3));
     game.tree.barrier();
     CHECK(game.saves->slots().list().size() == 4);
 }
 
-TEST_CASE("saves that wait for a picture are one a slot") {
+TEST_CASE("one save per slot waits for its picture") {
     const GameFolder folder;
     Game game(folder, true);
     const Handle a = game.add("Thing", "a");
@@ -122,7 +123,7 @@ TEST_CASE("saves that wait for a picture are one a slot") {
     CHECK(other.tree.get(a, "number") == Value(3.0));
 }
 
-TEST_CASE("a load that is refused leaves the running game as it was") {
+TEST_CASE("a refused load leaves the running game unchanged") {
     const GameFolder folder;
     Game game(folder);
     game.add("Thing", "a");
@@ -133,10 +134,10 @@ TEST_CASE("a load that is refused leaves the running game as it was") {
     CHECK_THROWS_AS(game.saves->save("a/b"), Error);
     game.tree.barrier();
     CHECK(game.everything() == then);
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
 }
 
-TEST_CASE("a save waits for its picture where there is one and is made without at the end") {
+TEST_CASE("a save waits for its picture if there is a window and is made without one at the end") {
     const GameFolder folder;
     {
         Game game(folder, true);
@@ -156,7 +157,7 @@ TEST_CASE("a save waits for its picture where there is one and is made without a
 
 namespace {
 
-/// A part of snapshots that cannot read what it writes.
+/// A part of snapshots that cannot read its own data.
 struct Forgetful : SnapshotPart {
     std::string_view part_name() const override { return "forgetful"; }
     Memory save(ByteWriter& to) const override {
@@ -173,7 +174,7 @@ struct Forgetful : SnapshotPart {
 
 }  // namespace
 
-TEST_CASE("a save that could not be loaded is told and does not replace one that can") {
+TEST_CASE("a save that could not be loaded is reported and does not replace a valid one") {
     const GameFolder folder;
     Game game(folder);
     Forgetful part;
@@ -188,9 +189,9 @@ TEST_CASE("a save that could not be loaded is told and does not replace one that
     game.saves->save("one");
     game.saves->save("two");
     game.tree.barrier();
-    REQUIRE(game.told.size() == 2);
-    CHECK(game.told[0].find("the game was not saved: ") == 0);
-    CHECK(game.told[0].find("it was forgotten") != std::string::npos);
+    REQUIRE(game.reported.size() == 2);
+    CHECK(game.reported[0].find("the game was not saved: ") == 0);
+    CHECK(game.reported[0].find("it was forgotten") != std::string::npos);
     CHECK(game.saves->slots().load("one").state == before);
     const auto listed = game.saves->list();
     REQUIRE(listed.size() == 1);
@@ -212,7 +213,7 @@ TEST_CASE("a save that the game cannot restore is listed with its problem") {
     const auto listed = game.saves->list();
     REQUIRE(listed.size() == 1);
     CHECK(listed.front().problem.find("Lamp") != std::string::npos);
-    // And asked for, it is refused at once, where a script can catch it.
+    // A load of it is refused at once, so that a script can catch the error.
     std::string refused;
     try {
         game.saves->load("lit");
@@ -222,10 +223,10 @@ TEST_CASE("a save that the game cannot restore is listed with its problem") {
     CHECK(refused.find("the saved game \"lit\" cannot be loaded: ") == 0);
     CHECK(refused.find("Lamp") != std::string::npos);
     game.tree.barrier();
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
 }
 
-TEST_CASE("a formula that cannot be saved is told once and again when it is lost") {
+TEST_CASE("a formula that cannot be saved is reported once and again when it is lost") {
     const GameFolder folder;
     {
         Game game(folder);
@@ -237,8 +238,8 @@ TEST_CASE("a formula that cannot be saved is told once and again when it is lost
             game.saves->save("one");
             game.tree.barrier();
         }
-        REQUIRE(game.told.size() == 1);
-        CHECK(game.told[0] ==
+        REQUIRE(game.reported.size() == 1);
+        CHECK(game.reported[0] ==
               game.tree.path(a) +
                   ".number: its formula uses the local variable \"speed\" of main.lua:12: saved "
                   "games hold its last value, and no formula");
@@ -246,12 +247,12 @@ TEST_CASE("a formula that cannot be saved is told once and again when it is lost
     Game game(folder);
     game.saves->load("one");
     game.tree.barrier();
-    REQUIRE(game.told.size() == 1);
-    CHECK(game.told[0].find("the saved game \"one\": ") == 0);
-    CHECK(game.told[0].find(".number: its formula was not saved") != std::string::npos);
+    REQUIRE(game.reported.size() == 1);
+    CHECK(game.reported[0].find("the saved game \"one\": ") == 0);
+    CHECK(game.reported[0].find(".number: its formula was not saved") != std::string::npos);
 }
 
-TEST_CASE("a load finds the save that is still to be made or to be written") {
+TEST_CASE("a load finds a save that is not yet made or not yet written") {
     const GameFolder folder;
     Game game(folder, true);
     const Handle a = game.add("Thing", "a");
@@ -259,13 +260,13 @@ TEST_CASE("a load finds the save that is still to be made or to be written") {
     game.saves->save("one");
     game.saves->load("one");
     game.tree.set(a, "number", 2.0);
-    game.tree.barrier();  // saved with 2, loaded with it
+    game.tree.barrier();  // saved with the value 2, and loaded with it
     CHECK(game.tree.get(a, "number") == Value(2.0));
     game.tree.set(a, "number", 3.0);
-    game.saves->load("one");  // waits for its picture
+    game.saves->load("one");  // the save waits for its picture
     game.tree.barrier();
     CHECK(game.tree.get(a, "number") == Value(2.0));
-    CHECK(game.told.empty());
+    CHECK(game.reported.empty());
     game.saves->save("two");
     game.tree.barrier();
     game.saves->remove("two");
@@ -275,7 +276,7 @@ TEST_CASE("a load finds the save that is still to be made or to be written") {
     CHECK(game.saves->slots().list().size() == 1);
 }
 
-TEST_CASE("a save that cannot be written is told and the game goes on") {
+TEST_CASE("a save that cannot be written is reported and the game continues") {
     const GameFolder folder;
     Game game(folder);
     game.saves->save("one");
@@ -285,8 +286,8 @@ TEST_CASE("a save that cannot be written is told and the game goes on") {
         game.saves->save("one");
         game.tree.barrier();
     }
-    REQUIRE(game.told.size() == 1);
-    CHECK(game.told[0].find("the game was not saved: ") == 0);
+    REQUIRE(game.reported.size() == 1);
+    CHECK(game.reported[0].find("the game was not saved: ") == 0);
     CHECK(game.saves->slots().load("one").info.problem.empty());
 }
 

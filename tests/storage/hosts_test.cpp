@@ -1,4 +1,4 @@
-// Hosts in C++ that use what belongs to another tree, or to one that has ended.
+// Hosts in C++ that use objects of another or a destroyed tree.
 
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/property/storage/tweaks.h>
@@ -13,7 +13,7 @@ namespace hosts_test {
 
 using namespace scene_test;
 
-TEST_CASE("tweaks that outlive their tree refuse to act and end without harm") {
+TEST_CASE("tweaks that outlive their tree refuse calls and end without harm") {
     const GameFolder folder;
     auto game = std::make_unique<SceneWorld>();
     Tweaks tweaks(game->tree, folder / "main.lua", [](const std::string&) {});
@@ -43,7 +43,9 @@ TEST_CASE("tweaks that outlive their tree refuse to act and end without harm") {
     tweaks.barrier();
 }
 
-TEST_CASE("a scene that cannot be loaded says why even if a module throws when it is taken apart") {
+TEST_CASE(
+    "a scene that cannot be loaded is reported with the reason even if a module throws in the "
+    "cleanup") {
     const GameFolder folder;
     SceneWorld game;
     ClassDescriptor angry;

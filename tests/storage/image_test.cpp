@@ -1,4 +1,4 @@
-// Hard values in the journal: a tweak that is made again sets them bit for bit.
+// Special values in the journal: a tweak that is made again sets them bit for bit.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace image_test {
 
 using namespace scene_test;
 
-TEST_CASE("a tweak that is made again or kept sets the very same value") {
+TEST_CASE("a tweak that is made again or kept sets exactly the same value") {
     const std::vector<Value> values = {
         Value(true),
         Value(-2),
@@ -64,7 +64,7 @@ TEST_CASE("a tweak that is made again or kept sets the very same value") {
     }
     Run run(folder);
     run.tweaks->placed(run.add("Thing", "a"));
-    CHECK(run.told.empty());
+    CHECK(run.reported.empty());
     check(run);
 }
 

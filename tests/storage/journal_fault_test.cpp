@@ -1,5 +1,5 @@
-// A journal of tweaks that cannot be written, or read: the game goes on, somebody is told, and what
-// was there stays.
+// A journal of tweaks that cannot be written or read: the game continues, the problem is reported,
+// and existing files are unchanged.
 
 #include <fstream>
 
@@ -47,7 +47,7 @@ const char* const name = ".fettle/main.tweaks.sqlite";
 
 }  // namespace
 
-TEST_CASE("two runs of one game journal side by side") {
+TEST_CASE("two runs of one game use the journal at the same time") {
     const GameFolder folder;
     Run one(folder), two(folder);
     const Handle a = one.add("Thing", "a"), b = two.add("Thing", "b");
@@ -57,13 +57,13 @@ TEST_CASE("two runs of one game journal side by side") {
     }
     CHECK(one.lines() == Lines{"world.a.number: 0 → 50"});
     CHECK(two.lines() == Lines{"world.b.number: 0 → -50"});
-    CHECK(one.told.empty());
-    CHECK(two.told.empty());
+    CHECK(one.reported.empty());
+    CHECK(two.reported.empty());
     CHECK(Run(folder).lines() ==
           Lines{"earlier world.a.number: 0 → 50", "earlier world.b.number: 0 → -50"});
 }
 
-TEST_CASE("a run waits for nobody and commits when another one has written") {
+TEST_CASE("a run does not wait for another one and commits later") {
     const GameFolder folder;
     one_tweak(folder);
     Run run(folder);
@@ -77,10 +77,10 @@ TEST_CASE("a run waits for nobody and commits when another one has written") {
     sqlite3_close(other);
     run.barrier();
     CHECK(run.lines().back() == "world.b.number: 0 → 3");
-    CHECK(run.told.empty());
+    CHECK(run.reported.empty());
 }
 
-TEST_CASE("a damaged journal is told and left alone and another one is written") {
+TEST_CASE("a damaged journal is reported and left unchanged and another one is written") {
     const GameFolder folder;
     one_tweak(folder);
     std::string damaged = bytes(folder / name);
@@ -93,9 +93,9 @@ TEST_CASE("a damaged journal is told and left alone and another one is written")
     {
         Run run(folder);
         INFO(how);
-        REQUIRE(run.told.size() == 1);
-        CHECK(has(run.told[0], "main.tweaks.sqlite: this journal of tweaks cannot be used: "));
-        CHECK(has(run.told[0], "left as it is"));
+        REQUIRE(run.reported.size() == 1);
+        CHECK(has(run.reported[0], "main.tweaks.sqlite: this journal of tweaks cannot be used: "));
+        CHECK(has(run.reported[0], "left as it is"));
         const Handle b = run.add("Thing", "b");
         run.person([&] { run.tree.set(b, "number", 3.0); });
         CHECK(run.lines() == Lines{"world.b.number: 0 → 3"});
@@ -105,22 +105,22 @@ TEST_CASE("a damaged journal is told and left alone and another one is written")
     CHECK(Run(folder).lines() == Lines{"earlier world.b.number: 0 → 3"});
 }
 
-TEST_CASE("a journal of a newer version or of another program is told and left alone") {
+TEST_CASE("a journal of a newer version or of another program is reported and left unchanged") {
     const GameFolder folder;
     one_tweak(folder);
     const bool newer = GENERATE(true, false);
     sql(folder / name, newer ? "PRAGMA user_version = 2" : "PRAGMA application_id = 7");
     const std::string before = bytes(folder / name);
     Run run(folder);
-    REQUIRE(run.told.size() == 1);
-    CHECK(has(run.told[0], newer ? "written by a newer Fettle (version 2" : "another program"));
+    REQUIRE(run.reported.size() == 1);
+    CHECK(has(run.reported[0], newer ? "written by a newer Fettle (version 2" : "another program"));
     const Handle b = run.add("Thing", "b");
     run.person([&] { run.tree.set(b, "number", 3.0); });
     CHECK(run.lines() == Lines{"world.b.number: 0 → 3"});
     CHECK(bytes(folder / name) == before);
 }
 
-TEST_CASE("where the game's folder cannot be written the journal goes to the user's own") {
+TEST_CASE("if the folder of the game is read-only the journal is in the folder of the user") {
     const GameFolder folder;
     fs::permissions(folder.path(), read_only);
     const Nobody nobody;
@@ -129,14 +129,14 @@ TEST_CASE("where the game's folder cannot be written the journal goes to the use
         const Handle a = run.add("Thing", "a");
         run.person([&] { run.tree.set(a, "number", 2.0); });
         CHECK(run.lines() == Lines{"world.a.number: 0 → 2"});
-        REQUIRE(run.told.size() == 1);
-        CHECK(has(run.told[0], "tweaks are journaled in " + folder.user().string()));
-        CHECK(has(run.told[0], "Permission denied"));
+        REQUIRE(run.reported.size() == 1);
+        CHECK(has(run.reported[0], "tweaks are journaled in " + folder.user().string()));
+        CHECK(has(run.reported[0], "Permission denied"));
     }
     CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 2"});
 }
 
-TEST_CASE("tweaks in a folder that became read only are still found") {
+TEST_CASE("tweaks in a folder that became read-only are still found") {
     const GameFolder folder;
     one_tweak(folder);
     fs::permissions(folder / ".fettle", read_only);
@@ -161,17 +161,17 @@ TEST_CASE("on a full disk tweaks wait and are journaled when there is room again
     {
         const SmallFiles full(100);
         run.person([&] { run.tree.set_or_add(b, "text", std::string(100'000, 'x')); });
-        REQUIRE(run.told.size() == 1);
-        CHECK(has(run.told[0], "tweaks cannot be journaled: "));
-        CHECK(has(run.told[0], "1 wait"));
+        REQUIRE(run.reported.size() == 1);
+        CHECK(has(run.reported[0], "tweaks cannot be journaled: "));
+        CHECK(has(run.reported[0], "1 wait"));
         run.person([&] { run.tree.set(b, "number", 3.0); });
         run.barrier();
-        CHECK(run.told.size() == 1);
+        CHECK(run.reported.size() == 1);
         CHECK(run.lines().back() == "world.b.number: 0 → 3 not yet");
         CHECK(run.tree.get(b, "number") == Value(3.0));
     }
     run.person([&] { run.tree.set(b, "flag", true); });
-    CHECK(run.told.back() == "tweaks are journaled again");
+    CHECK(run.reported.back() == "tweaks are journaled again");
     CHECK(Run(folder).tweaks->open_earlier() == 4);
 }
 
@@ -182,7 +182,7 @@ TEST_CASE("a full disk from the start does not stop a game") {
     {
         const SmallFiles full(100);
         run.person([&] { run.tree.set(a, "number", 2.0); });
-        CHECK_FALSE(run.told.empty());
+        CHECK_FALSE(run.reported.empty());
         CHECK(run.lines() == Lines{"world.a.number: 0 → 2 not yet"});
     }
     run.person([&] { run.tree.set(a, "number", 3.0); });
@@ -190,7 +190,7 @@ TEST_CASE("a full disk from the start does not stop a game") {
     CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 3"});
 }
 
-TEST_CASE("a journal that is removed while the game runs is written anew") {
+TEST_CASE("a journal that is removed while the game runs is written again") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -201,7 +201,7 @@ TEST_CASE("a journal that is removed while the game runs is written anew") {
           Lines{"earlier world.a.number: 0 → 2", "earlier world.a.flag: false → true"});
 }
 
-TEST_CASE("keeping on a full disk leaves the file as it was and the tweak open") {
+TEST_CASE("keeping on a full disk leaves the file unchanged and the tweak open") {
     const GameFolder folder;
     const std::string text =
         "{\n  \"fettle_scene\": 1,\n  \"class\": \"Thing\",\n  \"name\": \"a\"\n}\n";

@@ -1,5 +1,5 @@
-// Edits of a JSON text, whatever it looks like: what was asked for is done, every comment that does
-// not belong to something removed is still there, and the rest is as it was.
+// Edits of any JSON text: the edit is made, every comment outside of the removed text stays, and
+// the rest is unchanged.
 
 #include <json/json_edit.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Members = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes an object as people do: on one line or on many, with comments in any place.
+/// Writes an object in varied forms: on one line or on many, with comments in any place.
 class Scribe {
   public:
     explicit Scribe(std::mt19937& random) : random_(random) {}
@@ -65,7 +65,7 @@ std::size_t lines_in(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("any sequence of edits of any text does what was asked and no more") {
+TEST_CASE("any sequence of edits of any text makes only these edits") {
     std::mt19937 random(12345);
     for (int round = 0; round < 3000; ++round) {
         Scribe scribe(random);
@@ -110,7 +110,7 @@ TEST_CASE("any sequence of edits of any text does what was asked and no more") {
                     edit.add_member(document.root(), key, value, nodes[at]);
                     model.insert(model.begin() + static_cast<std::ptrdiff_t>(at) + 1, {key, value});
                 }
-                // Nothing of what was there is gone.
+                // Nothing of the old text is missing.
                 std::size_t from = 0;
                 bool all = true;
                 for (const char c : before) {

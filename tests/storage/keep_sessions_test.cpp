@@ -1,6 +1,7 @@
-// Random sessions: a person edits, undoes, redoes and keeps a game that is made half by a scene
-// file and half by a script, run after run. Where everything was kept, the next run begins as the
-// last one ended; where nothing was, making the tweaks again leads there.
+// Random sessions: a person edits, undoes, redoes and keeps in several runs of a game, whose
+// instances are made partly by a scene file and partly by a script. If everything was kept, the
+// next run begins with the last state of the run before; if nothing was kept, making the tweaks
+// again gives that state.
 
 #include <cstdlib>
 #include <map>
@@ -47,7 +48,7 @@ struct Session : Run {
         return all;
     }
 
-    /// By path, in the order of the paths: children may be in another order.
+    /// By path, and sorted by path, because children may be in another order.
     std::map<std::string, std::string> state() const {
         std::map<std::string, std::string> all;
         for (const Handle note : notes()) {
@@ -121,11 +122,11 @@ struct Session : Run {
                     break;
                 }
             }
-        } catch (const Error&) {  // below itself
+        } catch (const Error&) {  // moved below itself
         }
     }
 
-    /// One step of a person's: what was kept with problems.
+    /// One action of the person; `said` gets the problems of keeping.
     void step() {
         said.clear();
         switch (below(8)) {
@@ -149,7 +150,7 @@ struct Session : Run {
                 said = "keep";
                 break;
             default:
-                // A command edits one thing or several.
+                // A command makes one edit or several.
                 std::string all;
                 {
                     const Tree::CauseScope scope(tree, Writer::console);
@@ -178,8 +179,8 @@ struct Session : Run {
     std::string said, done;
 };
 
-/// The usual ones and those that have found something; FETTLE_SESSIONS=n is the first n,
-/// FETTLE_SESSION=n only that.
+/// The default seeds and those that found errors; FETTLE_SESSIONS=n: the first n; FETTLE_SESSION=n:
+/// only n.
 std::vector<unsigned> seeds() {
     if (const char* const only = std::getenv("FETTLE_SESSION")) return {unsigned(std::stoul(only))};
     const char* const wanted = std::getenv("FETTLE_SESSIONS");
@@ -200,7 +201,7 @@ std::string text(const std::map<std::string, std::string>& state) {
 
 }  // namespace
 
-TEST_CASE("after random sessions of edits and keeps the next run begins where the last one ended") {
+TEST_CASE("after random sessions of edits and keeps the next run begins with the last state") {
     std::size_t compared = 0;
     for (const unsigned seed : seeds()) {
         const GameFolder folder;
@@ -224,17 +225,17 @@ TEST_CASE("after random sessions of edits and keeps the next run begins where th
                                  ? folder.text("main.tweaks.json")
                                  : ""));
             const Session next(folder, 0);
-            INFO((next.told.empty() ? std::string() : next.told.front()));
+            INFO((next.reported.empty() ? std::string() : next.reported.front()));
             if (!all_kept) break;
             ++compared;
             CHECK(text(next.state()) == ended);
-            CHECK(next.told.empty());
+            CHECK(next.reported.empty());
         }
     }
     CHECK(compared > seeds().size() / 4);
 }
 
-TEST_CASE("tweaks of a random session that are made again lead where it ended") {
+TEST_CASE("making the tweaks of a random session again gives its last state") {
     std::size_t compared = 0;
     for (const unsigned seed : seeds()) {
         const GameFolder folder;
@@ -265,14 +266,14 @@ TEST_CASE("tweaks of a random session that are made again lead where it ended") 
         CHECK(text(next.state()) == ended);
         ++compared;
         if (report.count == 0) continue;
-        // All of it is one step of undo, and nothing is forgotten.
+        // All of them are one step of undo, and their tweaks are open again after it.
         {
             const Tree::CauseScope scope(next.tree, Writer::console);
             if (began != ended) (void)next.tree.undo();
         }
         next.barrier();
         CHECK(text(next.state()) == began);
-        bool undone = true;  // a value that named what was deleted before is one that differs
+        bool undone = true;  // a reference to an instance that was deleted before may differ
         for (const Tweak& tweak : next.tweaks->list()) undone = undone && tweak.earlier;
         if (!undone) continue;
         reapply();

@@ -1,5 +1,5 @@
-// Keeping tweaks: scene files change where they must and nowhere else; what a script makes has a
-// file of its own.
+// Keeping tweaks: a scene file changes only at the edited values; tweaks of instances of scripts
+// are in a separate file.
 
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/tweaks.h>
@@ -40,7 +40,7 @@ const char* const level =
     "  ]\n"
     "}\n";
 
-/// Lines that differ, as `diff` would show them.
+/// The lines that differ, in the form of `diff`.
 std::string changes(const std::string& before, const std::string& after) {
     const auto lines = [](const std::string& text) {
         std::vector<std::string> all;
@@ -61,7 +61,7 @@ std::string changes(const std::string& before, const std::string& after) {
     return out;
 }
 
-/// Loads the level, edits it as a person, keeps everything; what changed in the file.
+/// Loads the level, edits it as a person and keeps everything; returns the changes of the file.
 template <class F>
 std::string kept(F edit, const std::string& text = level) {
     const GameFolder folder;
@@ -74,7 +74,7 @@ std::string kept(F edit, const std::string& text = level) {
     CHECK(report.problems.empty());
     CHECK(Run(folder).lines().empty());
     CHECK_FALSE(std::filesystem::exists(folder / "main.tweaks.json"));
-    // What was kept is what the next run loads.
+    // The next run loads the kept values.
     Run next(folder);
     next.load(folder, "level.json");
     CHECK(next.everything() == run.everything());
@@ -83,7 +83,7 @@ std::string kept(F edit, const std::string& text = level) {
 
 }  // namespace
 
-TEST_CASE("keeping a value changes that value in its scene file and nothing else") {
+TEST_CASE("keeping a value changes only that value in its scene file") {
     CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "number", 7.0); }) ==
           "-        \"number\": 0.50,            /* half */\n"
           "+        \"number\": 7,            /* half */\n");
@@ -92,7 +92,7 @@ TEST_CASE("keeping a value changes that value in its scene file and nothing else
           "+    { \"class\": \"Thing\", \"name\": \"b\" },\n");
 }
 
-TEST_CASE("a property that the file did not mention takes its place in the order") {
+TEST_CASE("a property that is new in the file is inserted at its place in the order") {
     CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "small", 0.1); }) ==
           "+        \"small\": 0.1,\n");
     CHECK(kept([](Run& run) { run.tree.set(run.at("world.level.a"), "mass", INFINITY); }) ==
@@ -116,7 +116,7 @@ TEST_CASE("a property that the file did not mention takes its place in the order
           "+  \"ad_hoc\": {\n+    \"lives\": 3\n+  },\n");
 }
 
-TEST_CASE("a value that is back at its default leaves the file") {
+TEST_CASE("a value set back to its default is removed from the file") {
     CHECK(kept([](Run& run) {
               run.tree.reset(run.at("world.level.a"),
                              run.tree.property(run.at("world.level.a"), "number"));
@@ -127,7 +127,7 @@ TEST_CASE("a value that is back at its default leaves the file") {
           "+        \"number\": 0.50            /* half */\n");
 }
 
-TEST_CASE("instances that come and go and get names change their own lines") {
+TEST_CASE("created and deleted and renamed instances change only their own lines") {
     CHECK(kept([](Run& run) {
               const Handle made = run.tree.create(run.tree.class_named("Thing"), {}, "c");
               run.tree.set(made, "number", 2.0);
@@ -147,7 +147,7 @@ TEST_CASE("instances that come and go and get names change their own lines") {
           "+      \"name\": \"hero\",                // the hero\n");
 }
 
-TEST_CASE("keeping many tweaks keeps what the file says besides") {
+TEST_CASE("keeping many tweaks leaves the other text of the file") {
     std::string windows = level;
     for (std::size_t at = windows.find('\n'); at != std::string::npos;
          at = windows.find('\n', at + 2))
@@ -181,7 +181,7 @@ TEST_CASE("keeping many tweaks keeps what the file says besides") {
     }
 }
 
-TEST_CASE("only what matches the pattern is kept") {
+TEST_CASE("only the tweaks that match the pattern are kept") {
     const GameFolder folder;
     folder.write("level.json", level);
     Run run(folder);
@@ -197,14 +197,14 @@ TEST_CASE("only what matches the pattern is kept") {
                                    "world.level.b.number: 0 → 8 kept in level.json"});
     CHECK(Run(folder).lines() == std::vector<std::string>{"earlier world.level.a.number: 0.5 → 7"});
     CHECK_THROWS_AS(run.tweaks->keep("world..x"), Error);
-    // The next run can still keep what is left, also before it has loaded anything.
+    // The next run can keep the remaining tweaks even before it has loaded anything.
     Run next(folder);
     CHECK(next.tweaks->keep("**").files ==
           std::vector<std::string>{(folder / "level.json").string()});
     CHECK(folder.text("level.json").find("\"number\": 7,") != std::string::npos);
 }
 
-TEST_CASE("a scene file that cannot be changed keeps its text and the tweaks stay open") {
+TEST_CASE("a scene file that cannot be edited keeps its text and the tweaks stay open") {
     const GameFolder folder;
     folder.write("level.json", level);
     Run run(folder);
@@ -223,7 +223,8 @@ TEST_CASE("a scene file that cannot be changed keeps its text and the tweaks sta
     CHECK(Run(folder).tweaks->open_earlier() == 2);
 }
 
-TEST_CASE("what a script made is kept by path and set when it is made again") {
+TEST_CASE(
+    "a tweak of an instance of a script is kept by path and set when the instance is made again") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -257,7 +258,7 @@ TEST_CASE("what a script made is kept by path and set when it is made again") {
     const Handle a = run.add("Thing", "a");
     run.tweaks->placed(a);
     CHECK(run.tree.get(a, "position") == Value(Vec2(1, INFINITY)));
-    run.tree.set(a, "position", Vec2(0, 0));  // the script sets it up
+    run.tree.set(a, "position", Vec2(0, 0));  // the script initializes it
     const Handle b = run.add("Thing", "my b");
     run.tweaks->game_loaded();
     CHECK(run.tree.get(a, "position") == Value(Vec2(1, INFINITY)));
@@ -268,7 +269,7 @@ TEST_CASE("what a script made is kept by path and set when it is made again") {
     run.barrier();
     CHECK(run.lines().empty());
 
-    // Editing it again, and deleting it again, changes the same file.
+    // Another edit and another deletion change the same file.
     run.person([&] { run.tree.set(a, "position", Vec2(5, 5)); });
     run.person([&] { run.tree.destroy(run.at("world.n")); });
     run.person([&] { run.tree.destroy(b); });
@@ -285,7 +286,7 @@ TEST_CASE("what a script made is kept by path and set when it is made again") {
           "}\n");
 }
 
-TEST_CASE("a file of kept tweaks that cannot be used is told and never written over") {
+TEST_CASE("an invalid file of kept tweaks is reported and never overwritten") {
     const GameFolder folder;
     const std::string bad =
         GENERATE(as<std::string>{}, "{\"fettle_tweaks\": 1, \"values\": {\"world.a.number\": }}",
@@ -293,8 +294,8 @@ TEST_CASE("a file of kept tweaks that cannot be used is told and never written o
                  "{\"fettle_tweaks\": 1, \"values\": {\"world[3].a\": 1}}");
     folder.write("main.tweaks.json", bad);
     Run run(folder);
-    REQUIRE(run.told.size() == 1);
-    CHECK(run.told[0].find("main.tweaks.json:1:") != std::string::npos);
+    REQUIRE(run.reported.size() == 1);
+    CHECK(run.reported[0].find("main.tweaks.json:1:") != std::string::npos);
     const Handle a = run.add("Thing", "a");
     run.tweaks->game_loaded();
     run.person([&] { run.tree.set(a, "number", 2.0); });
@@ -305,7 +306,7 @@ TEST_CASE("a file of kept tweaks that cannot be used is told and never written o
     CHECK(Run(folder).tweaks->open_earlier() == 1);
 }
 
-TEST_CASE("a kept value that no longer fits is told with its place and the others are set") {
+TEST_CASE("a kept value that no longer fits is reported with its place and the others are set") {
     const GameFolder folder;
     folder.write("main.tweaks.json",
                  "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n"
@@ -316,12 +317,12 @@ TEST_CASE("a kept value that no longer fits is told with its place and the other
     run.tweaks->placed(a);
     run.tweaks->placed(a);
     CHECK(run.tree.get(a, "number") == Value(4.0));
-    REQUIRE(run.told.size() == 2);
-    CHECK(run.told[0].find("main.tweaks.json:4:24: world.a.density: ") != std::string::npos);
-    CHECK(run.told[1].find("main.tweaks.json:6:22: world.a") != std::string::npos);
+    REQUIRE(run.reported.size() == 2);
+    CHECK(run.reported[0].find("main.tweaks.json:4:24: world.a.density: ") != std::string::npos);
+    CHECK(run.reported[1].find("main.tweaks.json:6:22: world.a") != std::string::npos);
 }
 
-TEST_CASE("kept tweaks that lead nowhere are told with their place") {
+TEST_CASE("kept tweaks without a target are reported with their place") {
     const GameFolder folder;
     folder.write("main.tweaks.json",
                  "{\n  \"fettle_tweaks\": 1,\n  \"values\": {\n"
@@ -335,22 +336,23 @@ TEST_CASE("kept tweaks that lead nowhere are told with their place") {
     run.add("Thing", "wall");
     run.tweaks->game_loaded();
     CHECK(run.tree.get(a, "number") == Value(4.0));
-    REQUIRE(run.told.size() == 4);
-    CHECK_THAT(run.told[0], contains("main.tweaks.json:11:15: world.old: there is no world.old") &&
-                                contains("nothing to delete"));
-    CHECK_THAT(run.told[1],
+    REQUIRE(run.reported.size() == 4);
+    CHECK_THAT(run.reported[0],
+               contains("main.tweaks.json:11:15: world.old: there is no world.old") &&
+                   contains("nothing to delete"));
+    CHECK_THAT(run.reported[1],
                contains("main.tweaks.json:8:5: world.gone.lamp: there is no world.gone"));
-    CHECK_THAT(run.told[2], contains("main.tweaks.json:9") && contains("Nothing"));
-    CHECK_THAT(run.told[3], contains("main.tweaks.json:5:5: world.wal.number: there is no "
-                                     "world.wal") &&
-                                contains("\"wall\"") && contains("is set when"));
-    // One that is made later gets its value.
+    CHECK_THAT(run.reported[2], contains("main.tweaks.json:9") && contains("Nothing"));
+    CHECK_THAT(run.reported[3], contains("main.tweaks.json:5:5: world.wal.number: there is no "
+                                         "world.wal") &&
+                                    contains("\"wall\"") && contains("is set when"));
+    // An instance that is made later gets its value.
     const Handle late = run.add("Thing", "wal");
     run.tweaks->placed(late);
     CHECK(run.tree.get(late, "number") == Value(4.0));
 }
 
-TEST_CASE("thousands of tweaks are kept together, get new names and go") {
+TEST_CASE("thousands of tweaks are kept and renamed and removed together") {
     const GameFolder folder;
     const int many = 3000;
     std::vector<Handle> made;
@@ -360,13 +362,13 @@ TEST_CASE("thousands of tweaks are kept together, get new names and go") {
             made.push_back(run.add("Thing", ("t" + std::to_string(i)).c_str()));
     });
     CHECK(run.tweaks->keep("**").count == std::size_t(many));
-    // Kept again they are replaced, and at last they go.
+    // Keeps them again, which replaces them; at last they are removed.
     run.person([&] {
         for (const Handle each : made) run.tree.set(each, "number", 7.0);
     });
     run.tweaks->keep("**");
     CHECK((folder.text("main.tweaks.json").find("world.t2999") != std::string::npos));
-    // New names, and back.
+    // Renames the instances and back.
     for (const char* name : {"r", "t"}) {
         run.person([&] {
             for (int i = 0; i < many; ++i)
@@ -383,7 +385,7 @@ TEST_CASE("thousands of tweaks are kept together, get new names and go") {
     CHECK((text.find("world.t2999") == std::string::npos));
 }
 
-TEST_CASE("tweaks of earlier runs are the same tweaks when they went through words") {
+TEST_CASE("tweaks of earlier runs are the same after conversion to text") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -426,7 +428,7 @@ TEST_CASE("tweaks of earlier runs are the same tweaks when they went through wor
     CHECK_FALSE(again.tree.child(again.world, "wall"));
     CHECK(again.tree.child(again.world, "renamed"));
     CHECK(again.tree.child(again.world, "lamp"));
-    // And those made then can be kept, in memory.
+    // Tweaks that are made then can be kept, in memory.
     const TweakReport kept = tweaks.keep("world.a.*");
     CHECK(kept.count == 1);
     CHECK(files.read(folder / "main.tweaks.json").find("\"world.a.number\": 2.5") !=

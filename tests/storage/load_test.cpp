@@ -1,4 +1,4 @@
-// What a file may say, what is kept of what nobody understands, and what else loading does.
+// Valid scene files, unknown keys in them, and other effects of loading.
 
 #include "catch.h"
 #include "scene_world.h"
@@ -31,7 +31,7 @@ TEST_CASE("a scene may have comments and a byte order mark") {
     CHECK(w.tree.get(top, "kind") == Value("static"));
 }
 
-TEST_CASE("references point forward and backward and out of the scene") {
+TEST_CASE("references may lead forward and backward and out of the scene") {
     SceneWorld w;
     const Handle floor = w.add("Thing", "my floor");
     const Handle top = w.load(children(
@@ -47,7 +47,7 @@ TEST_CASE("references point forward and backward and out of the scene") {
     CHECK(w.tree.get(up, "targets") == Value(List{first, last, Handle{}, w.tree.root()}));
 }
 
-TEST_CASE("references inside a scene follow it under another name and parent") {
+TEST_CASE("references inside a scene are right under another name and parent") {
     SceneWorld w;
     const Handle top = w.add("Object", "original");
     const Handle thing = w.add("Thing", top, "thing");
@@ -60,7 +60,7 @@ TEST_CASE("references inside a scene follow it under another name and parent") {
     CHECK(w.tree.get(w.tree.child(copy, "note"), "also") == Value(List{copied, w.world}));
 }
 
-TEST_CASE("a scene is called as the file says or as the loader says") {
+TEST_CASE("the name of a scene is that in the file or the one given by the caller") {
     SceneWorld w;
     CHECK(w.tree.path(w.load(scene(""))) == "world.demo");
     CHECK(w.tree.path(w.load(scene(""))) == "world.demo_1");
@@ -71,20 +71,20 @@ TEST_CASE("a scene is called as the file says or as the loader says") {
     CHECK(w.tree.name(loose) == "demo");
 }
 
-TEST_CASE("children without a name are called as a constructor calls them") {
+TEST_CASE("children without a name are named as by a constructor") {
     SceneWorld w;
     const Handle top = w.load(children(R"({"class": "Thing"}, {"class": "Thing"},
         {"class": "Note"}, {"class": "Thing", "name": "thing_2"}, {"class": "Thing"})"));
     std::vector<std::string> names;
     for (const Handle child : w.tree.children(top)) names.push_back(w.tree.name(child));
     CHECK(names == std::vector<std::string>{"thing", "thing_3", "note", "thing_2", "thing_4"});
-    // Saved, they have these names, and are the same again.
+    // After saving and loading, they have the same names.
     const std::string text = scene_text(w.tree, top);
     const Handle again = load_scene_text(w.tree, text, "level.json", {});
     CHECK(scene_text(w.tree, again) == text);
 }
 
-TEST_CASE("a child without a name does not take that of a member of its parent") {
+TEST_CASE("a child without a name does not get the name of a member of its parent") {
     SceneWorld w;
     const Handle top = w.load(R"({"fettle_scene": 1, "class": "Note", "name": "demo",
         "children": [{"class": "Thing"}, {"class": "Thing"}]})");
@@ -93,7 +93,7 @@ TEST_CASE("a child without a name does not take that of a member of its parent")
     CHECK(w.tree.name(w.tree.children(top)[1]) == "thing_3");
 }
 
-TEST_CASE("ready comes to children before their parents when all values are there") {
+TEST_CASE("ready is called for children before their parents when all values are set") {
     SceneWorld w;
     std::vector<std::string> seen;
     const Event& ready = *w.tree.object_class().event("ready");
@@ -115,7 +115,7 @@ TEST_CASE("ready comes to children before their parents when all values are ther
                                            "world.demo.b", "world.demo"});
 }
 
-TEST_CASE("what a scene writes is written by load at a line of the file") {
+TEST_CASE("the writer of the values of a scene is load at a line of the file") {
     SceneWorld w;
     std::vector<Cause> causes;
     const Class& thing = w.tree.class_named("Thing");
@@ -130,7 +130,7 @@ TEST_CASE("what a scene writes is written by load at a line of the file") {
     CHECK(causes[0].where == "level.json:6");
 }
 
-TEST_CASE("a property that its class does not have is kept and written back as it was") {
+TEST_CASE("a property that the class does not have is kept and written back unchanged") {
     SceneWorld w;
     const std::string text =
         "{\n"
@@ -166,7 +166,7 @@ TEST_CASE("a property that its class does not have is kept and written back as i
     CHECK(w.text(ball).find("densety") == std::string::npos);
 }
 
-TEST_CASE("a kept property is left out once the class has it") {
+TEST_CASE("a kept property is not written once the class has it") {
     SceneWorld w;
     const Handle ball = w.load(scene(R"("properties": {"charge": 3}, "notes": "x")"));
     w.tree.set_or_add(
@@ -219,7 +219,7 @@ TEST_CASE("values may be written in every form of their type") {
     CHECK(w.tree.get(b, "density") == Value(1.0));
 }
 
-TEST_CASE("what cannot be saved says why") {
+TEST_CASE("a value that cannot be saved is reported with the reason") {
     SceneWorld w;
     const auto refusal = [&](Handle node) -> std::string {
         try {

@@ -1,5 +1,5 @@
-// Pipes, folders, sockets, devices, links and huge files in the place of a game's own: each is
-// refused at once and by its name, and nothing waits for it.
+// Pipes, folders, sockets, devices, links and huge files in place of the files of a game: each is
+// refused at once with its name, and no call waits for it.
 
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -29,7 +29,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Puts something of that kind there, and gives what a message calls it.
+/// Creates an object of that kind, and returns the name that messages use for it.
 std::string put(const std::string& kind, const fs::path& where) {
     fs::create_directories(where.parent_path());
     if (kind == "pipe") REQUIRE(::mkfifo(where.c_str(), 0666) == 0);
@@ -45,7 +45,7 @@ std::string put(const std::string& kind, const fs::path& where) {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
         const fs::path before = fs::current_path();
-        fs::current_path(where.parent_path());  // the whole path may be too long for a socket
+        fs::current_path(where.parent_path());  // the complete path may be too long for a socket
         std::strncpy(address.sun_path, where.filename().c_str(), sizeof address.sun_path - 1);
         REQUIRE(::bind(made, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
         fs::current_path(before);
@@ -68,23 +68,24 @@ std::string refusal(Act act) {
 
 }  // namespace
 
-TEST_CASE("what is no file is refused by its name when it is read") {
+TEST_CASE("a path without a regular file is refused by name when it is read") {
     for (const std::string kind : kinds) {
         const GameFolder folder;
         const std::string called = put(kind, folder / "level.json");
         SceneWorld w;
         GameFiles files;
         CAPTURE(kind);
-        for (const std::string& told :
+        for (const std::string& reported :
              {refusal([&] { load_scene(w.tree, folder / "level.json", w.world); }),
               refusal([&] { (void)files.read(folder / "level.json"); })}) {
-            CHECK(told.starts_with((folder / "level.json").string() + ": could not be read: "));
-            CHECK(has(told, called));
+            CHECK(reported.starts_with((folder / "level.json").string() + ": could not be read: "));
+            CHECK(has(reported, called));
         }
     }
 }
 
-TEST_CASE("what is no journal is told at once and another one is written") {
+TEST_CASE(
+    "a special file in place of a journal is reported at once and another journal is written") {
     for (const std::string kind : kinds)
         for (const char* const suffix : {"", "-wal", "-shm", "-journal"}) {
             const GameFolder folder;
@@ -101,23 +102,23 @@ TEST_CASE("what is no journal is told at once and another one is written") {
             Run run(folder);
             const Handle b = run.add("Thing", "b");
             run.person([&] { run.tree.set(b, "number", 3.0); });
-            REQUIRE_FALSE(run.told.empty());
-            CHECK(has(run.told[0], "this journal of tweaks cannot be used: "));
-            CHECK(has(run.told[0], called));
+            REQUIRE_FALSE(run.reported.empty());
+            CHECK(has(run.reported[0], "this journal of tweaks cannot be used: "));
+            CHECK(has(run.reported[0], called));
             CHECK(run.lines() == std::vector<std::string>{"world.b.number: 0 → 3"});
             CHECK(fs::exists(folder / ".fettle/main.tweaks.2.sqlite"));
         }
 }
 
-TEST_CASE("what is no file of kept tweaks is told and never written over") {
+TEST_CASE("a special file in place of the kept tweaks is reported and never overwritten") {
     for (const std::string kind : kinds) {
         const GameFolder folder;
         const std::string called = put(kind, folder / "main.tweaks.json");
         CAPTURE(kind);
         Run run(folder);
-        REQUIRE(run.told.size() == 1);
+        REQUIRE(run.reported.size() == 1);
         const bool link = kind == "device";  // a link that leads out
-        CHECK(has(run.told[0], link ? "leads out of the game's folder" : called));
+        CHECK(has(run.reported[0], link ? "leads out of the game's folder" : called));
         const Handle a = run.add("Thing", "a");
         run.person([&] { run.tree.set(a, "number", 2.0); });
         CHECK(run.tweaks->keep("**").problems.size() == 1);
@@ -125,7 +126,7 @@ TEST_CASE("what is no file of kept tweaks is told and never written over") {
     }
 }
 
-TEST_CASE("what is no saved game is told and the others are listed") {
+TEST_CASE("a special file in place of a saved game is reported and the others are listed") {
     for (const std::string kind : kinds) {
         const GameFolder folder;
         const Saves saves(folder.user() / "saves", "ball", "0.1.0");
@@ -142,7 +143,7 @@ TEST_CASE("what is no saved game is told and the others are listed") {
 
 // --- Links out of the game's folder
 
-TEST_CASE("links that lead out of the game's folder are neither read nor written") {
+TEST_CASE("links that lead out of the folder of the game are neither read nor written") {
     const GameFolder folder;
     const fs::path outside = folder.path().parent_path() / "outside";
     fs::create_directory(outside);
@@ -170,7 +171,7 @@ TEST_CASE("links that lead out of the game's folder are neither read nor written
     CHECK(fs::file_size(outside / "level.json") == size);
 }
 
-TEST_CASE("links within the game's folder are followed") {
+TEST_CASE("links within the folder of the game are followed") {
     const GameFolder folder;
     folder.write("levels/one.json", "one");
     fs::create_symlink("levels/one.json", folder / "start.json");
@@ -184,7 +185,7 @@ TEST_CASE("links within the game's folder are followed") {
     CHECK(fs::is_symlink(folder / "start.json"));
 }
 
-TEST_CASE("a link in the place of the folder for journals is not followed") {
+TEST_CASE("a link in place of the folder for journals is not followed") {
     const GameFolder folder;
     const fs::path outside = folder.path().parent_path() / "outside";
     fs::create_directory(outside);
@@ -192,17 +193,17 @@ TEST_CASE("a link in the place of the folder for journals is not followed") {
     Run run(folder);
     const Handle a = run.add("Thing", "a");
     run.person([&] { run.tree.set(a, "number", 2.0); });
-    REQUIRE(run.told.size() == 1);
-    CHECK(
-        has(run.told[0], ".fettle: expected a folder for the journal of tweaks, but it is a link"));
+    REQUIRE(run.reported.size() == 1);
+    CHECK(has(run.reported[0],
+              ".fettle: expected a folder for the journal of tweaks, but it is a link"));
     CHECK(fs::is_empty(outside));
     CHECK(run.lines() == std::vector<std::string>{"world.a.number: 0 → 2"});
     CHECK(run.tweaks->journal().string().starts_with(folder.user().string()));
 }
 
-// --- What a scene may replace
+// --- Files that a scene may replace
 
-TEST_CASE("a scene replaces a scene or nothing") {
+TEST_CASE("a scene replaces a scene or creates a file") {
     const GameFolder folder;
     const std::string scene = "{\"fettle_scene\": 1, \"class\": \"Object\"}";
     GameFiles files;
@@ -235,9 +236,9 @@ TEST_CASE("a scene replaces a scene or nothing") {
         has(refusal([&] { files.write_scene(folder / "link.json", scene); }), "was not written: "));
 }
 
-// --- What a journal may hold
+// --- Contents of a journal
 
-TEST_CASE("a journal with anything else than its own tables is told and left alone") {
+TEST_CASE("a database with other tables than a journal is reported and left unchanged") {
     const std::string sql = GENERATE(
         as<std::string>{},
         "DROP TABLE tweaks; CREATE VIEW tweaks AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL "
@@ -265,10 +266,10 @@ TEST_CASE("a journal with anything else than its own tables is told and left alo
     REQUIRE(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
     sqlite3_close(database);
     Run run(folder);
-    REQUIRE(run.told.size() == 1);
-    INFO(run.told[0]);
-    CHECK(has(run.told[0], "this journal of tweaks cannot be used: it "));
-    CHECK(has(run.told[0], "left as it is"));
+    REQUIRE(run.reported.size() == 1);
+    INFO(run.reported[0]);
+    CHECK(has(run.reported[0], "this journal of tweaks cannot be used: it "));
+    CHECK(has(run.reported[0], "left as it is"));
     const Handle b = run.add("Thing", "b");
     run.person([&] { run.tree.set(b, "number", 3.0); });
     CHECK(run.lines() == std::vector<std::string>{"world.b.number: 0 → 3"});

@@ -1,4 +1,4 @@
-// What is saved is what was there, exactly, and no more than what differs from the defaults.
+// A saved scene contains exactly the values that differ from the defaults.
 
 #include <cmath>
 #include <limits>
@@ -67,7 +67,7 @@ std::vector<std::string> texts() {
             "{\"vec2\": [1, 2]}"};
 }
 
-/// Every value an ad-hoc property can have.
+/// Every kind of value of an ad-hoc property.
 std::vector<Value> matrix(Handle reference) {
     std::vector<Value> values = {
         true,
@@ -106,7 +106,7 @@ TEST_CASE("native numbers survive a scene file bit for bit") {
     }
 }
 
-TEST_CASE("native floats survive a scene file bit for bit and are written short") {
+TEST_CASE("native floats keep every bit in a scene file and are written with few digits") {
     SceneWorld w;
     for (const float number : floats) {
         const Handle thing = w.add("Thing");
@@ -191,7 +191,7 @@ TEST_CASE("lists of a declared element type survive a scene file") {
     CHECK(w.tree.get(copied, "anything") == w.tree.get(note, "anything"));
 }
 
-TEST_CASE("a nil that is a value of its own survives a scene file") {
+TEST_CASE("a nil that differs from the default survives a scene file") {
     SceneWorld w;
     const Handle note = w.add("Note");
     w.tree.set(note, "limit", Value());
@@ -237,7 +237,7 @@ TEST_CASE("saving what was loaded gives the same text") {
     CHECK(other.tree.path(loaded) == "world.scene");
 }
 
-TEST_CASE("only what differs from the defaults is written") {
+TEST_CASE("only values that differ from the defaults are written") {
     SceneWorld w;
     const Handle thing = w.add("Thing", "ball");
     CHECK(w.text(thing) ==
@@ -284,7 +284,7 @@ TEST_CASE("only what differs from the defaults is written") {
     CHECK(w.text(thing).find("\"number\"") == std::string::npos);
 }
 
-TEST_CASE("a mass that follows from the density is not written and one that was given is") {
+TEST_CASE("a mass computed from the density is not written and one that was set is") {
     SceneWorld w;
     const Handle thing = w.add("Thing");
     w.tree.set(thing, "density", 3);
@@ -297,7 +297,7 @@ TEST_CASE("a mass that follows from the density is not written and one that was 
     CHECK(w.tree.get(copy, "mass") == Value(3.0));
 }
 
-TEST_CASE("one property changed is one line changed") {
+TEST_CASE("a change of one property changes one line") {
     SceneWorld w;
     const Handle scene = w.add("Object", "scene");
     for (int i = 0; i < 20; ++i) w.tree.set(w.add("Thing", scene), "number", i + 0.5);
@@ -321,7 +321,7 @@ TEST_CASE("one property changed is one line changed") {
     CHECK(different == 1);
 }
 
-TEST_CASE("a list too long for a line has a line for each element") {
+TEST_CASE("a list too long for one line has one line for each element") {
     SceneWorld w;
     const Handle note = w.add("Note");
     List points;
@@ -334,7 +334,7 @@ TEST_CASE("a list too long for a line has a line for each element") {
     CHECK(w.tree.get(w.copy(note), "points") == Value(points));
 }
 
-TEST_CASE("a child that its parent makes by itself is found again") {
+TEST_CASE("a child that its parent creates itself is found when loading") {
     SceneWorld w;
     const Handle host = w.add("Host", "host");
     w.tree.set_or_add(w.tree.child(host, "service"), "level", 4);

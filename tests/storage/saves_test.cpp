@@ -1,4 +1,4 @@
-// Saved games: whole or not at all, and refused with a reason when something is wrong with them.
+// Saved games: complete or absent, and refused with a reason if they are damaged.
 
 #include <fettle/property/storage/saves.h>
 
@@ -62,7 +62,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE_METHOD(Fixture, "a saved game comes back byte for byte with its picture") {
+TEST_CASE_METHOD(Fixture, "a saved game is loaded byte for byte with its picture") {
     CHECK(saves.list().empty());
     for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{3'000'000}}) {
         const auto state = state_of(size, 1);
@@ -87,7 +87,7 @@ TEST_CASE_METHOD(Fixture, "a saved game comes back byte for byte with its pictur
     CHECK(has(refusal(saves, "Anther one_2-b"), "did you mean \"Another one_2-b\""));
 }
 
-TEST_CASE_METHOD(Fixture, "a slot has a name that is safe in any folder") {
+TEST_CASE_METHOD(Fixture, "the name of a slot is a safe file name") {
     for (const std::string& bad :
          {std::string(), std::string("../a"), std::string("a/b"), std::string(".a"),
           std::string("a.b"), std::string(" a"), std::string("a "), std::string(65, 'a'),
@@ -98,7 +98,7 @@ TEST_CASE_METHOD(Fixture, "a slot has a name that is safe in any folder") {
         CHECK_THROWS_AS(saves.remove(bad), Error);
     }
     CHECK_FALSE(fs::exists(place));
-    // A file that has none is listed with the reason, since nobody can ask for it.
+    // A file whose name is no slot is listed with the reason, because it cannot be loaded.
     saves.save("good", 1, state_of(1, 1));
     fs::copy_file(place / "good.sqlite", place / "bad name!.sqlite");
     const auto all = saves.list();
@@ -107,7 +107,7 @@ TEST_CASE_METHOD(Fixture, "a slot has a name that is safe in any folder") {
     CHECK(all.back().problem.empty());
 }
 
-TEST_CASE_METHOD(Fixture, "a link that leads nowhere is told alike in the list and by a load") {
+TEST_CASE_METHOD(Fixture, "a link without a target is reported equally in the list and by a load") {
     fs::create_directories(place);
     fs::create_symlink("round.sqlite", place / "round.sqlite");
     const auto all = saves.list();
@@ -144,7 +144,7 @@ TEST_CASE_METHOD(Fixture, "a saved game with any byte changed is refused") {
     CHECK(saves.load("a").info.step == 5);
 }
 
-TEST_CASE_METHOD(Fixture, "a saved game is a database that other programs can look into") {
+TEST_CASE_METHOD(Fixture, "a saved game is a database that other programs can read") {
     saves.save("a", 5, state_of(5'000, 3), picture(8, 8));
     sqlite3* database = nullptr;
     REQUIRE(sqlite3_open_v2((place / "a.sqlite").c_str(), &database, SQLITE_OPEN_READONLY,
@@ -160,7 +160,8 @@ TEST_CASE_METHOD(Fixture, "a saved game is a database that other programs can lo
     CHECK(saves.load("a").info.problem.empty());
 }
 
-TEST_CASE_METHOD(Fixture, "a newer save or one of another game is refused with the reason") {
+TEST_CASE_METHOD(Fixture,
+                 "a save of a newer version or of another game is refused with the reason") {
     saves.save("a", 5, state_of(10, 1));
     const Saves other(place, "chess", "0.1.0");
     CHECK(has(refusal(other, "a"), "it is of another game, ball game"));
@@ -172,7 +173,7 @@ TEST_CASE_METHOD(Fixture, "a newer save or one of another game is refused with t
     CHECK(has(saves.list().front().problem, "newer"));
 }
 
-TEST_CASE_METHOD(Fixture, "a save that fails leaves the older one and nothing else") {
+TEST_CASE_METHOD(Fixture, "a save that fails leaves the older one and no other files") {
     const auto older = state_of(100, 1);
     saves.save("a", 5, older);
     {

@@ -20,7 +20,8 @@ Property native(Things& things, std::string name, Type type, Native kind, std::s
     property.binding.native = kind;
     property.binding.context = &things;
     property.binding.stride = sizeof(Thing);
-    // One base for all would need the offset; the members are few, so each has its own function.
+    // One class of bases would need the offset; there are few members, so each has its own
+    // function.
     switch (offset) {
 #define FETTLE_TEST_BASE(member)                                                     \
     case offsetof(Thing, member):                                                    \
@@ -160,7 +161,7 @@ void SceneWorld::define_stored() {
     service.creatable = false;
     tree.define(std::move(service));
 
-    // Makes a child of its own, which no file could create.
+    // Creates a child in its constructor, which no file could create.
     ClassDescriptor host;
     host.name = "Host";
     host.lifecycle.create = [](void*, Tree& in, Handle self) {

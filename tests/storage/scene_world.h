@@ -1,5 +1,5 @@
 #pragma once
-// A tree with classes of every kind of binding, for scenes to be made of.
+// A tree with classes of every kind of binding, as a source of scenes.
 
 #include <cstdint>
 #include <limits>
@@ -17,7 +17,7 @@ using namespace fettle::property;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Thing: a native property of every type, in an array of structs that moves as it grows; `mass` is
-/// computed from `density` until somebody sets it.
+/// computed from `density` until it is set.
 struct Thing {
     double number = 0;
     float small = 0.6f;
@@ -42,13 +42,14 @@ class SceneWorld {
     }
     Handle add(std::string_view of, std::string_view name = {}) { return add(of, world, name); }
     std::string text(Handle node) const { return scene_text(tree, node); }
-    /// What loads must pass the check without loading, too: std::logic_error else.
+    /// The check without loading must accept a text that is loaded; otherwise throws
+    /// std::logic_error.
     Handle load(std::string_view text, std::string_view name = {});
-    /// Loads `text` and returns the message of the error; "" when there is none.
+    /// Loads `text` and returns the message of the error; "" if it is loaded.
     std::string refusal(std::string_view text);
-    /// Writes, loads under another name, and returns the copy.
+    /// Saves, loads under another name, and returns the copy.
     Handle copy(Handle node, std::string_view name = "copy") { return load(text(node), name); }
-    /// Every property of everything below the world, so that two states can be compared.
+    /// Every property of everything below the world as text, to compare two states.
     std::string everything() const;
 
     std::vector<Thing> things;  // outlives the tree

@@ -1,5 +1,5 @@
-// Several runs of one game, each a process of its own: none loses what another one has kept, and
-// none removes what another one is writing.
+// Several runs of one game, each in its own process: all kept tweaks are preserved, and no run
+// removes a file that another one is writing.
 
 #include <sys/file.h>
 #include <sys/wait.h>
@@ -28,7 +28,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Runs `body(i)` in `count` processes that begin together. Each must return true.
+/// Runs `body(i)` in `count` processes that start together. Each must return true.
 void together(int count, const std::function<bool(int)>& body) {
     int start[2];
     REQUIRE(::pipe(start) == 0);
@@ -39,7 +39,7 @@ void together(int count, const std::function<bool(int)>& body) {
         if (made == 0) {
             ::close(start[1]);
             char byte;
-            (void)!::read(start[0], &byte, 1);  // until the others are there, too
+            (void)!::read(start[0], &byte, 1);  // waits for the start of the others
             bool good = false;
             try {
                 good = body(i);
@@ -67,7 +67,7 @@ std::size_t temporary_files(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("runs that keep at the same time lose nothing of each other") {
+TEST_CASE("tweaks that several runs keep at the same time are all preserved") {
     constexpr int runs = 6, rounds = 5;
     const GameFolder folder;
     std::string level =
@@ -103,11 +103,11 @@ TEST_CASE("runs that keep at the same time lose nothing of each other") {
         }
     }
     Run next(folder);
-    CHECK(next.told.empty());
+    CHECK(next.reported.empty());
     CHECK(next.lines().empty());
 }
 
-TEST_CASE("a run keeps beside what another one has kept since it began") {
+TEST_CASE("a run keeps the tweaks that another one has kept since it began") {
     const GameFolder folder;
     Run one(folder), two(folder);
     const Handle a = one.add("Thing", "a"), b = two.add("Thing", "b");
@@ -122,7 +122,8 @@ TEST_CASE("a run keeps beside what another one has kept since it began") {
         CHECK(has(folder.text("main.tweaks.json"), part));
 }
 
-TEST_CASE("a file of kept tweaks that breaks while the game runs is told and not written over") {
+TEST_CASE(
+    "a file of kept tweaks that is damaged while the game runs is reported and not overwritten") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -144,22 +145,23 @@ TEST_CASE("runs that journal their first tweaks at the same time share one journ
         Run run(folder);
         const Handle own = run.add("Thing", "of_" + std::to_string(i));
         run.person([&] { run.tree.set(own, "number", 1.0 + i); });
-        return run.told.empty();
+        return run.reported.empty();
     });
     Run next(folder);
     CHECK(next.tweaks->open_earlier() == runs);
-    CHECK(next.told.empty());
+    CHECK(next.reported.empty());
     CHECK_FALSE(fs::exists(folder / ".fettle/main.tweaks.2.sqlite"));
 }
 
-TEST_CASE("the last tweaks of a run wait until another one has written") {
+TEST_CASE("the last tweaks of a run wait until another run has written") {
     const GameFolder folder;
     {
         Run run(folder);
         const Handle a = run.add("Thing", "a");
         run.person([&] { run.tree.set(a, "number", 1.0); });
     }
-    // Many runs that each tweak once and end at once: none may find the journal busy and give up.
+    // Many runs that each make one tweak and end at the same time: none may fail because the
+    // journal is busy.
     together(8, [&](int i) {
         Run run(folder);
         const Handle own = run.add("Thing", "of_" + std::to_string(i));
@@ -171,7 +173,7 @@ TEST_CASE("the last tweaks of a run wait until another one has written") {
     CHECK(Run(folder).tweaks->open_earlier() == 17);
 }
 
-TEST_CASE("temporary files of killed processes go and those of living ones stay") {
+TEST_CASE("temporary files of killed processes are removed and those of living ones stay") {
     const GameFolder folder;
     const std::string large(3'000'000, 'x');
     int ready[2];
@@ -197,11 +199,11 @@ TEST_CASE("temporary files of killed processes go and those of living ones stay"
     }
     CHECK(left <= 1);
 
-    // One that is being written: a living process has locked it.
+    // A file that is being written: a living process has locked it.
     const fs::path living = folder / ".level.json.1234.fettle.tmp";
     const int held = ::open(living.c_str(), O_RDWR | O_CREAT, 0600);
     REQUIRE(::flock(held, LOCK_EX | LOCK_NB) == 0);
-    // None of ours.
+    // Names that are not of temporary files.
     for (const char* const name : {".level.json.tmp", "level.json.12.fettle.tmp", "notes.tmp",
                                    ".level.json.x12.fettle.tmp", ".12.fettle.tmp"})
         folder.write(name, "mine");
@@ -221,7 +223,7 @@ TEST_CASE("temporary files of killed processes go and those of living ones stay"
     CHECK_FALSE(fs::exists(living));
 }
 
-TEST_CASE("who keeps waits a while for another program and then says that nothing was written") {
+TEST_CASE("keep waits some time for another program and then reports that nothing was written") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -236,7 +238,7 @@ TEST_CASE("who keeps waits a while for another program and then says that nothin
     CHECK(run.tweaks->keep("**").count == 1);
 }
 
-TEST_CASE("on a full disk it is told which file lacks what") {
+TEST_CASE("on a full disk the message names the file") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -247,12 +249,12 @@ TEST_CASE("on a full disk it is told which file lacks what") {
     const Handle b = run.add("Thing", "b");
     const SmallFiles full(100);
     run.person([&] { run.tree.set(b, "number", 3.0); });
-    REQUIRE(run.told.size() == 1);
-    INFO(run.told[0]);
-    CHECK(has(run.told[0], "tweaks cannot be journaled: " +
-                               (folder / ".fettle/main.tweaks.sqlite").string() + ": "));
-    CHECK(has(run.told[0], "a file may not become that large here"));
-    CHECK(has(run.told[0], "1 wait for it and are lost if the game ends before"));
+    REQUIRE(run.reported.size() == 1);
+    INFO(run.reported[0]);
+    CHECK(has(run.reported[0], "tweaks cannot be journaled: " +
+                                   (folder / ".fettle/main.tweaks.sqlite").string() + ": "));
+    CHECK(has(run.reported[0], "a file may not become that large here"));
+    CHECK(has(run.reported[0], "1 wait for it and are lost if the game ends before"));
 }
 
 }  // namespace several_runs_test

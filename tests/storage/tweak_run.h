@@ -1,5 +1,5 @@
 #pragma once
-// A run of a game whose tweaks are journaled.
+// A run of a game with a journal of tweaks.
 
 #include <algorithm>
 #include <memory>
@@ -13,11 +13,12 @@
 
 namespace scene_test {
 
-/// A run of a game in a folder: a tree, and the tweaks made to it.
+/// A run of a game in a folder: a tree, and its tweaks.
 struct Run : SceneWorld {
     explicit Run(const GameFolder& folder)
         : tweaks(std::make_unique<Tweaks>(
-              tree, folder.path(), [this](const std::string& text) { told.push_back(text); })) {}
+              tree, folder.path(), [this](const std::string& text) { reported.push_back(text); })) {
+    }
 
     template <class F>
     void person(F edit) {
@@ -31,7 +32,7 @@ struct Run : SceneWorld {
         tree.barrier();
         tweaks->barrier();
     }
-    /// "world.a.number: 1 → 2"
+    /// Lines as "world.a.number: 1 → 2".
     std::vector<std::string> lines() const {
         std::vector<std::string> all;
         for (const Tweak& tweak : tweaks->list())
@@ -56,7 +57,7 @@ struct Run : SceneWorld {
         return handle;
     }
 
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     std::unique_ptr<Tweaks> tweaks;
 };
 

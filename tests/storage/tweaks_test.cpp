@@ -1,4 +1,4 @@
-// Tweaks: what a person edits is journaled, found again, kept, made again or dropped.
+// Tweaks: edits by a person are journaled, found again, kept, made again or dropped.
 
 #include <fettle/property/storage/tweaks.h>
 
@@ -16,7 +16,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("what a person edits is a tweak and the next run finds it") {
+TEST_CASE("an edit by a person is a tweak and the next run finds it") {
     const GameFolder folder;
     {
         Run run(folder);
@@ -26,9 +26,9 @@ TEST_CASE("what a person edits is a tweak and the next run finds it") {
         run.person([&] { run.tree.set(a, "number", 2.0); });
         run.person([&] { run.tree.set_or_add(a, "lives", 3); });
         CHECK(run.lines() == Lines{"world.a.number: 1 → 2", "world.a.lives: nothing → 3"});
-        CHECK(run.told.empty());
+        CHECK(run.reported.empty());
 
-        // While the first is still running, as after a kill.
+        // The first run is still open, as after a kill.
         Run next(folder);
         CHECK(next.lines() ==
               Lines{"earlier world.a.number: 1 → 2", "earlier world.a.lives: nothing → 3"});
@@ -38,7 +38,7 @@ TEST_CASE("what a person edits is a tweak and the next run finds it") {
     CHECK(last.tweaks->open_earlier() == 2);
 }
 
-TEST_CASE("an edit is one tweak however often it is made and none when it is taken back") {
+TEST_CASE("several edits of a value are one tweak and none if it gets its first value again") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -58,7 +58,7 @@ TEST_CASE("an edit is one tweak however often it is made and none when it is tak
     CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 4"});
 }
 
-TEST_CASE("undo takes tweaks back one by one in the journal too") {
+TEST_CASE("undo removes tweaks one by one from the journal too") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -73,7 +73,7 @@ TEST_CASE("undo takes tweaks back one by one in the journal too") {
     }
 }
 
-TEST_CASE("what a script writes is no tweak unless it is an edit") {
+TEST_CASE("writes by a script are tweaks only inside an edit") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -87,17 +87,17 @@ TEST_CASE("what a script writes is no tweak unless it is an edit") {
     CHECK(run.lines() == Lines{"world.a.number: 2 → 3 not yet"});
     run.barrier();
     CHECK(run.lines() == Lines{"world.a.number: 2 → 3"});
-    run.tree.set(a, "number", 9.0);  // the game goes on
+    run.tree.set(a, "number", 9.0);  // a write of the game
     run.barrier();
     CHECK(run.lines() == Lines{"world.a.number: 2 → 3"});
 }
 
-TEST_CASE("a tweak outlives its instance unless a person deletes that") {
+TEST_CASE("a tweak outlives its instance unless a person deletes the instance") {
     const GameFolder folder;
     Run run(folder);
     Handle a = run.add("Thing", "a");
     run.person([&] { run.tree.set(a, "number", 2.0); });
-    run.tree.destroy(a);  // the game starts its level again
+    run.tree.destroy(a);  // the game restarts its level
     run.barrier();
     CHECK(run.lines() == Lines{"world.a.number: 0 → 2"});
     a = run.add("Thing", "a");
@@ -111,7 +111,7 @@ TEST_CASE("a tweak outlives its instance unless a person deletes that") {
     CHECK(Run(folder).lines() == Lines{"earlier world.a.number: 0 → 5"});
 }
 
-TEST_CASE("instances that a person makes and renames are tweaks") {
+TEST_CASE("created and renamed instances are tweaks") {
     const GameFolder folder;
     Run run(folder);
     Handle made;
@@ -173,7 +173,7 @@ TEST_CASE("tweaks of an earlier run are made again as edits that can be undone")
     run.tree.undo();
     run.barrier();
     CHECK(run.tree.get(a, "number") == Value(0.0));
-    CHECK(run.tweaks->open_earlier() == 3);  // none of them is forgotten
+    CHECK(run.tweaks->open_earlier() == 3);  // all of them are open again
     CHECK(run.lines().size() == 3);
     run.tree.redo();
     run.barrier();
@@ -186,7 +186,7 @@ TEST_CASE("tweaks of an earlier run are made again as edits that can be undone")
     CHECK(next.tweaks->open_earlier() == 3);
 }
 
-TEST_CASE("dropped tweaks are forgotten and their values stay") {
+TEST_CASE("dropped tweaks are removed and their values stay") {
     const GameFolder folder;
     Run run(folder);
     const Handle a = run.add("Thing", "a");
@@ -203,7 +203,7 @@ TEST_CASE("dropped tweaks are forgotten and their values stay") {
     CHECK(Run(folder).lines().empty());
 }
 
-TEST_CASE("a formula that a person defines is a tweak") {
+TEST_CASE("a formula defined by a person is a tweak") {
     const GameFolder folder;
     const auto compiler = [](const std::string& source) {
         return Formula{

@@ -9,7 +9,7 @@
 
 namespace wrong_saves_test {
 
-// What a caller in C++ can hand to saves that is none.
+// Invalid calls in C++ to save and load.
 
 using namespace fettle::property;
 
@@ -27,7 +27,7 @@ std::string error_of(const Act& act) {
 
 }  // namespace
 
-TEST_CASE("what could not be loaded takes the place of no save") {
+TEST_CASE("a game that could not be loaded replaces no save") {
     const TemporaryFolder folder;
     const Saves saves(folder.path, "game", "program");
     const std::vector<std::byte> state(100, std::byte{7});
@@ -47,7 +47,7 @@ TEST_CASE("what could not be loaded takes the place of no save") {
     CHECK(loaded.state == state);
 }
 
-TEST_CASE("a picture without its pixels is not scaled down") {
+TEST_CASE("a picture without pixels is not scaled") {
     CHECK_THAT(error_of([] { (void)scaled_down({.width = 10, .height = 10, .pixels = {}}, 3); }),
                contains("10 × 10 px has 0 bytes: expected four a pixel"));
     CHECK_THAT(error_of([] {
@@ -59,7 +59,7 @@ TEST_CASE("a picture without its pixels is not scaled down") {
     CHECK(scaled_down({}, 1).empty());
 }
 
-TEST_CASE("saved games say that their tree is gone") {
+TEST_CASE("saved games report that their tree was destroyed") {
     const TemporaryFolder folder;
     auto tree = std::make_unique<Tree>();
     GameSaves saves(*tree, Saves(folder.path, "game", "program"), {});

@@ -1,4 +1,4 @@
-// What fails leaves nothing behind: constructors, adding, moving, replacing, copying and loading.
+// Failed operations leave nothing: constructors, adding, moving, replacing, copying and loading.
 
 #include "catch.h"
 
@@ -17,7 +17,7 @@ using property::Handle;
 
 namespace {
 
-/// Everything there is, detached instances included, and what it holds.
+/// All instances, including detached ones, with their values.
 std::string everything(property::Tree& tree, const std::vector<Handle>& tops) {
     std::string all;
     for (const Handle top : tops) {
@@ -51,8 +51,8 @@ struct Rig : Playing {
             tops.push_back(runtime->evaluate(name).result.reference());
         play(2);
     }
-    /// Nothing has changed after the chunk raised, nobody is left over, and time goes on, back, and
-    /// through a save.
+    /// Checks that the chunk raises and changes nothing, that no instance is left, and that steps,
+    /// going back and saving still work.
     void check_refused(const std::string& chunk) {
         INFO(chunk);
         const std::string before = everything(tree, tops);
@@ -79,8 +79,7 @@ struct Rig : Playing {
 
 }  // namespace
 
-TEST_CASE_METHOD(Rig,
-                 "a constructor that raises leaves nothing behind and its children as they were") {
+TEST_CASE_METHOD(Rig, "a constructor that raises leaves nothing and its children are unchanged") {
     for (const char* chunk : {
              "Body { c, mass = 'x' }",
              "Body { c, d, mass = -1 }",
@@ -108,7 +107,7 @@ TEST_CASE_METHOD(Rig,
         check_refused(chunk);
 }
 
-TEST_CASE_METHOD(Rig, "what is refused a place stays where it was") {
+TEST_CASE_METHOD(Rig, "an instance that is refused a place stays in its place") {
     for (const char* chunk : {
              "world:add(d, 'gravity')",
              "world:add(d, 'raycast')",
@@ -144,7 +143,7 @@ TEST_CASE_METHOD(Rig, "what is refused a place stays where it was") {
         check_refused(chunk);
 }
 
-TEST_CASE("a scene that cannot be loaded leaves nothing behind") {
+TEST_CASE("a scene that cannot be loaded leaves nothing") {
     const TemporaryFolder folder;
     std::ofstream(folder.path / "main.lua") << "";
     Rig rig;
@@ -164,7 +163,7 @@ TEST_CASE("a scene that cannot be loaded leaves nothing behind") {
 
 namespace {
 
-/// A module that refuses a place below what is called "full".
+/// A module that refuses instances below a parent named "full".
 struct Picky {
     property::Tree& tree;
     std::vector<Handle> placed;
@@ -189,7 +188,7 @@ struct Picky {
 
 }  // namespace
 
-TEST_CASE("what a module refuses a place stays whole where it was") {
+TEST_CASE("an instance that a module refuses a place stays complete in its place") {
     Playing game(
         "world.full = Object {} world.full.old = Object {} world.full.note = 5 "
         "world.gravity = vec(0, 0) world.sleeping = false");
@@ -215,7 +214,8 @@ TEST_CASE("what a module refuses a place stays whole where it was") {
         REQUIRE(done.ok);
         INFO(done.lines.front());
         CHECK(done.lines.front().find("there is no room") != std::string::npos);
-        // What was made to be placed is the script's: it hangs nowhere, and is collected.
+        // The instance that was made for the place belongs to the script: it is detached, and is
+        // collected.
         game.runtime->evaluate("for _ = 1, 200 do Object {} end collectgarbage()");
         CHECK(everything(game.tree, tops) == before);
         game.play(2);
@@ -229,7 +229,7 @@ TEST_CASE("what a module refuses a place stays whole where it was") {
     CHECK(game.tree.size() >= size);
 }
 
-TEST_CASE("an instance whose ready raises is there all the same") {
+TEST_CASE("an instance whose ready raises is created all the same") {
     Playing game(R"(
         Ball = class("Ball", Body) {}
         function Ball:ready() error("not today") end
@@ -244,7 +244,7 @@ TEST_CASE("an instance whose ready raises is there all the same") {
     CHECK_NOTHROW(game.tree.check(property::Snapshot::from_bytes(game.tree.snapshot().to_bytes())));
 }
 
-TEST_CASE("a world can be copied with all that is in it") {
+TEST_CASE("a world can be copied with its contents") {
     Playing game(R"(
         world.a = Body { Circle {} } world.b = Body { position = vec(1, 0), Box {} }
         world.j = WeldJoint { body_a = world.a, body_b = world.b }

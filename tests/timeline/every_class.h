@@ -1,5 +1,5 @@
 #pragma once
-// A game with an instance of every class that can be made, and values for every property.
+// A game with an instance of every class that can be created, and values for every property.
 
 #include <map>
 #include <random>
@@ -10,7 +10,7 @@
 
 namespace fettle::app {
 
-/// Everything hangs below `world`; references and joints lead from one to another.
+/// Everything is below `world`; references and joints connect the instances.
 inline constexpr const char* every_class = R"(
     world.floor = Body { type = "static", position = vec(0, -1), Box { width = 60, height = 2 } }
     world.a = Body { position = vec(-4, 0.5), Box {}, Circle { center = vec(0, 1) } }
@@ -45,7 +45,7 @@ inline constexpr const char* every_class = R"(
     loose = Body { Box {} }
 )";
 
-/// Values to try: some that any property of the type takes, some that few do.
+/// Values to write: some that any property of the type accepts, some that few accept.
 inline std::vector<property::Value> values_for(const property::Property& property,
                                                const std::vector<property::Handle>& instances) {
     using property::List;
@@ -87,7 +87,7 @@ inline std::vector<property::Value> values_for(const property::Property& propert
     }
 }
 
-/// Path, property and value of everything that is saved.
+/// Path, property and value of all saved properties.
 inline std::map<std::string, std::string> all_values(property::Tree& tree) {
     std::map<std::string, std::string> all;
     tree.each_below(tree.root(), [&](property::Handle handle) {

@@ -1,5 +1,5 @@
-// What the past takes is what `time.rewind_memory` allows, whatever a game does: measured as the
-// memory the process has, not as the timeline counts it.
+// The memory of the timeline is limited by `time.rewind_memory` in any game. It is measured as the
+// memory of the process, not as the timeline counts it.
 
 #include "catch.h"
 
@@ -17,14 +17,14 @@ using namespace fettle;
 using namespace fettle::app;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool measured = false;  // what is freed stays in quarantine
+constexpr bool measured = false;  // freed memory stays in quarantine
 #else
 constexpr bool measured = true;
 #endif
 
 namespace {
 
-/// MiB of the process in memory.
+/// Resident memory of the process, MiB.
 double resident() {
     malloc_trim(0);
     std::ifstream from("/proc/self/statm");
@@ -33,7 +33,8 @@ double resident() {
     return pages * double(sysconf(_SC_PAGESIZE)) / 1048576;
 }
 
-/// What a game has more with a past of `allowed` MiB than without one, at worst, MiB.
+/// Maximal difference of the memory of a game with a timeline of `allowed` MiB and without one,
+/// MiB.
 double worst_of_the_past(const std::string& script, double allowed, int steps) {
     const auto played = [&](double limit) {
         Playing game(script);
@@ -56,7 +57,7 @@ double worst_of_the_past(const std::string& script, double allowed, int steps) {
 
 }  // namespace
 
-TEST_CASE("the past takes no more memory than it may whatever is done in it") {
+TEST_CASE("the timeline keeps its memory limit in any game") {
     const std::pair<const char*, const char*> games[] = {
         {"an edit a step",
          "local n = 0 function step() n = n + 1 edit('e', function() world.gravity = vec(n, 1) "
@@ -138,7 +139,7 @@ TEST_CASE("the past takes no more memory than it may whatever is done in it") {
     }
 }
 
-TEST_CASE("less memory for the past is less from the next step on") {
+TEST_CASE("a smaller limit of memory applies from the next step") {
     Playing game(R"(
         local n = 0
         function step() n = n + 1 edit('e', function() world.text = string.rep('x', 20000) .. n end) end
@@ -155,7 +156,7 @@ TEST_CASE("less memory for the past is less from the next step on") {
     game.check(game.time().newest());
 }
 
-TEST_CASE("a state that is larger than the past may be leaves no past and no error") {
+TEST_CASE("a state larger than the limit leaves an empty timeline and no error") {
     Playing game("world.text = string.rep('x', 3000000)");
     game.console("time.rewind_memory = 1");
     game.play(100);
@@ -168,7 +169,7 @@ TEST_CASE("a state that is larger than the past may be leaves no past and no err
     game.check(game.time().oldest());
 }
 
-TEST_CASE("undo keeps as much as its share of the memory and one that is too large by name") {
+TEST_CASE("undo uses its share of the memory and names an edit that is too large") {
     Playing game("");
     game.console("time.rewind_memory = 32");
     game.play(2);
@@ -178,12 +179,12 @@ TEST_CASE("undo keeps as much as its share of the memory and one that is too lar
                           "test"));
     CHECK(game.tree.history_bytes() < (std::size_t{2} << 20));
     const auto listed = game.tree.history();
-    REQUIRE(listed.size() == 3);  // the third is the command of the console
+    REQUIRE(listed.size() == 3);  // the third is the console command itself
     CHECK(listed[0].name == "large");
     CHECK(listed[0].too_large);
-    const auto told = game.tree.undo();
-    REQUIRE(told.notes.size() == 1);
-    CHECK(told.notes[0].find("more memory") != std::string::npos);
+    const auto reported = game.tree.undo();
+    REQUIRE(reported.notes.size() == 1);
+    CHECK(reported.notes[0].find("more memory") != std::string::npos);
     CHECK(game.get("world.b").text().size() == 9000000);
     CHECK(game.tree.undo().notes.empty());
     CHECK_THROWS(game.get("world.a"));

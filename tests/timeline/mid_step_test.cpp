@@ -1,4 +1,4 @@
-// Going back in the middle of a step is refused, and harms neither the step nor the past.
+// Going back in the middle of a step is refused and damages neither the step nor the timeline.
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ std::string message_of(const std::function<void()>& act) {
 
 }  // namespace
 
-TEST_CASE("whoever goes back in the middle of a step is refused and the past stays whole") {
+TEST_CASE("going back in the middle of a step is refused and the timeline stays valid") {
     Playing game(pile);
     std::vector<std::string> refused;
     bool guest_goes = false;
@@ -50,14 +50,14 @@ TEST_CASE("whoever goes back in the middle of a step is refused and the past sta
                     }});
     game.play(90);
     oldest = game.time().oldest();
-    SECTION("as a physics world calls") {
+    SECTION("called by a physics world") {
         const auto world = game.tree.child(game.tree.root(), "world");
         game.tree.set(game.tree.child(world, "ball"), "position", property::Vec2(0.1, 0.9));
         game.physics.world(world).set_before_solve([&](physics::ContactEdit&) { go_back(); });
         game.play(1);
         game.physics.world(world).set_before_solve({});
     }
-    SECTION("as a module steps") {
+    SECTION("called by a module") {
         guest_goes = true;
         game.play(1);
     }
@@ -70,7 +70,7 @@ TEST_CASE("whoever goes back in the middle of a step is refused and the past sta
     for (const int step : {30, 89, 90, 91, 92, 151}) game.check(step);
 }
 
-TEST_CASE("a step that is left by an exception does not bar the way back") {
+TEST_CASE("a step that ends with an exception does not block going back") {
     Playing game(pile);
     bool fails = false;
     game.loop->add({.name = "guest", .step = [&](double) {
@@ -84,7 +84,7 @@ TEST_CASE("a step that is left by an exception does not bar the way back") {
     CHECK_FALSE(game.time().keeps());
 }
 
-TEST_CASE("a handler that goes back is refused and the past stays") {
+TEST_CASE("going back in a handler is refused and the timeline stays") {
     Playing game(pile);
     game.play(30);
     std::string refusal;
@@ -98,7 +98,7 @@ TEST_CASE("a handler that goes back is refused and the past stays") {
     game.check(7);
 }
 
-TEST_CASE("rewinding by what is no number is refused and by less than nothing goes no further") {
+TEST_CASE("rewinding by an invalid number is refused and by a negative one does nothing") {
     Playing game(pile);
     game.play(30);
     CHECK_THROWS_WITH(game.time().rewind(std::nan("")), contains("rewind: nan"));
@@ -111,7 +111,7 @@ TEST_CASE("rewinding by what is no number is refused and by less than nothing go
     CHECK(game.services.clock.step == 30);
 }
 
-TEST_CASE("a joint that was deleted after its body holds it again after undo") {
+TEST_CASE("a joint deleted after its body holds it again after undo") {
     Playing game(R"(
         world.a = Body { Circle {} }
         world.b = Body { position = vec(3, 0), Circle {} }

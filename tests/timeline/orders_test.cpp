@@ -1,5 +1,5 @@
-// What moves a game through time, in one frame and in any order: the game goes on, and can be saved
-// afterwards.
+// Functions that change the time of a game, in one frame and in any order: the game continues, and
+// can be saved afterwards.
 
 #include "catch.h"
 
@@ -46,7 +46,7 @@ constexpr const char* game = R"(
     table.sort(names)
 )";
 
-/// The game plays on without a complaint, and what is saved then comes back.
+/// The game continues without an error, and a save of it can be restored.
 void play_on(Playing& played) {
     played.console("time.paused = false");
     played.play(7);
@@ -62,14 +62,14 @@ void play_on(Playing& played) {
 }  // namespace
 
 TEST_CASE(
-    "any two or three jumps through time in one frame leave a game that goes on and is saved") {
+    "after any two or three jumps through time in one frame the game continues and is saved") {
     const TemporaryFolder folder;
     Playing played(game, folder.path);
     played.play(10);
     played.console("early = snapshot()");
     played.console("save_game('one')");
     played.play(30);
-    // For good: each order begins from here.
+    // A restore without a return: each order begins from here.
     const property::Snapshot begin = played.tree.snapshot();
     const int count = int(property::Value(played.runtime->evaluate("#names").result).integer());
     REQUIRE(count > 12);
@@ -80,7 +80,8 @@ TEST_CASE(
     for (int a = 0; a < count; ++a)
         for (int b = 0; b < count; ++b)
             for (int c = -1; c < count; ++c) {
-                // Of three, every third order, another one for each pair: all would take minutes.
+                // Of orders of three, every third one, in rotation for each pair: all of them would
+                // take minutes.
                 if (c >= 0 && (a * 7 + b * 3 + c) % 3 != 0) continue;
                 if (++order % 40 == 0) played.tree.restore(begin);
                 const std::string chunk = call(a) + call(b) + (c >= 0 ? call(c) : "");
@@ -91,19 +92,19 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("to rewind after a restore in one frame goes back from what was restored") {
+TEST_CASE("rewind after a restore in one frame counts from the restored state") {
     Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
     played.play(60);
     played.console("kept = snapshot()");
     played.play(60);
     played.runtime->run("restore(kept) rewind(0.5)", "test");
     played.play(1);
-    CHECK(played.services.clock.step == 31);  // 60 - 30, and the step just made
+    CHECK(played.services.clock.step == 31);  // 60 - 30, and the step made now
     played.check(31);
     played.check(10);
 }
 
-TEST_CASE("what was restored is the newest moment until a step is made from it") {
+TEST_CASE("the restored state is the newest moment until a step is made from it") {
     Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
     played.play(60);
     played.console("kept = snapshot()");
@@ -112,7 +113,7 @@ TEST_CASE("what was restored is the newest moment until a step is made from it")
     played.play(1);
     CHECK(played.services.clock.step == 61);
     CHECK(played.time().newest() == 61);
-    // Also when what was done there is gone back over, and returned to.
+    // The same after going back from the edited state and returning to it.
     played.runtime->run("restore(kept)", "test");
     played.tree.barrier();
     REQUIRE(played.services.clock.step == 60);
@@ -128,8 +129,8 @@ TEST_CASE("what was restored is the newest moment until a step is made from it")
     for (const std::int64_t step : {59, 61, 100, 20, 130}) played.check(step);
 }
 
-TEST_CASE("keyframes that get rarer leave what no step leads to") {
-    // What cannot be packed, so that six keyframes are megabytes.
+TEST_CASE("thinned keyframes do not keep data that no step needs") {
+    // Random data that cannot be compressed, so that six keyframes take megabytes.
     Playing played(R"(
         world.ball = Body { position = vec(0, 100), Circle {} }
         local all = {}
@@ -157,7 +158,7 @@ TEST_CASE("keyframes that get rarer leave what no step leads to") {
     CHECK(fewest < frames);
 }
 
-TEST_CASE("to restore after a rewind in one frame is to be where was restored") {
+TEST_CASE("a restore after a rewind in one frame gives the restored state") {
     Playing played("world.ball = Body { position = vec(0, 100), Circle {} }");
     played.play(60);
     played.console("kept = snapshot()");
@@ -168,13 +169,13 @@ TEST_CASE("to restore after a rewind in one frame is to be where was restored") 
     played.check(20);
 }
 
-TEST_CASE("a game that is saved and loaded in one frame is the one that was saved") {
+TEST_CASE("saving and loading in one frame gives the saved state") {
     const TemporaryFolder folder;
     Playing played("world.score = 1", folder.path);
     played.play(2);
     played.runtime->run("world.score = 7 save_game('a') load_game('a') world.score = 8", "test");
     played.play(1);
-    CHECK(played.get("world.score") == property::Value(8));  // what was at the barrier
+    CHECK(played.get("world.score") == property::Value(8));  // the value at the barrier
     played.runtime->run("save_game('b') world.score = 9 load_game('a')", "test");
     played.play(1);
     CHECK(played.get("world.score") == property::Value(8));
@@ -191,7 +192,7 @@ TEST_CASE("a save that is deleted in its frame is not written") {
     CHECK(played.saves->slots().list().empty());
 }
 
-TEST_CASE("to rewind before there is a past is to stay") {
+TEST_CASE("rewind before the first keyframe does nothing") {
     Playing played("world.ball = Body { position = vec(0, 100), Circle {} } rewind(1)");
     played.play(3);
     CHECK(played.services.clock.step == 3);

@@ -1,5 +1,5 @@
 #pragma once
-// A game with physics, scripts and a loop, and the hash after every step.
+// A game with physics, scripts and a loop; the hash after every step is stored.
 
 #include <fettle/app/loop.h>
 #include <fettle/physics_module/physics_module.h>
@@ -25,11 +25,12 @@ struct Playing {
     std::unique_ptr<Loop> loop;
     std::vector<std::string> printed, errors;
     std::vector<std::uint64_t> hashes{0};
-    /// (parent, stem) -> the last number that was given to a name; a step of `hashes` each.
+    /// (parent, stem) -> the last number that was used in a name; one map for each step of
+    /// `hashes`.
     using Numbers = std::map<std::pair<std::uint32_t, std::string>, std::uint32_t>;
     std::vector<Numbers> numbers{{}};
 
-    /// `slots`: where saved games go; "": nowhere.
+    /// `slots`: folder of saved games; "": none.
     explicit Playing(std::string_view script, const std::filesystem::path& slots = {}) {
         physics.attach(tree);
         if (!slots.empty())
@@ -48,13 +49,13 @@ struct Playing {
         runtime->on_print([this](std::string_view text) { printed.emplace_back(text); });
         runtime->on_error(
             [this](const script::ScriptError& error) { errors.push_back(error.message); });
-        loop->timeline().set_share(1e9);  // keyframes where they are every time
+        loop->timeline().set_share(1e9);  // the same keyframes in every run
         runtime->run(script, "test");
         hashes[0] = loop->hash();
         numbers[0] = given_numbers();
     }
-    /// No value and no hash shows which names are to come. Snapshots do: the block of the tree,
-    /// which begins with the nodes (Nodes::save).
+    /// The next names are not in any value or hash. They are in snapshots: in the block of the
+    /// tree, which begins with the nodes (Nodes::save).
     Numbers given_numbers() const {
         const property::Snapshot snapshot = tree.snapshot();
         property::ByteReader from(snapshot.payload());

@@ -1,5 +1,5 @@
-// Reads make the physics compute what edits left out of date. Readers are not run again when one
-// goes back in time; that they read between two edits has to be known all the same.
+// Reads make the physics compute values that edits left out of date. A replay after going back does
+// not repeat the reads, so the timeline must know which reads happened between two edits.
 
 #include "catch.h"
 
@@ -31,7 +31,7 @@ void every_moment_is_what_it_was(Playing& game) {
 
 }  // namespace
 
-TEST_CASE("a question between two edits of a step is part of what was done") {
+TEST_CASE("a query between two edits of a step is repeated after going back") {
     Playing game(heap + std::string(R"(
         function step()
             local from, to = pick(30), pick(30)
@@ -48,7 +48,7 @@ TEST_CASE("a question between two edits of a step is part of what was done") {
     every_moment_is_what_it_was(game);
 }
 
-TEST_CASE("a mass or a velocity read between two edits is part of what was done") {
+TEST_CASE("a mass or a velocity read between two edits is repeated after going back") {
     Playing game(heap + std::string(R"(
         for i = 1, 30 do bodies[i].angular_velocity = pick(9) - 5.3 end
         function step()
@@ -66,7 +66,7 @@ TEST_CASE("a mass or a velocity read between two edits is part of what was done"
     every_moment_is_what_it_was(game);
 }
 
-TEST_CASE("the parts of an outline read between two edits are part of what was done") {
+TEST_CASE("the parts of an outline read between two edits are repeated after going back") {
     Playing game(heap + std::string(R"(
         world.hills = Body { type = "static", position = vec(0, 1), Chain {} }
         world.other = Body { type = "static", position = vec(0, 3), Chain {} }
@@ -88,7 +88,7 @@ TEST_CASE("the parts of an outline read between two edits are part of what was d
     every_moment_is_what_it_was(game);
 }
 
-TEST_CASE("bodies that come and go between questions are as they were") {
+TEST_CASE("bodies made and deleted between queries are the same after going back") {
     Playing game(heap + std::string(R"(
         function step()
             local i = pick(30)
@@ -112,7 +112,7 @@ TEST_CASE("bodies that come and go between questions are as they were") {
     every_moment_is_what_it_was(game);
 }
 
-TEST_CASE("a question asked in the console while the game waits is part of what was done") {
+TEST_CASE("a query of the console in a paused game is repeated after going back") {
     Playing game(heap);
     game.play(40);
     game.console("for i = 1, 30 do bodies[i].angular_velocity = pick(9) - 5.3 end");
@@ -127,7 +127,7 @@ TEST_CASE("a question asked in the console while the game waits is part of what 
     game.check(100);
 }
 
-TEST_CASE("whatever is edited and asked in whatever order is exact when one goes back") {
+TEST_CASE("edits and queries in any order are repeated exactly after going back") {
     const int seed = GENERATE(range(1, 13));
     Playing game("picked = " + std::to_string(seed * 7919) + heap + R"(
         seed = picked

@@ -1,4 +1,4 @@
-// Recordings: what came into a run from outside, and whether the run is the same again.
+// Recordings: the external input of a run, and the equality of its replay.
 
 #include "catch.h"
 
@@ -36,7 +36,7 @@ struct File {
     }
 };
 
-/// Frames of uneven length, events, commands and an edit of the inspector.
+/// Frames of different length, events, commands and an edit of the inspector.
 void record(const File& file, int frames) {
     Playing playing(game);
     RunStart start;
@@ -77,7 +77,7 @@ Result replay(const File& file, std::string_view script = game) {
 
 }  // namespace
 
-TEST_CASE("a recorded run is the same when it is made again") {
+TEST_CASE("the replay of a recorded run is equal to the run") {
     const File file;
     record(file, 100);
     const Result result = replay(file);
@@ -86,7 +86,7 @@ TEST_CASE("a recorded run is the same when it is made again") {
     REQUIRE(result.steps > 80);
 }
 
-TEST_CASE("a replay tells the first step that differs and what") {
+TEST_CASE("a replay reports the first step that differs and the difference") {
     const File file;
     record(file, 60);
     std::string moved = game;
@@ -100,7 +100,7 @@ TEST_CASE("a replay tells the first step that differs and what") {
     REQUIRE(value.difference.find("step 20: values differs") == 0);
 }
 
-TEST_CASE("a recording that was cut off is one of the run so far") {
+TEST_CASE("a recording that was cut off replays the run up to there") {
     const File file;
     record(file, 50);
     const std::string text = file.text();
@@ -111,7 +111,7 @@ TEST_CASE("a recording that was cut off is one of the run so far") {
     }
 }
 
-TEST_CASE("files that are no recordings are refused with a reason") {
+TEST_CASE("files that are not recordings are refused with a reason") {
     const File file;
     record(file, 5);
     const std::string text = file.text();
@@ -133,7 +133,7 @@ TEST_CASE("files that are no recordings are refused with a reason") {
     REQUIRE_THROWS_AS(Recorder("/nowhere/at all", RunStart{}), RecordingError);
 }
 
-TEST_CASE("a recording holds the files of its run and the tweaks that were there") {
+TEST_CASE("a recording contains the files of its run and the existing tweaks") {
     const File file;
     RunStart start;
     start.game = "game";

@@ -1,5 +1,5 @@
-// Whatever a tree accepts can be saved, loaded and copied: every property of every class is
-// written, one alone in the frame of a snapshot, and many at random.
+// Every value that a tree accepts can be saved, loaded and copied: every property of every class is
+// written, alone in the frame of a snapshot, and many at random.
 
 #include "catch.h"
 
@@ -31,10 +31,10 @@ struct Subjects {
 
 bool is_written(const Property& property) {
     return !property.read_only && property.binding.kind != property::BindingKind::node &&
-           property.name != "threads";  // which changes no result, and starts threads
+           property.name != "threads";  // it changes no result, and starts threads
 }
 
-/// False where the tree refuses it.
+/// False if the tree refuses the value.
 bool write(property::Tree& tree, Handle instance, const Property& property, const Value& value) {
     try {
         tree.set(instance, property, value);
@@ -53,8 +53,8 @@ std::vector<std::uint64_t> hashes(Playing& game, int steps) {
     return all;
 }
 
-/// What was just done, with no step since, is in a snapshot that comes as bytes; and the game goes
-/// on from there as from here.
+/// A snapshot as bytes contains the edits since the last step, and the restored game continues like
+/// the original.
 void check_snapshot(Playing& game) {
     property::Snapshot taken;
     const auto bytes = game.tree.snapshot().to_bytes();
@@ -69,7 +69,7 @@ void check_snapshot(Playing& game) {
 
 }  // namespace
 
-TEST_CASE("an edit of any property in the frame of a snapshot comes back with it") {
+TEST_CASE("a snapshot contains an edit of any property in its frame") {
     Playing game(every_class);
     game.services.clock.rewind_limit = 0;
     game.play(5);
@@ -78,15 +78,15 @@ TEST_CASE("an edit of any property in the frame of a snapshot comes back with it
     REQUIRE_FALSE(game.get("world.b.awake").boolean());
     const property::Snapshot asleep = game.tree.snapshot();
     const Subjects subjects(game);
-    // Of each property two, of different classes where it is inherited: all take a minute.
+    // Two cases of each property, of different classes if it is inherited: all would take a minute.
     std::map<std::pair<const Property*, const property::Class*>, int> of_class;
     std::map<const Property*, int> seen;
     std::vector<std::pair<Handle, const Property*>> cells;
     for (const Handle instance : subjects.instances)
         for (const Property* property : game.tree.properties(instance)) {
             const property::Class* of = &game.tree.class_of(instance);
-            const int most = of->name() == "Body" ? 2 : 1;  // the floor and one that moves
-            if (is_written(*property) && ++of_class[{property, of}] <= most &&
+            const int max_cases = of->name() == "Body" ? 2 : 1;  // the floor and a moving body
+            if (is_written(*property) && ++of_class[{property, of}] <= max_cases &&
                 ++seen[property] <= 2)
                 cells.emplace_back(instance, property);
         }
@@ -108,7 +108,7 @@ TEST_CASE("an edit of any property in the frame of a snapshot comes back with it
     CHECK(written > (thorough() ? 500 : 160));
 }
 
-TEST_CASE("what methods and moves do in the frame of a snapshot comes back with it") {
+TEST_CASE("a snapshot contains the effects of methods and moves in its frame") {
     Playing game(every_class);
     game.services.clock.rewind_limit = 0;
     game.play(5);
@@ -165,7 +165,7 @@ TEST_CASE("what methods and moves do in the frame of a snapshot comes back with 
 
 namespace {
 
-/// Copies, files and snapshots of whatever there is.
+/// Checks copies, files and snapshots of all instances.
 void check_round_trips(Playing& game) {
     check_snapshot(game);
     const Handle world = property::resolve(game.tree, "world").instance;
@@ -173,7 +173,7 @@ void check_round_trips(Playing& game) {
         if (!game.tree.class_of(child).creatable()) continue;
         const std::string path = game.tree.path(child);
         INFO(path);
-        // A copy is of the same text; names aside, which the file does not hold for a copy.
+        // A copy has the same text, except for names that the file does not contain for a copy.
         std::string text, again;
         REQUIRE_NOTHROW(text = property::scene_text(game.tree, child));
         Handle loaded;
@@ -197,7 +197,7 @@ void check_round_trips(Playing& game) {
 
 }  // namespace
 
-TEST_CASE("whatever a tree has accepted can be copied and saved and loaded") {
+TEST_CASE("everything that a tree accepts can be copied and saved and loaded") {
     const char* wanted = std::getenv("FETTLE_ROUND_TRIPS");
     const int rounds = wanted != nullptr ? std::atoi(wanted) : 40;
     Playing game(every_class);
@@ -231,7 +231,7 @@ TEST_CASE("whatever a tree has accepted can be copied and saved and loaded") {
     }
 }
 
-TEST_CASE("a chain of two points cannot be closed and is closed by a file that gives it three") {
+TEST_CASE("a chain of two points cannot be closed but a file with three points closes it") {
     Playing game("world.b = Body { Chain {} }");
     CHECK_FALSE(game.runtime->run("world.b.chain.closed = true", "test"));
     CHECK(game.errors.back().find("world.b.chain.closed") != std::string::npos);

@@ -1,4 +1,4 @@
-// The timeline: any moment of the past is what it was, bit for bit.
+// The timeline: every moment in it is restored bit for bit.
 
 #include "catch.h"
 
@@ -50,7 +50,7 @@ constexpr const char* busy = R"(
 
 }  // namespace
 
-TEST_CASE("every step of the past is the same when one goes back to it") {
+TEST_CASE("every earlier step is the same after going back to it") {
     Playing game(busy);
     game.play(200);
     REQUIRE(game.time().newest() == 200);
@@ -60,7 +60,7 @@ TEST_CASE("every step of the past is the same when one goes back to it") {
     for (int step = 1; step <= 200; step += 13) game.check(step);
 }
 
-TEST_CASE("steps in which scripts write thousands of numbers are the same too") {
+TEST_CASE("steps in which scripts write thousands of numbers are restored too") {
     Playing game(R"(
         world.gravity = vec(0, 0)
         local bodies, n = {}, 0
@@ -70,7 +70,7 @@ TEST_CASE("steps in which scripts write thousands of numbers are the same too") 
         end
         function step(dt)
             n = n + 1
-            -- From none to some thousands, with what is told by itself in between.
+            -- From none to some thousands, with what is reported by itself in between.
             for k = 1, n * n % 3000 do
                 local body = bodies[k % 8 + 1]
                 body.angular_velocity = (n * k) % 17 - 8.3
@@ -86,7 +86,7 @@ TEST_CASE("steps in which scripts write thousands of numbers are the same too") 
     for (int step = 1; step <= 130; step += 7) game.check(step);
 }
 
-TEST_CASE("the game goes on from the present as if nobody had looked back") {
+TEST_CASE("the game continues from the present after going back and returning") {
     Playing game(busy), other(busy);
     game.play(150);
     other.play(150);
@@ -94,12 +94,12 @@ TEST_CASE("the game goes on from the present as if nobody had looked back") {
     game.check(150);
     game.play(60);
     other.play(60);
-    // Its own variables aside, which a script keeps: it was never stepped meanwhile.
+    // Except for local variables of the script, which were not stepped meanwhile.
     REQUIRE(game.hashes == other.hashes);
     game.check(170);
 }
 
-TEST_CASE("edits in the past make another future and end the old one") {
+TEST_CASE("edits in the past start another timeline and end the old one") {
     Playing game(R"(
         world.ball = Body { position = vec(0, 10), Circle {} }
     )");
@@ -108,7 +108,7 @@ TEST_CASE("edits in the past make another future and end the old one") {
     const double there = game.get("world.ball.position.y").number();
     game.check(30);
     game.console("world.ball.gravity_scale = -1");
-    REQUIRE(game.time().newest() == 120);  // not yet
+    REQUIRE(game.time().newest() == 120);  // it is not cut yet
     game.console("time.paused = false");
     game.play(90);
     REQUIRE(game.time().newest() == 120);
@@ -118,7 +118,7 @@ TEST_CASE("edits in the past make another future and end the old one") {
     game.check(10);
 }
 
-TEST_CASE("edits made while one is in the present wait there") {
+TEST_CASE("edits made in the present are kept while the past is shown") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     game.play(60);
     game.console("world.ball.mass = 7");
@@ -145,7 +145,7 @@ TEST_CASE("handlers that a step asks see the time and the random numbers of that
     for (const int step : {3, 4, 30, 61, 70}) game.check(step);
 }
 
-TEST_CASE("undo knows in the past what had been edited by then") {
+TEST_CASE("undo in the past has the edits made up to then") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     game.play(20);
     game.console("world.ball.mass = 7");
@@ -162,7 +162,7 @@ TEST_CASE("undo knows in the past what had been edited by then") {
     REQUIRE(game.get("world.ball.mass").number() == 7);
 }
 
-TEST_CASE("handles of the past are valid there and those of a left future never again") {
+TEST_CASE("handles of the past are valid there and those of an abandoned timeline never again") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     game.play(30);
     game.console("world.late = Body { Circle {} }");
@@ -180,7 +180,7 @@ TEST_CASE("handles of the past are valid there and those of a left future never 
     REQUIRE_FALSE(game.tree.alive(late));
 }
 
-TEST_CASE("scripts rewind at the end of a step and hear of it") {
+TEST_CASE("rewind in a script is done at the end of the step and reported by an event") {
     Playing game(R"(
         world.ball = Body { position = vec(0, 10), Circle {} }
         game:on("restored", function(e) print("restored", e.step, "left", e.left) end)
@@ -193,7 +193,7 @@ TEST_CASE("scripts rewind at the end of a step and hear of it") {
     game.check(65);
 }
 
-TEST_CASE("snapshot and restore in scripts act at the next barrier between steps") {
+TEST_CASE("snapshot and restore in scripts are done at the next barrier between steps") {
     Playing game(R"(
         world.ball = Body { position = vec(0, 10), Circle {} }
         done = false
@@ -213,7 +213,7 @@ TEST_CASE("snapshot and restore in scripts act at the next barrier between steps
     game.console("print(before)");
 }
 
-TEST_CASE("timers are in the past what they were") {
+TEST_CASE("timers have their earlier state in the past") {
     Playing game(R"(
         game.o = Object {}
         game.o.ticks = 0
@@ -227,7 +227,7 @@ TEST_CASE("timers are in the past what they were") {
     REQUIRE(game.hashes == first);
 }
 
-TEST_CASE("the past is as long and as large as it may be") {
+TEST_CASE("the length and the memory of the timeline are limited") {
     Playing game(busy);
     game.console("time.rewind_limit = 2");
     game.play(400);
@@ -244,7 +244,7 @@ TEST_CASE("the past is as long and as large as it may be") {
     REQUIRE_THROWS_AS(game.time().go_to(401), property::Error);
 }
 
-TEST_CASE("keyframes get rarer before the past gets shorter") {
+TEST_CASE("keyframes are thinned before the timeline is shortened") {
     Playing game(R"(
         for i = 1, 400 do world:add(Body { position = vec(i % 20 * 2, i), Circle {} }) end
         world.floor = Body { type = "static", position = vec(0, -1), Box { width = 160, height = 2 } }
@@ -258,7 +258,7 @@ TEST_CASE("keyframes get rarer before the past gets shorter") {
     game.check(699);
 }
 
-TEST_CASE("a step that does more than a log should hold is a new beginning") {
+TEST_CASE("a step too large for a log is followed by a keyframe") {
     Playing game(R"(
         game.o = Object {}
         game.o.text = ""
@@ -279,7 +279,7 @@ TEST_CASE("a step that does more than a log should hold is a new beginning") {
     game.check(99);
 }
 
-TEST_CASE("what is written while one looks at the past is not of the present") {
+TEST_CASE("a write while the past is shown does not change the present") {
     Playing game(R"(
         game.o = Object {}
         game.o.n = 0.5
@@ -288,7 +288,7 @@ TEST_CASE("what is written while one looks at the past is not of the present") {
     )");
     game.play(80);
     game.check(30);
-    // By the short way, told to nobody yet.
+    // With the typed function, and not yet reported.
     const property::Handle o = game.tree.child(game.tree.root(), "o");
     const property::Property& n = game.tree.property(o, "n");
     game.tree.set(o, n, property::Value(1000.25));
@@ -298,7 +298,7 @@ TEST_CASE("what is written while one looks at the past is not of the present") {
     game.check(45);
 }
 
-TEST_CASE("steps are counted as the run lives whatever moment it goes back to") {
+TEST_CASE("steps of the run are counted on even if the game goes back") {
     Playing game("world.ball = Body { position = vec(0, 10), Circle {} }");
     std::vector<std::uint64_t> announced;
     game.loop->before_step([&](std::uint64_t n) { announced.push_back(n); });
@@ -322,7 +322,7 @@ TEST_CASE("steps are counted as the run lives whatever moment it goes back to") 
     for (std::size_t i = 0; i < announced.size(); ++i) REQUIRE(announced[i] == i + 1);
 }
 
-TEST_CASE("names that are given after going back are those that were to come") {
+TEST_CASE("names given after going back are the same as before") {
     constexpr const char* script = R"(
         game.other = World {}
         kept = Body { Circle {} }

@@ -1,4 +1,4 @@
-// Key typed, property changed, picture changed: the whole program in a window.
+// A typed key changes a property and the picture: the complete program in a window.
 
 #include <iostream>
 
@@ -16,7 +16,7 @@ namespace {
 
 const fs::path source(FETTLE_SOURCE_DIR), pictures(FETTLE_PICTURES);
 
-/// True, said aloud, where a window cannot be tested.
+/// True, with a message, if windows cannot be tested here.
 bool skipped() {
     std::string missing = missing_tools();
     if (!missing.empty()) std::cout << "SKIPPED: " << missing << " not found\n";
@@ -27,7 +27,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Opens the console and waits until it is seen.
+/// Opens the console and waits until it is visible.
 void open_console(GameWindow& game) {
     Picture before = game.picture();
     game.key("grave");
@@ -50,14 +50,14 @@ TEST_CASE("a command typed in a window changes the game and its picture") {
     game.key("Return");
     INFO(game.printed());
     CHECK(game.prints("gravity is\tvec(0, 2)"));
-    // What was typed went nowhere else, and the grave key least of all.
+    // The game got none of the typed keys, not even the grave key.
     CHECK_FALSE(contains(game.printed(), "game got\tw"));
     CHECK_FALSE(contains(game.printed(), "game got\tgrave"));
 
     game.key("grave");
     CHECK(game.eventually(
         [&] { return game.picture().difference(closed, 0, 0, 800, 300) < 50'000; }));
-    // The crate has fallen up and away from where it lay.
+    // The crate has fallen upwards and away from its place.
     CHECK(game.eventually(
         [&] { return game.picture().difference(closed, 360, 640, 440, 720) > 3'000; }));
     game.key("j");
@@ -75,7 +75,7 @@ TEST_CASE("Tab completes a path in a window") {
     game.type(".");
     Picture before = game.settled();
     game.key("Tab");
-    // The list of candidates lies over the game below the console.
+    // The list of candidates covers the game below the console.
     CHECK(game.eventually(
         [&] { return game.picture().difference(before, 20, 370, 600, 560) > 20'000; }));
     game.settled().save_png(pictures / "console.png");
@@ -96,12 +96,12 @@ TEST_CASE("Tab completes a path in a window") {
     CHECK(game.running());
 }
 
-TEST_CASE("a body clicked in a window is it and is edited in the inspector") {
+TEST_CASE("a click on a body in a window selects it for the console and the inspector") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
     open_console(game);
-    // The crate lies at (-6, -7): 40 pixels a metre, (0, 0) in the middle of 1280 by 800.
+    // The crate is at (-6, -7): 40 pixels per metre, (0, 0) in the middle of 1280 × 800.
     game.click(400, 680);
     game.type("it.mass = 7");
     game.key("Return");
@@ -132,11 +132,11 @@ TEST_CASE("the showcase runs in a window") {
     CHECK(game.running());
 }
 
-TEST_CASE("a game in a window that a signal asks to end is told and ends in order") {
+TEST_CASE("a signal ends a game in a window in order") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
-    // Also while a script lets nothing else happen.
+    // The same while an endless script runs.
     const bool runaway = GENERATE(false, true);
     if (runaway) {
         game.key("l");
@@ -148,7 +148,7 @@ TEST_CASE("a game in a window that a signal asks to end is told and ends in orde
     CHECK(contains(game.printed(), "stopped: the run is to end") == runaway);
 }
 
-TEST_CASE("a game saved in a window has a picture of it") {
+TEST_CASE("a game saved in a window has a picture") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
@@ -161,14 +161,14 @@ TEST_CASE("a game saved in a window has a picture of it") {
     CHECK(game.prints("saved\ttrue\tnil"));
 }
 
-TEST_CASE("a script that does not come back is shown in a window and can be stopped there") {
+TEST_CASE("an endless script is shown in a window and can be stopped there") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
     const Picture playing = game.settled();
     game.key("l");
     REQUIRE(game.prints("for ever"));
-    // The whole picture, with the keys in its last line.
+    // The complete picture, with the keys in its last line.
     const auto shown = [&](unsigned top, unsigned bottom) {
         return [&game, playing, top, bottom] {
             return game.picture().difference(playing, 0, top, 1280, bottom) > 20'000;

@@ -1,4 +1,4 @@
-// What is drawn, looked at as a user does: pixel by pixel.
+// Drawing, compared pixel by pixel.
 
 #include <algorithm>
 #include <cmath>
@@ -34,19 +34,20 @@ Rgb at(const Picture& picture, int x, int y) {
     return {picture.rgb.at(i), picture.rgb.at(i + 1), picture.rgb.at(i + 2)};
 }
 
-/// How black a pixel of a black and white picture is, 0 to 1.
+/// Darkness of a pixel of a black and white picture, 0 to 1.
 double ink(const Picture& picture, int x, int y) {
     return 1 - at(picture, x, y).g / 255.0;
 }
 
-/// True, said aloud, where a window cannot be tested.
+/// True, with a message, if windows cannot be tested here.
 bool skipped() {
     const std::string missing = missing_tools();
     if (!missing.empty()) std::cout << "SKIPPED: " << missing << " not found\n";
     return !missing.empty();
 }
 
-/// What a game of one file shows: forty pixels a metre, the origin in the middle of 1280 x 800.
+/// The picture of a game with one file: 40 pixels per metre, the origin in the middle of 1280 ×
+/// 800.
 Picture picture_of(const std::string& name, const std::string& script) {
     const TemporaryFolder folder;
     std::ofstream(folder.path / "main.lua") << R"(
@@ -64,8 +65,8 @@ Picture picture_of(const std::string& name, const std::string& script) {
     return picture;
 }
 
-/// Calls `visit(x, y)` for the pixels of a strip round a line through the world, half_width pixels
-/// to each side of it.
+/// Calls `visit(x, y)` for the pixels of a strip along a line in the world, half_width pixels to
+/// each side.
 void along(double x0, double y0, double x1, double y1, int half_width,
            const std::function<void(int, int)>& visit) {
     const double ax = 640 + 40 * x0, ay = 400 - 40 * y0, bx = 640 + 40 * x1, by = 400 - 40 * y1;
@@ -78,9 +79,10 @@ void along(double x0, double y0, double x1, double y1, int half_width,
 
 }  // namespace
 
-TEST_CASE("boxes of one color that touch leave no hairline between them") {
+TEST_CASE("touching boxes of one color have no visible line between them") {
     if (skipped()) return;
-    // Rows of ten boxes at all offsets of a pixel and at three angles: as bodies, and by the pen.
+    // Rows of ten boxes at all subpixel offsets and at three angles, drawn as bodies and by the
+    // pen.
     const Picture picture = picture_of("tiles", R"(
         local brown = color("#5a3d2b")
         function start()
@@ -119,7 +121,7 @@ TEST_CASE("boxes of one color that touch leave no hairline between them") {
     }
 }
 
-TEST_CASE("a body of many boxes shows no seams and has a border round the whole") {
+TEST_CASE("a body of many boxes shows no seams and has one border around all") {
     if (skipped()) return;
     const Picture picture = picture_of("floors", R"(
         local function floor(y, angle, fill, sensor)
@@ -149,7 +151,7 @@ TEST_CASE("a body of many boxes shows no seams and has a border round the whole"
             worst = std::max(worst, at(picture, x, y).distance(floor.fill));
         });
         CHECK(worst <= 2);
-        // On its upper edge the border goes on without a gap.
+        // The border of its upper edge has no gap.
         double thinnest = 10;
         for (double t = 0; t < 24.5; t += 0.01) {
             const double x = -14 + t * c - 0.5 * s, y = floor.y + t * s + 0.5 * c;
@@ -164,24 +166,24 @@ TEST_CASE("a body of many boxes shows no seams and has a border round the whole"
 
 TEST_CASE("a circle is round at any zoom") {
     if (skipped()) return;
-    // Radius in pixels, and where its rim goes through the middle of the screen.
+    // The radius in pixels, and the angle at which the rim crosses the middle of the screen.
     const double radius = GENERATE(300.0, 20'000.0, 4'000'000.0);
     const double angle = 0.7;
     const std::string meters = std::to_string(radius / 40);
     const Picture picture = picture_of(
         "circle", "local center = -" + meters + " * vec(math.cos(0.7), math.sin(0.7))" +
                       "\nfunction draw(pen) pen.circle(center, " + meters + ", \"black\") end");
-    // From rim to background, at many places: the ink along a line across tells where the rim is.
+    // Many lines across the rim: the sum of the darkness along each gives the place of the rim.
     const double cx = 640 - radius * std::cos(angle), cy = 400 + radius * std::sin(angle);
     double worst = 0;
     int places = 0;
     for (double a = 0; a < 6.28; a += 0.02) {
-        // On a far larger circle only what is seen.
+        // Of a much larger circle only the visible part.
         const double t = radius < 1000 ? a : angle + (a - 3.14) * 150 / radius;
         const double nx = std::cos(t), ny = -std::sin(t);
         const double x = cx + radius * nx, y = cy + radius * ny;
         if (x < 20 || y < 20 || x > 1260 || y > 780) continue;
-        // Along the axis that it crosses more steeply, twelve pixels to each side.
+        // Along the axis that the rim crosses more steeply, twelve pixels to each side.
         const bool across = std::abs(nx) > std::abs(ny);
         const int line = int(std::floor(across ? y : x));
         const double middle = line + 0.5;
@@ -208,7 +210,7 @@ TEST_CASE("an ellipse is smooth at any zoom") {
         view.center = vec(0, 4)
         world.egg = Body { type = "static", Ellipse { radius_x = 8, radius_y = 4, color = color("black") } }
     )");
-    // Its top: y = 4 sqrt(1 - x²/64), seen at the middle of the screen.
+    // The upper edge: y = 4 sqrt(1 - x²/64), in the middle of the screen.
     double worst = 0;
     for (int x = 200; x < 1080; ++x) {
         const double wx = (x + 0.5 - 640) / zoom;
@@ -222,7 +224,7 @@ TEST_CASE("an ellipse is smooth at any zoom") {
     CHECK(worst < 0.5);
 }
 
-TEST_CASE("a concave polygon is filled and has a border all round") {
+TEST_CASE("a concave polygon is filled and has a border on all sides") {
     if (skipped()) return;
     const Picture picture = picture_of("arrow", R"(
         local arrow = { vec(-6, 6), vec(-2, 6), vec(-4, 4), vec(-2, 2), vec(-6, 2) }
@@ -241,20 +243,22 @@ TEST_CASE("a concave polygon is filled and has a border all round") {
     CHECK(seen(-5, 4).distance(red) == 0);
     CHECK(seen(-3, 5.6).distance(red) == 0);
     CHECK(seen(-2.5, 4).distance(white) == 0);  // the notch
-    // Inside of each edge of the arrow there is its border, four pixels wide.
+    // Along the inside of each edge of the arrow there is a border, four pixels wide.
     const double arrow[][2] = {{-6, 6}, {-2, 6}, {-4, 4}, {-2, 2}, {-6, 2}};
     for (int i = 0; i < 5; ++i) {
         const double *from = arrow[i], *to = arrow[(i + 1) % 5];
         const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
         int worst = 0;
-        for (double t = 0.1; t < 0.9; t += 0.01)  // two pixels to the right of a clockwise edge
+        for (double t = 0.1; t < 0.9;
+             t += 0.01)  // two pixels to the right of an edge of a clockwise outline
             worst = std::max(worst, seen(from[0] + t * dx + 0.05 * dy / length,
                                          from[1] + t * dy - 0.05 * dx / length)
                                         .distance(black));
         INFO("edge " << i);
         CHECK(worst < 40);
     }
-    // The bow tie is filled on both sides, and so is the middle of the star; the lines are drawn.
+    // The bow tie is filled on both sides, and the middle of the star is filled; the lines are
+    // drawn.
     CHECK(seen(5, 4).distance(red) == 0);
     CHECK(seen(3, 4).distance(red) == 0);
     CHECK(seen(4, 4).distance(black) < 40);
@@ -276,7 +280,7 @@ TEST_CASE("a polygon of twenty thousand vertices is drawn with its border") {
         function draw(pen) pen.polygon(points, "red", "black", 2) end
     )");
     CHECK(at(picture, 640, 400).distance(red) == 0);
-    int changes = 0;  // round the circle of radius 7, from red to white and back
+    int changes = 0;  // along the circle of radius 7: from red to white and back
     bool was_white = false;
     const double outermost = std::numbers::pi / 80;
     for (double a = outermost; a < outermost + 2 * std::numbers::pi; a += 0.001) {
@@ -288,7 +292,7 @@ TEST_CASE("a polygon of twenty thousand vertices is drawn with its border") {
     CHECK(changes == 80);
 }
 
-TEST_CASE("a text breaks where its newlines are and each line is aligned") {
+TEST_CASE("a text breaks at its newlines and each line is aligned") {
     if (skipped()) return;
     const Picture picture = picture_of("text", R"(
         function draw(pen)
@@ -302,7 +306,7 @@ TEST_CASE("a text breaks where its newlines are and each line is aligned") {
     struct Line {
         int left, right, top, bottom;
     };
-    // Lines of ink within a part of the picture.
+    // The lines with ink in a part of the picture.
     const auto lines_in = [&](int left, int right, int top, int bottom) {
         std::vector<Line> lines;
         for (int y = top; y < bottom; ++y) {
@@ -325,7 +329,7 @@ TEST_CASE("a text breaks where its newlines are and each line is aligned") {
         const auto& l = *lines;
         CHECK(std::abs((l[1].top - l[0].top) - 48) <= 1);
         CHECK(std::abs((l[2].top - l[1].top) - 96) <= 1);  // one line is empty
-        // The middle of all four lines is where the text stands.
+        // The middle of all four lines is at the position of the text.
         CHECK(std::abs((l[0].top + l[2].bottom) / 2 - 200) <= 2);
     }
     for (int i = 1; i < 3; ++i) {
@@ -335,20 +339,21 @@ TEST_CASE("a text breaks where its newlines are and each line is aligned") {
         INFO(a.left << " to " << a.right << " and " << b.left << " to " << b.right);
         CHECK(std::abs((a.left + a.right) - (b.left + b.right)) <= 3);
     }
-    // After a tab each line goes on at a multiple of two heights.
+    // After a tab each line continues at a multiple of two heights.
     const auto tabs = lines_in(0, 640, 450, 790);
     REQUIRE(tabs.size() == 3);
     CHECK(std::abs((tabs[0].right - tabs[1].right)) <= 1);
     CHECK(std::abs((tabs[2].right - tabs[1].right) - 80) <= 1);
-    // What ends just before a multiple goes on at the next one: words do not touch.
+    // A text that ends just before a multiple continues at the next one, so that words do not
+    // touch.
     const auto near = lines_in(660, 1280, 450, 790);
     REQUIRE(near.size() == 2);
     CHECK(std::abs((near[1].right - near[0].right) - 80) <= 1);
 }
 
-TEST_CASE("what a script draws at the drawn pose of a body lies on the body") {
+TEST_CASE("a script draws at the drawn pose of a body exactly on the body") {
     if (skipped()) return;
-    // Steps of a quarter of a second: any other pose is far away.
+    // Steps of a quarter of a second, so that any other pose is far away.
     const TemporaryFolder folder;
     std::ofstream(folder.path / "main.lua") << R"(
         view.background = color("white")
@@ -365,7 +370,7 @@ TEST_CASE("what a script draws at the drawn pose of a body lies on the body") {
     )";
     GameWindow game(folder.path);
     REQUIRE(game.prints("drawn"));
-    // A picture may be taken while the next one comes, and show halves of both.
+    // A picture may be taken during an update and then contains halves of two frames.
     int looked = 0, wrong = 0;
     for (int i = 0; i < 200 && looked < 12; ++i) {
         const Picture picture = game.picture();
@@ -383,7 +388,7 @@ TEST_CASE("what a script draws at the drawn pose of a body lies on the body") {
             }
         if (rn < 20'000 || bn < 5'000 || frame_right < 0) continue;  // half a picture
         ++looked;
-        // The circle in a corner weighs a little.
+        // The circle in a corner shifts the center a little.
         const double off = std::hypot(rx / rn - bx / bn, ry / rn - by / bn);
         const int box_off = std::max(std::abs(frame_left - left), std::abs(frame_right - right));
         wrong += off >= 4 || box_off > 3;

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double patience = 30;  // seconds for anything to happen, on however slow a machine
+constexpr double patience = 30;  // s, for any reaction on a slow machine
 constexpr auto look_interval = std::chrono::milliseconds(20);
 constexpr int screen_width = 1280, screen_height = 800;
 
@@ -33,7 +33,7 @@ GameWindow::GameWindow(const fs::path& game) {
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
     environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    // A copy: what is tweaked in a test is journaled beside the game.
+    // A copy, because the journal of tweaks is written beside the game.
     fs::copy(game, folder_ / "game", fs::copy_options::recursive);
     program_ = Process({FETTLE_PROGRAM, "run", (folder_ / "game").string()}, environment_,
                        folder_ / "printed");
@@ -45,7 +45,7 @@ GameWindow::GameWindow(const fs::path& game) {
                !read_file(found).empty();
     });
     if (!shown) throw std::runtime_error("no window came up\n" + printed());
-    // Without a window manager nobody puts it anywhere in particular.
+    // Without a window manager the position of the window is not set.
     std::string window = read_file(found);
     window = window.substr(0, window.find('\n'));
     xdotool({"windowmove", "--sync", window, "0", "0"});
@@ -57,9 +57,9 @@ GameWindow::~GameWindow() {
     display_.end();
 }
 
-// Xvfb takes the first free number itself and tells it: nobody else can take it in between. Without
-// -noreset it starts anew whenever its last client leaves, as xdotool does after each look for the
-// window, and turns away who comes meanwhile.
+// Xvfb takes the first free number itself and reports it, so no other program can take it in
+// between. Without -noreset it restarts after its last client has left, as xdotool does after each
+// search for the window, and refuses clients meanwhile.
 void GameWindow::start_display() {
     fs::path number = folder_ / "number";
     std::string screen = std::to_string(screen_width) + "x" + std::to_string(screen_height) + "x24";
@@ -118,13 +118,13 @@ bool GameWindow::prints(const std::string& text) {
 }
 
 Picture GameWindow::settled() {
-    constexpr int same_needed = 4, most = 40;
+    constexpr int same_needed = 4, max_pictures = 40;
     Picture last = picture();
     int same = 0;
-    for (int i = 0; i < most && same < same_needed; ++i) {
+    for (int i = 0; i < max_pictures && same < same_needed; ++i) {
         std::this_thread::sleep_for(4 * look_interval);
         Picture next = picture();
-        // A blinking caret and a pulsing outline never rest.
+        // The blinking caret and the pulsing outline always change.
         same = next.difference(last) < 3000 ? same + 1 : 0;
         last = std::move(next);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// A game in a window of a virtual display, played with real key and mouse events.
+// A game in a window of a virtual display, controlled with real key and mouse events.
 
 #include <filesystem>
 #include <functional>
@@ -13,32 +13,33 @@
 
 namespace fettle::test {
 
-/// What is missing on this machine to run a test in a window; "" when nothing is.
+/// The programs that a test in a window needs and that this machine does not have; "" if it has
+/// all.
 std::string missing_tools();
 
 class GameWindow {
   public:
-    /// Starts a virtual display and in it `fettle run GAME`. Throws std::runtime_error when either
-    /// does not come up.
+    /// Starts a virtual display and `fettle run GAME` in it. Throws std::runtime_error if either
+    /// does not start.
     explicit GameWindow(const std::filesystem::path& game);
     ~GameWindow();
 
-    /// Names of xdotool: "grave", "Return", "ctrl+a".
+    /// Key names of xdotool: "grave", "Return", "ctrl+a".
     void key(const std::string& name);
     void type(const std::string& text);
     void click(int x, int y);
     void move(int x, int y);
 
     Picture picture() const;
-    /// What the program has printed so far.
+    /// The output of the program so far.
     std::string printed() const;
-    /// Waits until it is true; false when it does not become so within some seconds.
+    /// Waits until the condition is true; false if it is not within some seconds.
     bool eventually(const std::function<bool()>& condition);
     bool prints(const std::string& text);
-    /// Waits until nothing changes in the picture for a while, but not for ever.
+    /// Waits until the picture no longer changes, for a limited time.
     Picture settled();
     bool running() { return program_.running(); }
-    /// Sends SIGTERM; the exit status, -1 when it does not end in order.
+    /// Sends SIGTERM; returns the exit status, or -1 if the program does not end in order.
     int asked_to_end() { return program_.asked_to_end(); }
 
   private:

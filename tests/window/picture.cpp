@@ -24,8 +24,8 @@ std::size_t Picture::difference(const Picture& other, unsigned left, unsigned to
     return count;
 }
 
-// The header is a row of big-endian 32 bit numbers (X11/XWDFile.h); then a color map, then the
-// rows.
+// The header consists of big-endian 32 bit numbers (X11/XWDFile.h); a color map and the rows
+// follow.
 Picture read_xwd(const std::filesystem::path& file) {
     std::string bytes = read_file(file);
     auto field = [&](std::size_t index) -> std::size_t {

@@ -1,5 +1,5 @@
 #pragma once
-// What a virtual display shows, read from the file in which Xvfb keeps it, and kept as PNG.
+// The picture of a virtual display, read from the file in which Xvfb stores it, and saved as PNG.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@ struct Picture {
     unsigned width = 0, height = 0;
     std::vector<std::uint8_t> rgb;  // rows from the top
 
-    /// Pixels that differ within a part of the picture.
+    /// Number of pixels that differ within a part of the picture.
     std::size_t difference(const Picture& other, unsigned left, unsigned top, unsigned right,
                            unsigned bottom) const;
     std::size_t difference(const Picture& other) const {
@@ -21,7 +21,7 @@ struct Picture {
     void save_png(const std::filesystem::path& file) const;
 };
 
-/// Throws std::runtime_error when the file is no X window dump with 32 bits a pixel.
+/// Throws std::runtime_error if the file is not an X window dump with 32 bits per pixel.
 Picture read_xwd(const std::filesystem::path& file);
 
 }  // namespace fettle::test

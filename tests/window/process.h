@@ -1,5 +1,5 @@
 #pragma once
-// Programs started by a test, which end with it.
+// Programs that a test starts and that end with it.
 
 #include <sys/types.h>
 
@@ -13,8 +13,8 @@ namespace fettle::test {
 class Process {
   public:
     Process() = default;
-    /// `output`: where stdout and stderr go. Environment is added to this process's own; an empty
-    /// value removes a variable.
+    /// `output`: file for stdout and stderr. `environment` is added to that of this process; an
+    /// empty value removes a variable.
     Process(const std::vector<std::string>& command,
             const std::map<std::string, std::string>& environment,
             const std::filesystem::path& output);
@@ -23,12 +23,12 @@ class Process {
     Process& operator=(Process&& other) noexcept;
 
     bool running();
-    /// Waits until it ends by itself; -1 when it does not in time or is killed by a signal.
+    /// Waits until the process ends; returns -1 if it does not in time or is killed by a signal.
     int wait(double seconds);
-    /// Asks it to end and waits; its exit status, -1 when it does not end in half a minute or a
-    /// signal kills it.
+    /// Sends SIGTERM and waits; returns the exit status, or -1 if the process does not end in half
+    /// a minute or a signal kills it.
     int asked_to_end();
-    /// Asks it to end, then makes it.
+    /// Sends SIGTERM; after five seconds sends SIGKILL.
     void end();
 
   private:
@@ -36,11 +36,11 @@ class Process {
     int status_ = 0;
 };
 
-/// Runs a command to its end; its exit status.
+/// Runs a command to its end; returns its exit status.
 int run(const std::vector<std::string>& command,
         const std::map<std::string, std::string>& environment, const std::filesystem::path& output);
 
-/// Whether a program of this name is in the PATH.
+/// True if a program with this name is in the PATH.
 bool available(const std::string& program);
 
 std::string read_file(const std::filesystem::path& file);

@@ -8,8 +8,8 @@ namespace fettle::app {
 namespace {
 
 // Edges of a row; sorting more costs more than counting columns.
-constexpr std::size_t most_in_order = 128;
-constexpr float most_columns = 1 << 16;  // coordinates near a screen are below this
+constexpr std::size_t max_in_order = 128;
+constexpr float max_columns = 1 << 16;  // coordinates near a screen are below this
 
 bool is_inside(Area::Rule rule, int times) {
     return rule == Area::Rule::forward ? times > 0 : times != 0;
@@ -71,7 +71,7 @@ void Area::cut(Rule rule, int first_row, int end_row, std::vector<Trapezoid>& tr
         const auto at = static_cast<std::size_t>(row - first_row);
         active_.insert(active_.end(), order_.begin() + starts_[at],
                        order_.begin() + starts_[at + 1]);
-        if (active_.size() <= most_in_order || !count_spans(rule, row, trapezoids))
+        if (active_.size() <= max_in_order || !count_spans(rule, row, trapezoids))
             find_spans(rule, row, trapezoids);
     }
     for (const std::uint32_t i : open_) end_span(edges_[i], trapezoids);
@@ -114,17 +114,17 @@ void Area::find_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
 /// The same for many edges: does not sort them and rounds to whole pixels. Returns false if the row
 /// is too long.
 bool Area::count_spans(Rule rule, int row, std::vector<Trapezoid>& trapezoids) {
-    float least = edges_[active_[0]].middle(row), most = least;
+    float min_x = edges_[active_[0]].middle(row), max_x = min_x;
     for (const std::uint32_t i : active_) {
-        least = std::min(least, edges_[i].middle(row));
-        most = std::max(most, edges_[i].middle(row));
+        min_x = std::min(min_x, edges_[i].middle(row));
+        max_x = std::max(max_x, edges_[i].middle(row));
     }
-    if (!(std::abs(least) < most_columns && std::abs(most) < most_columns)) return false;
+    if (!(std::abs(min_x) < max_columns && std::abs(max_x) < max_columns)) return false;
     for (const std::uint32_t i : open_) end_span(edges_[i], trapezoids);
     open_.clear();
     const auto first_center = [](float x) { return static_cast<int>(std::ceil(x - 0.5f)); };
-    const int first = first_center(least);
-    columns_.assign(static_cast<std::size_t>(first_center(most) - first) + 1, 0);
+    const int first = first_center(min_x);
+    columns_.assign(static_cast<std::size_t>(first_center(max_x) - first) + 1, 0);
     for (const std::uint32_t i : active_)
         columns_[static_cast<std::size_t>(first_center(edges_[i].middle(row)) - first)] +=
             edges_[i].direction;

@@ -19,7 +19,7 @@ constexpr float probe_distance = 0.35f;
 constexpr float part_overlap = 0.25f;
 // px. Shorter stretches are merged with a neighbor.
 constexpr float shortest_stretch = 0.3f;
-constexpr std::size_t most_work = 1u << 20;  // tests of one edge against another
+constexpr std::size_t max_work = 1u << 20;  // tests of one edge against another
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool Joined::find_seams() {
     work_ = 0;
     for (Part& part : parts_) {
         find_seams_of(part);
-        if (work_ > most_work) return false;
+        if (work_ > max_work) return false;
     }
     return true;
 }
@@ -79,7 +79,7 @@ void Joined::find_seams_of(Part& part) {
                 other.lower.x > upper.x || other.lower.y > upper.y)
                 continue;
             work_ += other.size();
-            if (work_ > most_work) return;
+            if (work_ > max_work) return;
             cover(other, from + out, to + out, Kind::seam);
             // If two borders coincide, only the first is drawn.
             if (&other < &part) cover(other, from - out, to - out, Kind::shared);

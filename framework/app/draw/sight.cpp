@@ -27,7 +27,7 @@ void Sight::arc(const Point& center, const Point& a, const Point& b, double star
                 std::vector<Point>& outline) const {
     const Arc whole{center, a, b};
     constexpr double quarter = std::numbers::pi / 2;
-    constexpr int most_levels = 48;
+    constexpr int max_levels = 48;
     const int pieces = std::max(1, static_cast<int>(std::ceil((end - start) / quarter - 1e-9)));
     Point from = whole.at(start);
     for (int i = 0; i < pieces; ++i) {
@@ -35,7 +35,7 @@ void Sight::arc(const Point& center, const Point& a, const Point& b, double star
         const double t1 = start + (end - start) * (i + 1) / pieces;
         const Point to = whole.at(t1);
         outline.push_back(from);
-        bend(whole, t0, from, t1, to, most_levels, outline);
+        bend(whole, t0, from, t1, to, max_levels, outline);
         from = to;
     }
 }
@@ -51,8 +51,8 @@ void Sight::bend(const Arc& arc, double start, const Point& from, double end, co
         return;
     // The arc lies between the chord and the intersection of the tangents at its ends.
     const Point tip = arc.center + (middle - arc.center) / std::cos(0.5 * (end - start));
-    const Point least = from.cwiseMin(to).cwiseMin(tip), most = from.cwiseMax(to).cwiseMax(tip);
-    if ((most.array() < lower_.array()).any() || (least.array() > upper_.array()).any()) return;
+    const Point lower = from.cwiseMin(to).cwiseMin(tip), upper = from.cwiseMax(to).cwiseMax(tip);
+    if ((upper.array() < lower_.array()).any() || (lower.array() > upper_.array()).any()) return;
     bend(arc, start, from, t, middle, levels - 1, outline);
     outline.push_back(middle);
     bend(arc, t, middle, end, to, levels - 1, outline);

@@ -143,10 +143,10 @@ void Loop::deliver(bool between_steps) {
         // Handlers that never stop making changes are an error of the game, not of the program.
         const auto sink = on_error_;
         if (!sink) throw;
-        script::ScriptError told;
-        told.message = property::exception_text(error);
-        told.context = "barrier";
-        sink(told);
+        script::ScriptError reported;
+        reported.message = property::exception_text(error);
+        reported.context = "barrier";
+        sink(reported);
     }
 }
 

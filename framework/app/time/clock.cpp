@@ -188,8 +188,8 @@ void Clock::require_usable() const {
                                   std::string("time.") + name + " = " +
                                       property::number_text(value) + ": expected " + expected);
     };
-    constexpr double most = 1e6;  // s; sums of it stay far below the largest valid time
-    require("dt", dt, dt > 0 && dt <= most, "a time in seconds, more than 0 and at most 1e6");
+    constexpr double limit = 1e6;  // s; sums of it stay far below the largest valid time
+    require("dt", dt, dt > 0 && dt <= limit, "a time in seconds, more than 0 and at most 1e6");
     const auto amount = [](double value) { return value >= 0 && std::isfinite(value); };
     require("scale", scale, amount(scale), "a number, at least 0");
     require("max_steps", max_steps, max_steps >= 0, "a number of steps, at least 0");
@@ -236,8 +236,8 @@ std::function<void()> ClockPart::restore(property::ByteReader& from, const prope
     const auto read = from.get<State>();
     for (const double time : {read.now, read.origin, read.origin_dt})
         from.require(time >= 0 && time < 1e15, "an invalid time");
-    constexpr std::int64_t most = std::int64_t{1} << 52;  // more steps than any run makes
-    from.require(read.step >= 0 && read.step < most && read.origin_step >= 0 &&
+    constexpr std::int64_t limit = std::int64_t{1} << 52;  // more steps than any run makes
+    from.require(read.step >= 0 && read.step < limit && read.origin_step >= 0 &&
                      read.origin_step <= read.step,
                  "an invalid step");
     return [this, read] { set(read); };

@@ -58,14 +58,14 @@ void PackedBytes::pack() {
             ZSTD_compress(frame.data() + sizeof(Size), frame.size() - sizeof(Size), ranks.data(),
                           piece.size(), level);
         if (ZSTD_isError(size) != 0) return;  // the state stays unpacked
-        const auto told = static_cast<Size>(size);
-        std::memcpy(frame.data(), &told, sizeof told);
+        const auto stored_size = static_cast<Size>(size);
+        std::memcpy(frame.data(), &stored_size, sizeof stored_size);
         // Grow by an eighth and not by doubling, because unused capacity would stay allocated.
-        if (const std::size_t wanted = packed.size() + sizeof told + size;
+        if (const std::size_t wanted = packed.size() + sizeof stored_size + size;
             wanted > packed.capacity())
             packed.reserve(wanted + wanted / 8);
         packed.insert(packed.end(), frame.begin(),
-                      frame.begin() + static_cast<std::ptrdiff_t>(sizeof told + size));
+                      frame.begin() + static_cast<std::ptrdiff_t>(sizeof stored_size + size));
     }
     packed.shrink_to_fit();
     packed_ = std::move(packed);

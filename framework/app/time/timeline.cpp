@@ -16,12 +16,12 @@ using property::Snapshot;
 
 namespace {
 
-constexpr std::int64_t least_spacing = 60, most_spacing = 480;  // steps
+constexpr std::int64_t min_spacing = 60, max_spacing = 480;  // steps
 // If there was no room for one keyframe, try again after this time: the state may be smaller then.
 constexpr std::int64_t retry_interval = 600;  // steps
 // Estimated overhead of a step: containers and their memory.
-constexpr std::size_t step_overhead = 256;                   // bytes
-constexpr std::size_t most_history = std::size_t{64} << 20;  // bytes
+constexpr std::size_t step_overhead = 256;                  // bytes
+constexpr std::size_t max_history = std::size_t{64} << 20;  // bytes
 
 double now() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
@@ -66,7 +66,7 @@ Timeline::Timeline(property::Tree& tree, Clock& clock, std::function<void(double
       clock_(clock),
       step_modules_(std::move(step_modules)),
       jumps_(std::make_unique<Jumps>(tree)),
-      spacing_(least_spacing) {}
+      spacing_(min_spacing) {}
 
 Timeline::~Timeline() = default;
 
@@ -87,7 +87,7 @@ void Timeline::forget_all() {
     steps_.clear();
     tail_ = {};
     logged_ = logged_since_ = 0;
-    spacing_ = least_spacing;
+    spacing_ = min_spacing;
     clock_.oldest = clock_.newest = clock_.step;
 }
 
@@ -97,7 +97,7 @@ void Timeline::share_room() {
     const auto room = static_cast<std::size_t>(clock_.rewind_memory * 1048576.0);
     if (room == room_) return;
     room_ = room;
-    tree_.set_history_limit(std::min(room / 4, most_history));
+    tree_.set_history_limit(std::min(room / 4, max_history));
 }
 
 bool Timeline::there_is_room() const {
@@ -107,7 +107,7 @@ bool Timeline::there_is_room() const {
 
 void Timeline::begin_log() {
     log_ = std::make_unique<property::WriteLog>(tree_);
-    log_->set_most(room_ / 8);
+    log_->set_limit(room_ / 8);
 }
 
 void Timeline::begin_step() {
@@ -124,7 +124,7 @@ void Timeline::begin_step() {
         begin_log();
         skip_changes();
     }
-    log_->set_most(room_ / 8);
+    log_->set_limit(room_ / 8);
     if (keyframes_.empty()) {
         here_ = clock_.step;
         take_keyframe();
@@ -239,7 +239,7 @@ Timeline::Room Timeline::room_of_packed() {
 bool Timeline::keyframe_is_due() const {
     const Keyframe& last = keyframes_.back();
     const std::int64_t since = here_ - last.step;
-    return since >= most_spacing || (since >= spacing_ && worked_ * share_ >= cost_) ||
+    return since >= max_spacing || (since >= spacing_ && worked_ * share_ >= cost_) ||
            logged_since_ > std::max(room_ / 8, last.payload->plain_size());
 }
 
@@ -296,7 +296,7 @@ void Timeline::trim() {
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
     const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
     while (keyframes_.size() > 1 && memory() > room) {
-        if (spacing_ < most_spacing && keyframes_.size() > 2 && logged_ < room / 2)
+        if (spacing_ < max_spacing && keyframes_.size() > 2 && logged_ < room / 2)
             thin_out();
         else
             drop_oldest();

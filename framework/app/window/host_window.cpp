@@ -32,15 +32,15 @@ HostWindow::HostWindow(sf::RenderWindow& window) : state_(std::make_unique<State
 HostWindow::~HostWindow() = default;
 
 bool HostWindow::handle(const sf::Event& event, Layer& layer) {
-    InputEvent told;
-    if (!sfml::convert(event, told)) return false;
-    if (told.kind == EventKind::key_pressed)
-        told.repeated = !state_->down.insert(told.name).second;
-    else if (told.kind == EventKind::key_released)
-        state_->down.erase(told.name);
-    else if (told.kind == EventKind::focus && !told.focused)
+    InputEvent converted;
+    if (!sfml::convert(event, converted)) return false;
+    if (converted.kind == EventKind::key_pressed)
+        converted.repeated = !state_->down.insert(converted.name).second;
+    else if (converted.kind == EventKind::key_released)
+        state_->down.erase(converted.name);
+    else if (converted.kind == EventKind::focus && !converted.focused)
         state_->down.clear();
-    return layer.handle(told);
+    return layer.handle(converted);
 }
 
 void HostWindow::draw(Layer& layer, double seconds) {

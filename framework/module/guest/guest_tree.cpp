@@ -270,13 +270,13 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
     if (event.listeners == 0) return;
     const Tree::State& s = tree.state();
     module::Outgoing outgoing;
-    std::vector<fettle_value> told;
-    told.reserve(values.size());
-    for (const Value& value : values) told.push_back(outgoing.put(value));
-    s.require(s.host->ask(s.host->self, sent(instance), id_of(s, event), told.data(),
-                          static_cast<std::uint32_t>(told.size()),
+    std::vector<fettle_value> fields;
+    fields.reserve(values.size());
+    for (const Value& value : values) fields.push_back(outgoing.put(value));
+    s.require(s.host->ask(s.host->self, sent(instance), id_of(s, event), fields.data(),
+                          static_cast<std::uint32_t>(fields.size()),
                           static_cast<std::uint32_t>(changeable)));
-    for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(told[i]);
+    for (std::size_t i = changeable; i < values.size(); ++i) values[i] = received(fields[i]);
 }
 
 bool Acceptance::accepts(Handle instance) noexcept {

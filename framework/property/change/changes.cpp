@@ -9,7 +9,7 @@
 namespace fettle::property {
 namespace {
 
-constexpr std::size_t most_fresh_kept = 1024;  // enough for the instances made between two barriers
+constexpr std::size_t max_fresh_kept = 1024;  // enough for the instances made between two barriers
 
 }  // namespace
 
@@ -25,12 +25,12 @@ void Observer::wrote_plain(const PlainWrites& writes) {
 }
 
 void Changes::report_unreported() {
-    const PlainWrites told = writes.unreported();
+    const PlainWrites reported = writes.unreported();
     // The list is emptied first, because an observer may call functions that report writes again.
     // Observers write nothing.
     writes.tell(author.writer, author.step);
     if (!replaying && !observers.all.empty())
-        observers.tell([&](Observer& observer) { observer.wrote_plain(told); });
+        observers.tell([&](Observer& observer) { observer.wrote_plain(reported); });
 }
 
 /// Remembers the author of an edit, in case the barrier finds derived values that it changed.
@@ -132,7 +132,7 @@ Existence Changes::deletion_notice_of(Handle handle, const Class& of, bool with_
 void Changes::forget_fresh() {
     for (const std::uint32_t index : queue.fresh) nodes[index].fresh = false;
     queue.fresh.clear();
-    if (queue.fresh.capacity() > most_fresh_kept) queue.fresh.shrink_to_fit();
+    if (queue.fresh.capacity() > max_fresh_kept) queue.fresh.shrink_to_fit();
 }
 
 void Changes::queue_deletion_notice(Existence gone, bool only_own) {
@@ -161,12 +161,13 @@ void Changes::queue_deletion_notice(Existence gone, bool only_own) {
         keep = watching;
     }
     if (!listening.empty()) {
-        Occurrence told{.instance = handle,
-                        .event = deleted_event,
-                        .record = {&deleted_event->fields, {Value(path), Value(cause.text())}},
-                        .step = author.step};
+        Occurrence occurrence{
+            .instance = handle,
+            .event = deleted_event,
+            .record = {&deleted_event->fields, {Value(path), Value(cause.text())}},
+            .step = author.step};
         queue_item({.kind = QueueItem::Kind::event,
-                    .what = std::move(told),
+                    .what = std::move(occurrence),
                     .recipients = listening,
                     .retire = true});
         keep.insert(keep.end(), listening.begin(), listening.end());

@@ -27,13 +27,13 @@ std::string Changes::describe(const Occurrence& occurrence) const {
 
 /// The text for one item of the queue; a change includes its own cause.
 std::string Changes::describe(const QueueItem& item, std::size_t part) const {
-    const auto told = [this](const Change& change) {
+    const auto with_cause = [this](const Change& change) {
         return describe(change) + " by " + change.cause.text();
     };
-    if (const auto* change = std::get_if<Change>(&item.what)) return told(*change);
+    if (const auto* change = std::get_if<Change>(&item.what)) return with_cause(*change);
     if (const auto* motion = std::get_if<Motion>(&item.what)) {
         const CellChange& moved = motion->changes[part];
-        return told({moved.instance, moved.property, {}, {}, motion->cause});
+        return with_cause({moved.instance, moved.property, {}, {}, motion->cause});
     }
     if (const auto* existence = std::get_if<Existence>(&item.what)) return describe(*existence);
     return describe(std::get<Occurrence>(item.what));
@@ -101,16 +101,16 @@ template void Changes::call(const Watcher&, const Occurrence&);  // used by ques
 void Changes::deliver_event(const Occurrence& occurrence, WatcherId until) {
     const Event& event = *occurrence.event;
     if (event.begin != nullptr && queue.undelivered.take(occurrence)) return;
-    bool told = false;
+    bool delivered = false;
     for (const Watcher* watcher : watchers.of_event(occurrence.instance, event, until)) {
         if (!watcher->active) continue;
         if (nodes.find(occurrence.instance) == nullptr) return;
         const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
         if (event.begin == nullptr && std::ranges::any_of(occurrence.record.values, deleted)) {
-            if (event.end != nullptr && !told) queue.undelivered.note(tree, occurrence);
+            if (event.end != nullptr && !delivered) queue.undelivered.note(tree, occurrence);
             return;
         }
-        told = true;
+        delivered = true;
         call(*watcher, occurrence);
     }
 }

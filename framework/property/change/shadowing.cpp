@@ -81,8 +81,8 @@ void Changes::watcher_added(const Watcher& watcher) {
 
 void Changes::watcher_removed(const Watcher& watcher) {
     if (watcher.index != 0) {
-        // Within a restore its instance may be gone, and its slot with it: what is kept for
-        // watchers is made anew when the restore is over.
+        // Within a restore, the instance and its slot may not exist any more. The data for watchers
+        // are computed again at the end of the restore.
         if (nodes.find({watcher.index, watcher.generation}) == nullptr) return;
         nodes[watcher.index].watched = watchers.any_on(watcher.index);
         refresh_shadows(watcher.index);

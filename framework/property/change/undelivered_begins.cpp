@@ -8,7 +8,7 @@ namespace fettle::property {
 namespace {
 
 // An end event follows within a step or so. So many can only gather in worlds that are not stepped.
-constexpr std::size_t most = 4096;
+constexpr std::size_t limit = 4096;
 
 }  // namespace
 
@@ -20,11 +20,11 @@ bool names_deleted(const Tree& tree, const Value& value) {
 }
 
 void UndeliveredBegins::note(const Tree& tree, const Occurrence& beginning) {
-    if (list_.size() >= most) {
+    if (list_.size() >= limit) {
         std::erase_if(list_, [&](const Undelivered& undelivered) {
             return !tree.alive(undelivered.instance);
         });
-        if (list_.size() >= most) list_.erase(list_.begin(), list_.begin() + most / 2);
+        if (list_.size() >= limit) list_.erase(list_.begin(), list_.begin() + limit / 2);
     }
     const std::vector<Value>& values = beginning.record.values;
     const auto count =

@@ -102,13 +102,13 @@ class Watchers {
     std::vector<WatcherId> of_deletion(Handle instance, const Class& instance_class,
                                        bool only_own) const;
 
-    /// Whether any pattern or class watcher wants this property of this instance.
+    /// True if a pattern or class watcher matches this property of this instance.
     bool broadly_watched(Handle instance, const Property& property) const;
-    /// Whether this watcher, which must be broad, wants the property.
+    /// True if this watcher, which must be broad, matches the property.
     bool wants(const Watcher& watcher, Handle instance, const Property& property) const;
-    /// Whether it could want the property of some instance. This test is cheap.
+    /// A cheap test: false if the watcher cannot match the property of any instance.
     static bool may_want(const Watcher& watcher, const Property& property);
-    /// Whether a watcher of this cell or of its instance exists.
+    /// True if this cell or its instance has a watcher.
     bool directly_watched(Cell cell) const {
         return cells_.contains(cell) || instances_.contains(cell.index);
     }
@@ -116,16 +116,18 @@ class Watchers {
     bool any_broad() const { return broad_ != 0; }
     bool any_created() const { return !created_.empty(); }
     bool any_deleted() const { return !deleted_.empty(); }
-    /// Slots of instances with watchers of their own.
+    /// Slots of instances that have watchers (other than broad ones).
     std::vector<std::uint32_t> watched_slots() const;
-    /// The number of broad watchers that could want a property of that name. It is cached in
+    /// The number of broad watchers that can match a property with that name. It is cached in
     /// `Property::interest`.
     std::uint32_t interest(const Property& property) const;
 
-    /// Ends the watchers of a deleted instance: they are not found by its slot any more, because
-    /// the slot may be reused. Watchers in `keep` can still be called until they are stopped.
+    /// Ends the watchers of a deleted instance: they are removed from the lists of its slot,
+    /// because the slot may be reused. Watchers in `keep` can still be called until they are
+    /// stopped.
     void retire(Handle gone, const std::vector<WatcherId>& keep);
-    /// Ends all watchers of that slot except those of the given instance; `{index, 0}`: all.
+    /// As `retire`, for the watchers of earlier instances in the slot of `lives`. `{index, 0}`: for
+    /// all watchers of that slot.
     void retire_others(Handle lives);
 
     /// While handlers run, a stopped watcher is not freed, because it may be the one that runs. The

@@ -15,8 +15,8 @@ namespace fettle::property {
 namespace {
 
 // A node stores the number of its class in 16 bits. Classes are never deleted.
-constexpr std::size_t most_classes = 10'000;
-static_assert(most_classes <= UINT16_MAX);
+constexpr std::size_t max_classes = 10'000;
+static_assert(max_classes <= UINT16_MAX);
 
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
@@ -115,9 +115,9 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     if (!is_identifier(descriptor.name))
         throw Error(ErrorKind::bad_name,
                     "\"" + descriptor.name + "\" cannot be the name of a class");
-    if (classes_.size() >= most_classes)
+    if (classes_.size() >= max_classes)
         throw Error(ErrorKind::rejected, descriptor.name + ": there are " +
-                                             std::to_string(most_classes) +
+                                             std::to_string(max_classes) +
                                              " classes already, as many as a game can have");
     if (find(descriptor.name) != nullptr)
         throw Error(ErrorKind::bad_name, "there is a class \"" + descriptor.name + "\" already");

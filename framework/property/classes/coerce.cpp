@@ -59,8 +59,8 @@ std::string expectation_in(const Property& property, Type type, const Range& ran
     }
     if (property.enumerators.empty()) return "a text" + nil;
     // Enumerations may be long (names of keys). Then the message lists only the nearest name.
-    constexpr std::size_t most_listed = 16;
-    if (property.enumerators.size() > most_listed)
+    constexpr std::size_t max_listed = 16;
+    if (property.enumerators.size() > max_listed)
         return "one of " + std::to_string(property.enumerators.size()) + " texts like \"" +
                property.enumerators.front() + "\" and \"" + property.enumerators.back() + "\"" +
                nil;
@@ -137,9 +137,9 @@ class Coercion {
     }
     /// For a finite value that is too large for a float.
     [[noreturn]] void too_large(const Value& value) const {
-        constexpr double most = std::numeric_limits<float>::max();
-        const Range fits{.min = std::max(property_.range.min, -most),
-                         .max = std::min(property_.range.max, most)};
+        constexpr double largest = std::numeric_limits<float>::max();
+        const Range fits{.min = std::max(property_.range.min, -largest),
+                         .max = std::min(property_.range.max, largest)};
         fail(ErrorKind::out_of_range, "expected " + expected(fits) +
                                           (property_.infinity ? " or infinity" : "") + ", got " +
                                           shown(value));

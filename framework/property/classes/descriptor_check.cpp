@@ -247,8 +247,8 @@ class DescriptorCheck {
         if (binding.base == nullptr)
             refuse(ErrorKind::bad_structure, member, "its column has no `base`");
         // A stride of 0 means that all rows share one value, as in a service.
-        const std::size_t least = binding.stride == 0 ? 0 : size_of(binding.native);
-        if (binding.stride < least || binding.stride > largest_stride)
+        const std::size_t min_stride = binding.stride == 0 ? 0 : size_of(binding.native);
+        if (binding.stride < min_stride || binding.stride > largest_stride)
             refuse(ErrorKind::bad_structure, member,
                    "its column goes on by " + std::to_string(binding.stride) +
                        " bytes a row, expected " + std::to_string(size_of(binding.native)) +

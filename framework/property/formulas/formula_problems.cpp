@@ -39,11 +39,11 @@ void Formulas::tell_problems() {
     for (const std::shared_ptr<Entry>& e : order_) {
         if (e->removed) continue;
         if (e->error.empty()) {
-            told_.erase(e->cell);
+            reported_.erase(e->cell);
             continue;
         }
         std::string problem = without_numbers(e->error);
-        if (std::exchange(told_[e->cell], problem) == problem) continue;
+        if (std::exchange(reported_[e->cell], problem) == problem) continue;
         if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
         news.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
     }
@@ -51,9 +51,9 @@ void Formulas::tell_problems() {
         if (const auto sink = problem_sink; sink && !changes_.lifetime.ending) sink(problem);
 }
 
-void Formulas::problem_told(Cell cell) {
+void Formulas::problem_reported(Cell cell) {
     if (const Entry* e = entry(cell); e != nullptr && !e->error.empty())
-        told_[cell] = without_numbers(e->error);
+        reported_[cell] = without_numbers(e->error);
 }
 
 std::string Formulas::problem(Cell cell) {

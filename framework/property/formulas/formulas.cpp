@@ -69,7 +69,7 @@ void Formulas::remove(Cell cell) {
     set_dependencies(*gone, {});
     if (gone->volatile_sources) --volatile_;
     gone->removed = true;
-    told_.erase(cell);
+    reported_.erase(cell);
     entries_.erase(found);
     if (entries_.empty()) order_.clear();
     mark_dependents(cell);

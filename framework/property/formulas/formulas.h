@@ -72,12 +72,12 @@ class Formulas {
     /// Receives errors of formulas, and the news that an error is over.
     std::function<void(const FormulaProblem&)> problem_sink;
     void tell_problems();
-    void problem_told(Cell cell);
+    void problem_reported(Cell cell);
     /// `levels`: how many formulas of formulas are explained. The limit exists because a reader of
     /// the result may recurse.
     Explanation why(Handle instance, const Property& property, std::vector<Cell>& seen,
-                    int levels = most_levels);
-    static constexpr int most_levels = 3000;
+                    int levels = max_levels);
+    static constexpr int max_levels = 3000;
 
   private:
     enum class State : std::uint8_t { clean, check, dirty };
@@ -147,7 +147,7 @@ class Formulas {
     std::vector<std::shared_ptr<Entry>> order_;  // in order of creation; removed ones are skipped
     std::unordered_map<Cell, Dependents, CellHash> dependents_;
     // Errors that were reported. The map outlives a restore, which makes all formulas again.
-    std::unordered_map<Cell, std::string, CellHash> told_;
+    std::unordered_map<Cell, std::string, CellHash> reported_;
     bool problems_changed_ = false;
     std::uint64_t settlings_ = 1;  // number of settled formulas so far
     std::unordered_map<std::uint32_t, std::unordered_set<Symbol>>

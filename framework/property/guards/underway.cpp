@@ -6,15 +6,17 @@ namespace fettle::property {
 
 void Underway::require_no_deletion(std::string_view what) const {
     if (deletions != 0)
-        throw Error(ErrorKind::bad_structure, "a module is told of a deletion: it cannot " +
-                                                  std::string(what) + " meanwhile");
+        throw Error(ErrorKind::bad_structure,
+                    "a module is being notified of a deletion: it cannot " + std::string(what) +
+                        " meanwhile");
 }
 
 void Underway::require_no_rows_ending(std::string_view what) const {
     if (ending_rows)
-        throw Error(ErrorKind::bad_structure,
-                    "a module is told of the instances that a restore takes away: it cannot " +
-                        std::string(what) + " before the restore is over");
+        throw Error(
+            ErrorKind::bad_structure,
+            "a module is being notified of the instances that a restore removes: it cannot " +
+                std::string(what) + " before the restore is over");
 }
 
 void Underway::require_all_rows(std::string_view what) const {
@@ -58,8 +60,7 @@ void Underway::require_staying(const Instances& instances, Handle instance,
     instances.visit_below(instance.index, [&](std::uint32_t i) {
         if (instances.nodes[i].dying)
             throw Error(ErrorKind::bad_structure, instances.tree.path(instances.nodes.handle(i)) +
-                                                      " is being deleted: its module, which is "
-                                                      "told of that, cannot " +
+                                                      " is being deleted: its module cannot " +
                                                       std::string(what) + " meanwhile");
     });
 }
@@ -69,10 +70,9 @@ void Underway::require_made(const Instances& instances, Handle instance,
     for (const Handle self : making)
         if (self == instance ||
             (instances.nodes.find(self) != nullptr && instances.tree.is_below(self, instance)))
-            throw Error(ErrorKind::bad_structure,
-                        instances.tree.path(self) +
-                            " is being made: its module, which makes it, cannot " +
-                            std::string(what) + " meanwhile");
+            throw Error(ErrorKind::bad_structure, instances.tree.path(self) +
+                                                      " is being made: its module cannot " +
+                                                      std::string(what) + " meanwhile");
 }
 
 }  // namespace fettle::property

@@ -54,7 +54,7 @@ void History::close() {
 }
 
 void History::put(Transactions& list, Transaction transaction) {
-    if (transaction.bytes() > most_of_one()) make_void(transaction);
+    if (transaction.bytes() > max_edit_bytes()) make_void(transaction);
     list.push(std::move(transaction));
     if (bytes_) *bytes_ += list.top_bytes();
     bytes_ever_ += list.top_bytes();
@@ -85,7 +85,7 @@ void History::add(EditStep step, const std::string& name) {
     else
         written_.clear();
     open_.steps.push_back(std::move(step));
-    if (open_.too_large || open_bytes_ > most_of_one()) {
+    if (open_.too_large || open_bytes_ > max_edit_bytes()) {
         make_void(open_);
         written_.clear();
     }
@@ -231,10 +231,10 @@ std::size_t History::bytes() const {
 /// Frees a quarter more than necessary, so that not every edit has to look for the oldest entry.
 void History::trim() {
     if (bytes() <= limit_) return;
-    const std::size_t most = most_of_one();
+    const std::size_t limit = max_edit_bytes();
     const auto forgotten = [this](const Transaction& transaction) { forget(transaction); };
-    lists_.undone.trim(most, forgotten);
-    lists_.done.trim(most - lists_.undone.bytes(), forgotten);
+    lists_.undone.trim(limit, forgotten);
+    lists_.done.trim(limit - lists_.undone.bytes(), forgotten);
     bytes_.reset();
     ++version_;
 }

@@ -111,7 +111,7 @@ class History {
     /// `undo()`.
     bool edit_is_open() const { return depth_ > 0 && (!open_.steps.empty() || open_.too_large); }
     /// A transaction that takes more bytes than this is forgotten at once.
-    std::size_t most_of_one() const { return limit_ - limit_ / 4; }
+    std::size_t max_edit_bytes() const { return limit_ - limit_ / 4; }
     void add(EditStep step, const std::string& name);
     void close();
     void put(Transactions& list, Transaction transaction);

@@ -65,9 +65,9 @@ std::size_t Transactions::bytes() const {
     return sum;
 }
 
-bool Transactions::trim(std::size_t most,
+bool Transactions::trim(std::size_t limit,
                         const std::function<void(const Transaction&)>& forgotten) {
-    std::size_t left = most;
+    std::size_t left = limit;
     std::shared_ptr<Link>* rest = &top_;
     for (; *rest != nullptr && (*rest)->bytes <= left; rest = &(*rest)->below)
         left -= (*rest)->bytes;

@@ -75,7 +75,7 @@ class Transactions {
     std::size_t bytes() const;
     /// Forgets the oldest transactions until at most `most` bytes are left; older copies keep them.
     /// Calls `forgotten` for each. Returns whether there were any.
-    bool trim(std::size_t most, const std::function<void(const Transaction&)>& forgotten);
+    bool trim(std::size_t limit, const std::function<void(const Transaction&)>& forgotten);
 
   private:
     struct Link {

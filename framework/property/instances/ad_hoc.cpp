@@ -5,7 +5,7 @@
 namespace fettle::property {
 namespace {
 
-constexpr std::size_t most_descriptors = 100'000;
+constexpr std::size_t max_descriptors = 100'000;
 
 }  // namespace
 
@@ -17,10 +17,10 @@ const AdHoc::Entry* AdHoc::find(std::uint32_t index, const std::string& name) co
 }
 
 const Property& AdHoc::declare(Symbol name) {
-    if (descriptors.size() >= most_descriptors)
+    if (descriptors.size() >= max_descriptors)
         throw Error(ErrorKind::bad_name,
                     "\"" + name.text().substr(0, 80) + "\": properties of " +
-                        std::to_string(most_descriptors) +
+                        std::to_string(max_descriptors) +
                         " different names were added already; keep what is counted in a list, "
                         "or in children");
     auto made = std::make_unique<Property>();

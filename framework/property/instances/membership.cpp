@@ -60,7 +60,7 @@ void Instances::require_event(Handle instance, const Event& event) const {
 void Instances::require_values(Handle instance, const Event& event,
                                const std::vector<Value>& values) const {
     if (values.size() == event.fields.size()) return;
-    throw Error(ErrorKind::wrong_type, tree.path(instance) + " " + event.name + ": it tells " +
+    throw Error(ErrorKind::wrong_type, tree.path(instance) + " " + event.name + ": it has " +
                                            std::to_string(event.fields.size()) +
                                            " values, and was given " +
                                            std::to_string(values.size()));

@@ -11,7 +11,7 @@ namespace fettle::property {
 namespace {
 
 /// Names have at most nine digits. This is the largest last number that a snapshot may contain.
-constexpr std::uint32_t most_number = 900'000'000;
+constexpr std::uint32_t max_number = 900'000'000;
 
 /// The symbols that the nodes use. Symbols are numbers of one process, so their texts are stored
 /// too.
@@ -51,7 +51,7 @@ class NameMap {
     Symbol operator()(Symbol there, const ByteReader& from) const {
         if (!there) return there;
         const auto found = map_.find(there.id());
-        from.require(found != map_.end(), "a name that it does not tell");
+        from.require(found != map_.end(), "a name that is not in its list of names");
         return found->second;
     }
 
@@ -99,21 +99,21 @@ Nodes Nodes::load(ByteReader& from, const std::vector<std::uint16_t>& classes) {
         node.name.base = names(node.name.base, from);
         from.require(
             !node.name.base.text().empty() && NodeName::look_up(node.name.text()) == node.name,
-            "a name that is none");
+            "an invalid name");
     }
     std::vector<bool> free(read.end());
     for (const std::uint32_t index : read.free_) {
         from.require(index != 0 && index < read.end() && !read.nodes_[index].alive() &&
                          !read.nodes_[index].kept && read.nodes_[index].generation != 0 &&
                          !free[index],
-                     "a free place that is none");
+                     "a slot that is in use, or listed twice, in the list of free slots");
         free[index] = true;
     }
     for (std::size_t n = from.count(12); n > 0; --n) {
         const auto key = from.get<std::uint64_t>();
         const auto stem = std::bit_cast<Symbol>(static_cast<std::uint32_t>(key));
         const auto last = from.get<std::uint32_t>();
-        from.require(last < most_number, "a number that no name can have");
+        from.require(last < max_number, "a number that no name can have");
         read.counters_[key >> 32 << 32 | names(stem, from).id()] = last;
     }
     from.require(read.links_hold(), "parents and children do not agree");

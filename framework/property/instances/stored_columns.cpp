@@ -1,11 +1,8 @@
 #include "stored_columns.h"
 
-#include <cmath>
-#include <optional>
+#include <utility>
 
 #include <fettle/property/error.h>
-
-#include <classes/coerce.h>
 
 namespace fettle::property {
 namespace {
@@ -72,39 +69,7 @@ std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t
     }
 }
 
-bool is_of_its_type(const Property& property, const Value& value) {
-    return property.any_type || value.is(property.type) ||
-           (property.nullable && value.is(Type::nil));
-}
-
-/// The value converted to the type of the property, if that is possible without loss.
-std::optional<Value> converted(const Property& property, const Value& saved) {
-    Value value = saved;
-    if (property.type == Type::number && saved.is(Type::integer))
-        value = Value(static_cast<double>(saved.integer()));
-    // Every whole number below 2^63 is an integer; 2^63 itself is not.
-    constexpr double bound = 9223372036854775808.0;
-    if (property.type == Type::integer && saved.is(Type::number) &&
-        saved.number() == std::floor(saved.number()) && std::abs(saved.number()) < bound)
-        value = Value(static_cast<std::int64_t>(saved.number()));
-    if (!value.is(property.type) || value.is(Type::reference)) return std::nullopt;
-    try {
-        return coerce_value(
-            property, value,
-            {.tree = nullptr, .path = [](const void*) { return std::string(); }, .what = nullptr});
-    } catch (const Error&) {
-        return std::nullopt;  // out of its range
-    }
-}
-
 }  // namespace
-
-Value StoredColumns::fitted(const Property& property, Value saved, Misfits& misfits) {
-    if (is_of_its_type(property, saved)) return saved;
-    if (std::optional<Value> value = converted(property, saved)) return *std::move(value);
-    misfits.add(property, std::move(saved));
-    return property.default_value;
-}
 
 StoredColumns::Column StoredColumns::column_for(const Property& property) {
     if (property.nullable || property.any_type) return std::vector<Value>();
@@ -187,15 +152,16 @@ void StoredColumns::save(ByteWriter& to) const {
     }
 }
 
-StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t most_rows,
-                                  Misfits& misfits) {
+StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t max_rows,
+                                  UnfitValues& unfit) {
     StoredColumns read(of);
     read.rows_ = from.get<std::uint32_t>();
-    from.require(read.rows_ <= most_rows, "more rows than it has instances");
+    from.require(read.rows_ <= max_rows, "more rows than it has instances");
     read.free_ = from.list<std::uint32_t>();
     std::vector<bool> free(read.rows_);
     for (const std::uint32_t row : read.free_) {
-        from.require(row < read.rows_ && !free[row], "a free row that is none");
+        from.require(row < read.rows_ && !free[row],
+                     "a row that does not exist, or is listed twice, in the list of free rows");
         free[row] = true;
     }
     std::vector<bool> found(of.stored_.size(), false);
@@ -225,7 +191,8 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
                 values.resize(read.rows_);
                 for (std::uint32_t row = 0; row < read.rows_; ++row)
                     if (!free[row])
-                        write(values, row, fitted(*property, std::move(saved[row]), misfits));
+                        write(values, row,
+                              fit_saved_value(*property, std::move(saved[row]), unfit));
             },
             column);
         block.finish();

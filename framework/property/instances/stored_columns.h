@@ -9,7 +9,7 @@
 #include <fettle/property/bytes.h>
 #include <fettle/property/class.h>
 
-#include <classes/misfits.h>
+#include <classes/fit_saved_value.h>
 
 namespace fettle::property {
 
@@ -35,14 +35,10 @@ class StoredColumns {
     std::vector<bool> free_rows() const;
 
     // Snapshots store columns by property name, so that the class may have changed since. A
-    // property that is new gets its default. A value of another type is converted; if that is
-    // impossible, it becomes the default.
+    // property that is new gets its default. Values of another type: see `fit_saved_value`.
     void save(ByteWriter& to) const;
-    static StoredColumns load(ByteReader& from, const Class& of, std::size_t most_rows,
-                              Misfits& misfits);
-    /// Converts a saved value to the current type of the property. If that is impossible, returns
-    /// the default and adds the value to the misfits.
-    static Value fitted(const Property& property, Value saved, Misfits& misfits);
+    static StoredColumns load(ByteReader& from, const Class& of, std::size_t max_rows,
+                              UnfitValues& unfit);
 
   private:
     // A nullable or untyped property needs a representation of nil, so it has a column of Values.

@@ -21,11 +21,11 @@ struct Tombstone {
 class Tombstones {
   public:
     /// Only the latest deletions are kept.
-    static constexpr std::size_t most = 8192;
+    static constexpr std::size_t max_count = 8192;
 
     void add(Tombstone gone) {
         latest_.push_back(std::move(gone));
-        if (latest_.size() > most) latest_.pop_front();
+        if (latest_.size() > max_count) latest_.pop_front();
     }
     /// nullptr if the instance lives or was deleted too long ago.
     const Tombstone* find(Handle handle) const {

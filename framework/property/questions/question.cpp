@@ -14,7 +14,7 @@ namespace {
 thread_local Question* asked = nullptr;
 
 constexpr std::string_view question_rule =
-    "is asked inside a step: a handler changes what it is told, it cannot";
+    "is asked inside a step: a handler can change fields of its record, but it cannot";
 
 /// While it lives, a question is being asked on this thread.
 class Asking {
@@ -54,8 +54,8 @@ Question* Question::current() {
 void Question::answer(std::size_t field, const Value& value) {
     if (field >= event_.fields.size() || field >= values_.size())
         throw Error(ErrorKind::unknown_name, tree_.path(instance_) + " " + event_.name +
-                                                 ": no value number " + std::to_string(field) +
-                                                 " is told");
+                                                 ": it has no value number " +
+                                                 std::to_string(field));
     const Field& of = event_.fields[field];
     const Value& now = values_[field];
     const bool nobody = now.is(Type::reference) && !now.reference();
@@ -68,8 +68,7 @@ void Question::answer(std::size_t field, const Value& value) {
         const auto& at = *static_cast<const Where*>(what);
         return at.event + ": " + at.field;
     };
-    if (field < changeable_)
-        throw Error(ErrorKind::read_only, name(&place) + " is only told, and cannot be changed");
+    if (field < changeable_) throw Error(ErrorKind::read_only, name(&place) + " is read-only");
     Property as;
     as.name = of.name;
     as.type = of.type;

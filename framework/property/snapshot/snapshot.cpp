@@ -224,7 +224,7 @@ void prepare(Prepared& prepared, Tree::State& state, const Snapshot& snapshot) {
             from.require(prepared.image != nullptr, "the tree does not come first");
             const ReadingScope scope({&state.tree, prepared.image.get()});
             SnapshotPart* const part = *found_part;
-            // One that came in the place of another since does not know what that one held.
+            // A part that replaced another one since must not get the memory of that one.
             const std::uint64_t number = state.snapshots.number_of(*part);
             const bool knows = own && std::find(memory->parts.begin(), memory->parts.end(),
                                                 number) != memory->parts.end();

@@ -28,12 +28,12 @@ void Transition::note(std::uint32_t index) {
     for (const Property* property : tree_.properties(self))
         if (watched(self, node, *property))
             known_.push_back({self, property, instances_.read(index, node, *property)});
-    const bool told =
+    const bool notified =
         changes_.wants_deletion_notice(self, of, node.fresh) ||
         !changes_.watchers.of_event(self, *changes_.deleted_event, changes_.watchers.last_id())
              .empty();
-    if (!told && !node.watched) return;
-    deletion_notices_.push_back(changes_.deletion_notice_of(self, of, told));
+    if (!notified && !node.watched) return;
+    deletion_notices_.push_back(changes_.deletion_notice_of(self, of, notified));
 }
 
 bool Transition::watched(Handle self, const Node& node, const Property& property) const {
@@ -92,10 +92,10 @@ void Transition::end_instances() {
     std::size_t latest = 0;
     for (const Lived& lived : lived_) {
         if (lives_on(lived) || ++latest > 1024) continue;
-        const auto told =
+        const auto reported =
             std::any_of(deletion_notices_.begin(), deletion_notices_.end(),
                         [&](const Existence& gone) { return gone.instance == lived.instance; });
-        if (!told)
+        if (!reported)
             instances_.tombstones.add(
                 {lived.instance, lived.of, lived.name.text(), "the " + lived.of->name(), cause});
     }
@@ -158,10 +158,10 @@ void Transition::tell_changed() {
         if (!lives_on(lived) || !node->has_ad_hoc) continue;
         const std::span<const Known> of_it = known_of(lived.instance);
         for (const Property* property : tree_.ad_hoc(lived.instance)) {
-            const bool told = std::any_of(of_it.begin(), of_it.end(), [&](const Known& known) {
-                return known.property == property;
-            });
-            if (told || !watched(lived.instance, *node, *property)) continue;
+            const bool value_known =
+                std::any_of(of_it.begin(), of_it.end(),
+                            [&](const Known& known) { return known.property == property; });
+            if (value_known || !watched(lived.instance, *node, *property)) continue;
             changes_.queue_change(lived.instance, *property, Value(),
                                   instances_.read(lived.instance.index, *node, *property), cause);
         }

@@ -47,7 +47,7 @@ class Transition {
     const Event& restored_;
     std::vector<Known> known_;
     std::vector<Lived> lived_;                 // all instances before the restore
-    std::vector<Existence> deletion_notices_;  // of instances whose deletion somebody watches
+    std::vector<Existence> deletion_notices_;  // of instances whose deletion is watched
     std::uint64_t left_ = 0;                   // step before the restore
 };
 

@@ -192,8 +192,8 @@ void TreeImage::read_makers(ByteReader& from) const {
         if (then == now) continue;
         for (std::uint32_t i = 1; i < nodes_.end(); ++i)
             if (nodes_[i].alive() && nodes_[i].class_id == id)
-                refuse_changed(of.name() + " was a kind of " + then + " and is a kind of " + now +
-                               " by now");
+                refuse_changed(of.name() + " was a kind of " + then + " and is now a kind of " +
+                               now);
     }
 }
 
@@ -223,9 +223,9 @@ void TreeImage::check_instances(const ByteReader& from) const {
         const Symbol name = Symbol::find(node.name.text());
         if (name && (above.property(name) != nullptr || above.method(name) != nullptr))
             refuse_changed("an instance of " + above.name() + " has a child called \"" +
-                           name.text() + "\", which is a " +
+                           name.text() + "\", which is now a " +
                            (above.property(name) != nullptr ? "property" : "method") + " of " +
-                           above.name() + " by now");
+                           above.name());
     }
 }
 
@@ -263,12 +263,12 @@ void TreeImage::fit_values(const ByteReader& from) {
             const Value saved = columns.get(*property, node.stored_row);
             const std::optional<Value> fitted = values.fitted(*property, saved);
             if (fitted && *fitted == saved) continue;
-            if (!fitted) misfits_.add(*property, saved);
+            if (!fitted) unfit_.add(*property, saved);
             columns.set(*property, node.stored_row, fitted ? *fitted : property->default_value);
         }
     }
     for (const AdHoc& own : ad_hoc_) values.check_ad_hoc(own.value);
-    for (std::string& line : misfits_.lines()) remarks_.push_back(std::move(line));
+    for (std::string& line : unfit_.lines()) remarks_.push_back(std::move(line));
 }
 
 void TreeImage::read_columns(ByteReader& from) {
@@ -281,7 +281,7 @@ void TreeImage::read_columns(ByteReader& from) {
         if (now_.stored[here] == nullptr || now_.classes[here].snapshots() == Snapshots::never)
             continue;
         columns_.emplace_back(here, std::make_unique<StoredColumns>(StoredColumns::load(
-                                        block, now_.classes[here], nodes_.end(), misfits_)));
+                                        block, now_.classes[here], nodes_.end(), unfit_)));
         block.finish();
     }
 }
@@ -318,7 +318,7 @@ void TreeImage::read_ad_hoc(ByteReader& from) {
                      "a property called like a child");
         if (of.method(own.name) != nullptr)
             refuse_changed("an instance of " + of.name() + " has a property called \"" + own.name +
-                           "\", which is a method of " + of.name() + " by now");
+                           "\", which is now a method of " + of.name());
         if (const Property* property = of.property(own.name))
             take_over(*property, std::move(own));
         else
@@ -341,7 +341,7 @@ void TreeImage::take_over(const Property& property, AdHoc own) {
     for (const auto& [id, columns] : columns_)
         if (id == node.class_id && node.stored_row < columns->rows())
             columns->set(property, node.stored_row,
-                         StoredColumns::fitted(property, std::move(own.value), misfits_));
+                         fit_saved_value(property, std::move(own.value), unfit_));
 }
 
 void TreeImage::read_values(ByteReader& from) {

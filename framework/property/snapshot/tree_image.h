@@ -93,7 +93,7 @@ class TreeImage {
     std::vector<ByValue> values_;
     std::vector<Formulas::Image> formulas_;
     std::vector<std::string> remarks_;  // one line for each loss
-    Misfits misfits_;
+    UnfitValues unfit_;
     std::uint64_t step_ = 0;
     Memory history_;
     struct Before {

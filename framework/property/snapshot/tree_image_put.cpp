@@ -48,8 +48,9 @@ void TreeImage::end_rows() {
         if (makes_rows(of)) {
             const std::string problem = end_row(self);
             if (!problem.empty())
-                remarks_.push_back(now_.tree.path(self) +
-                                   ": its module, told of its end, has failed: " + problem);
+                remarks_.push_back(
+                    now_.tree.path(self) +
+                    ": its module failed when it was notified of the removal: " + problem);
         }
         if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             now_.stored[of.id()]->remove(now_.nodes[i].stored_row);
@@ -87,8 +88,9 @@ void TreeImage::put_columns() {
     for (auto& [id, columns] : columns_) now_.stored[id] = std::move(columns);
     // A class that the snapshot does not contain has no instances.
     for (std::uint32_t id = 0; id < now_.classes.size(); ++id) {
-        const bool told = std::find(classes_.begin(), classes_.end(), id) != classes_.end();
-        if (!told && now_.stored[id] != nullptr && now_.classes[id].snapshots() != Snapshots::never)
+        const bool contained = std::find(classes_.begin(), classes_.end(), id) != classes_.end();
+        if (!contained && now_.stored[id] != nullptr &&
+            now_.classes[id].snapshots() != Snapshots::never)
             now_.stored[id] = std::make_unique<StoredColumns>(now_.classes[id]);
     }
     now_.ad_hoc.of_instance.clear();

@@ -111,11 +111,11 @@ void WriteLog::forget() {
     formulas_.clear();
     formula_bytes_ = 0;
     too_much_ = false;
-    if (bytes_.capacity() > most_kept) bytes_.shrink_to_fit();
+    if (bytes_.capacity() > max_kept) bytes_.shrink_to_fit();
 }
 
 bool WriteLog::notes() {
-    if (memory() > most_) {
+    if (memory() > limit_) {
         forget();
         bytes_.shrink_to_fit();
         too_much_ = true;

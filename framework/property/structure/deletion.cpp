@@ -23,7 +23,7 @@ std::string Structure::destroy_below(std::uint32_t top) {
     const Cause by = changes.author.cause();
     std::string problem;
     for (std::size_t left = order.size(); left > 0; --left)
-        destroy_one(order[left - 1], by, left <= Tombstones::most, problem);
+        destroy_one(order[left - 1], by, left <= Tombstones::max_count, problem);
     return problem;
 }
 

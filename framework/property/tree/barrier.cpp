@@ -4,14 +4,11 @@
 #include <exception>
 #include <utility>
 
-#include <fettle/property/exception_text.h>
+#include <change/generations.h>
 
 #include "state.h"
 
 namespace fettle::property {
-namespace {
-constexpr std::size_t most_generations = 16;
-}  // namespace
 
 bool Tree::listens(const Event& event) const {
     if (event.listeners == 0) return false;
@@ -31,7 +28,7 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     State& s = *state_;
     s.instances.require_event(instance, event);
     s.instances.require_values(instance, event, values);
-    s.require_changeable("tell an event");
+    s.require_changeable("emit an event");
     if (event.listeners == 0) return;
     s.changes.queue_item({.kind = QueueItem::Kind::event,
                           .what = Occurrence{.instance = instance,
@@ -41,32 +38,6 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
 }
 
 namespace {
-
-using Generations = std::vector<std::vector<QueueItem>>;
-
-/// Throws with the chain of changes that led to the first undelivered one.
-void refuse_overrun(Changes& changes, const Generations& generations) {
-    std::string chain;
-    const QueueItem* item = &changes.queue.items.front();
-    std::size_t part = 0;
-    for (std::size_t g = generations.size(); item != nullptr; --g) {
-        chain += "\n  " + changes.describe(*item, part);
-        part = item->trigger_part;
-        item = g == 0 || item->trigger < 0
-                   ? nullptr
-                   : &generations[g - 1][static_cast<std::size_t>(item->trigger)];
-    }
-    changes.queue.clear();
-    const Error error(ErrorKind::no_barrier_end,
-                      "handlers keep making changes: the barrier stopped after " +
-                          std::to_string(most_generations) +
-                          " generations; each of these caused the one above:" + chain);
-    if (!changes.errors.sink) throw error;
-    changes.errors.tell({.path = "barrier",
-                         .where = {},
-                         .message = exception_text(error),
-                         .exception = std::make_exception_ptr(error)});
-}
 
 /// While it lives, the queue is being delivered.
 class Delivering {
@@ -104,7 +75,7 @@ void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
     const Delivering delivering(s.changes);
     Generations generations;
     while (!queue.items.empty()) {
-        if (generations.size() == most_generations) return refuse_overrun(s.changes, generations);
+        if (generations.size() == max_generations) return refuse_overrun(s.changes, generations);
         std::vector<QueueItem>& batch = generations.emplace_back(std::move(queue.items));
         queue.clear();
         for (std::size_t i = 0; i < batch.size(); ++i) {

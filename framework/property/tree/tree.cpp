@@ -90,8 +90,8 @@ Tree::~Tree() {
     s.lifetime.require_unpinned();
     s.lifetime.mark.reset();
     s.lifetime.ending = true;
-    // What outlives the tree finds `mark` expired and takes nothing back: nobody who may be gone
-    // by the end is called any more.
+    // Objects that outlive the tree test `mark` and do not use the tree any more. Observers and
+    // parts are removed now, because they may be destroyed before the end of this function.
     s.changes.observers.all.clear();
     s.changes.observers.logs.clear();
     s.history.observe(nullptr);

@@ -38,8 +38,8 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
     if (!takes_formula(property))
         throw Error(ErrorKind::bad_structure,
                     path(instance, property) +
-                        ": cannot have a formula: it tells where the instance is in the tree, and "
-                        "a formula computes a value and moves nothing; assign a plain value");
+                        ": cannot have a formula: it is the place of the instance in the tree, "
+                        "which a formula may not change; assign a plain value");
     std::optional<CellState> before = s.history.before_edit(instance, property);
     s.formulas.set(instance, property, std::move(formula));
     s.changes.tell([&](Observer& o) { o.formula_changed(instance, property); });
@@ -84,7 +84,7 @@ void on_formula_problem(Tree& tree, std::function<void(const FormulaProblem&)> s
 }
 
 void formula_problem_told(Tree& tree, Handle instance, const Property& property) {
-    tree.state().formulas.problem_told({instance.index, property.symbol});
+    tree.state().formulas.problem_reported({instance.index, property.symbol});
 }
 
 Explanation Tree::why(Handle instance, const Property& property) const {

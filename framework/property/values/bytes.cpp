@@ -57,9 +57,9 @@ void ByteWriter::end_block(std::size_t begin) {
     std::memcpy(out_->data() + begin - sizeof length, &length, sizeof length);
 }
 
-std::size_t ByteReader::count(std::size_t least) {
+std::size_t ByteReader::count(std::size_t min_size) {
     const auto count = get<std::uint64_t>();
-    if (count > in_.size() / least) ends_too_early();
+    if (count > in_.size() / min_size) ends_too_early();
     return static_cast<std::size_t>(count);
 }
 

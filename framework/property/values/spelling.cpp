@@ -44,10 +44,10 @@ namespace {
 // Names that differ only in a number or a letter at the end: wheel1 and wheel2, item_a and item_b,
 // pointA and pointB. They are not typing errors.
 bool of_one_series(std::string_view a, std::string_view b) {
-    const std::size_t most = std::min(a.size(), b.size());
+    const std::size_t shorter = std::min(a.size(), b.size());
     std::size_t front = 0, back = 0;
-    while (front < most && lower(a[front]) == lower(b[front])) ++front;
-    while (back < most - front && lower(a[a.size() - 1 - back]) == lower(b[b.size() - 1 - back]))
+    while (front < shorter && lower(a[front]) == lower(b[front])) ++front;
+    while (back < shorter - front && lower(a[a.size() - 1 - back]) == lower(b[b.size() - 1 - back]))
         ++back;
     const std::string_view of_a = a.substr(front, a.size() - front - back);
     const std::string_view of_b = b.substr(front, b.size() - front - back);

@@ -39,10 +39,10 @@ Symbol::Symbol(std::string_view text) {
         id_ = found->second;
         return;
     }
-    if (t.texts.size() > most)
+    if (t.texts.size() > max_count)
         throw Error(ErrorKind::bad_name,
                     "\"" + std::string(text.substr(0, 80)) + "\": there are " +
-                        std::to_string(most) +
+                        std::to_string(max_count) +
                         " different names already, and names are never given back; number things "
                         "by an underscore and digits, as in ball_17, or keep them in a list");
     id_ = static_cast<std::uint32_t>(t.texts.size());

@@ -12,8 +12,8 @@ void WritesLog::next_chunk() {
     std::shared_ptr<Chunk> next = one_is_free ? spare_.front() : std::make_shared<Chunk>();
     packed_.push_back(std::move(packed));
     if (one_is_free) spare_.erase(spare_.begin());
-    if (spare_.size() < most_spare) spare_.push_back(chunk_);
-    if (packed_.size() == most / in_chunk) {
+    if (spare_.size() < max_spare) spare_.push_back(chunk_);
+    if (packed_.size() == max_count / in_chunk) {
         packed_.pop_front();
         first_ += in_chunk;
     }
@@ -24,14 +24,14 @@ void WritesLog::next_chunk() {
 }
 
 void WritesLog::tell(Writer writer, std::uint64_t step) {
-    const std::uint64_t told = ever();
+    const std::uint64_t count = ever();
     if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step) {
-        while (!runs_.empty() && runs_.front().end + most <= told) runs_.pop_front();
-        runs_.push_back({.end = told_, .step = step, .writer = writer});
+        while (!runs_.empty() && runs_.front().end + max_count <= count) runs_.pop_front();
+        runs_.push_back({.end = reported_, .step = step, .writer = writer});
     }
     // Allocations up to here may fail; then nothing has been reported yet.
     if (next_ == end_) next_chunk();
-    runs_.back().end = told_ = told;
+    runs_.back().end = reported_ = count;
     unreported_ = next_;
 }
 
@@ -64,7 +64,7 @@ PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property)
 
 Provenance WritesLog::find(Handle instance, Symbol property) const {
     Provenance out;
-    std::uint64_t number = told_;
+    std::uint64_t number = reported_;
     const PlainWrite* write = unreported_;
     const auto is_it = [&](const PlainWrite& w) {
         return w.instance.index == instance.index && w.property->symbol == property;

@@ -23,7 +23,7 @@ namespace fettle::property {
 
 class WritesLog {
   public:
-    WritesLog() { spare_.reserve(most_spare); }
+    WritesLog() { spare_.reserve(max_spare); }
     /// No further write can begin before the entries are reported.
     bool full() const { return next_ == end_; }
     /// Whether a write on the fastest path can begin. This tests all conditions that do not depend
@@ -58,7 +58,9 @@ class WritesLog {
     PlainWrites unreported() const { return {{unreported_, next_}, chunk_}; }
     bool any_unreported() const { return next_ != unreported_; }
     /// Number of entries so far. Taking back the last one decreases it by one.
-    std::uint64_t ever() const { return told_ + static_cast<std::uint64_t>(next_ - unreported_); }
+    std::uint64_t ever() const {
+        return reported_ + static_cast<std::uint64_t>(next_ - unreported_);
+    }
     /// Marks the entries as reported, with their writer and step.
     void tell(Writer writer, std::uint64_t step);
 
@@ -68,7 +70,7 @@ class WritesLog {
         tell(writer, step);
     }
     void note_in_full(Handle instance, Symbol property, const Cause& cause) {
-        if (full_.size() >= most) full_.clear();
+        if (full_.size() >= max_count) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
     }
     /// The tree returned to its state at `step`. Later entries now say that a restore wrote the
@@ -77,10 +79,10 @@ class WritesLog {
     Provenance find(Handle instance, Symbol property) const;
 
   private:
-    static constexpr std::size_t most = std::size_t{1} << 18;
+    static constexpr std::size_t max_count = std::size_t{1} << 18;
     // Number of entries that can wait for their report; a chunk fits into the L1 cache.
     static constexpr std::size_t in_chunk = 512;
-    static constexpr std::size_t most_spare = 64;
+    static constexpr std::size_t max_spare = 64;
     using Chunk = std::array<PlainWrite, in_chunk>;
 
     /// Consecutive writes by one writer in one step.
@@ -103,7 +105,7 @@ class WritesLog {
     PlainWrite* end_ = unreported_ + in_chunk;
     PlainWrite* open_end_ = end_;  // nullptr while the fastest path is closed
     std::uint8_t reasons_ = 0;
-    std::uint64_t told_ = 0;  // number of writes that were ever reported
+    std::uint64_t reported_ = 0;  // number of writes that were ever reported
     std::deque<Run> runs_;
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };

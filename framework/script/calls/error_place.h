@@ -5,11 +5,11 @@
 
 namespace fettle::script {
 
-/// Sets file and line from a message of the form "main.lua:12: ...". Does nothing for other
-/// messages.
+/// Sets the file and the line of the error if its message has the form "main.lua:12: ...".
 void place_from_message(ScriptError& error);
-/// Lua reports only the line. The column is that of the name in the message: a quoted name, or the
-/// last name of the path at its beginning. Returns 0 if the source line does not contain it.
+/// Finds the column of the error, which Lua does not report: it searches the source line for the
+/// name in the message. This is a quoted name, or the last name of the path at the beginning of the
+/// message. Returns 0 if the line does not contain the name.
 int guess_column(const ScriptError& error);
 
 }  // namespace fettle::script

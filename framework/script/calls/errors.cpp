@@ -20,8 +20,8 @@ namespace fettle::script {
 
 namespace {
 
-constexpr int most_frames = 40;
-constexpr int most_locals = 40;
+constexpr int max_frames = 40;
+constexpr int max_locals = 40;
 
 std::string frame_name(const lua_Debug& frame) {
     if (frame.name && *frame.name) {
@@ -41,7 +41,7 @@ std::string traceback_of(lua_State* L, int level) {
         lua_getinfo(L, "Slnt", &frame);
         // The C function through which the host calls Lua.
         if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;
-        if (++shown > most_frames) {
+        if (++shown > max_frames) {
             text += "  ...\n";
             break;
         }
@@ -57,7 +57,7 @@ std::string traceback_of(lua_State* L, int level) {
 std::string locals_of(lua_State* L, lua_Debug& frame) {
     std::string text;
     if (!lua_checkstack(L, 8)) return text;
-    for (int n = 1; n <= most_locals; ++n) {
+    for (int n = 1; n <= max_locals; ++n) {
         const char* name = lua_getlocal(L, &frame, n);
         if (!name) break;
         if (name[0] != '(') text += std::string(name) + " = " + short_text(L, -1) + "\n";
@@ -135,8 +135,8 @@ void add_missing_position(lua_State* L, lua_State* from, int level) {
     const lua_CFunction raiser = lua_tocfunction(L, -1);
     lua_pop(L, 1);
     if (raiser == nullptr) return;
-    const auto& told = machine_of(L).errors.raise_unchanged;
-    if (std::find(told.begin(), told.end(), raiser) != told.end()) return;
+    const auto& unchanged = machine_of(L).errors.raise_unchanged;
+    if (std::find(unchanged.begin(), unchanged.end(), raiser) != unchanged.end()) return;
     ScriptError error;
     error.message = string_at(from, -1);
     place_from_message(error);

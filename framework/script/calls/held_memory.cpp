@@ -10,8 +10,8 @@ namespace {
 // Sizes in bytes in Lua 5.4 on 64-bit systems.
 constexpr std::size_t function_size = 64, upvalue_size = 56, table_size = 56, element_size = 16,
                       entry_size = 40, text_size = 32;
-constexpr std::size_t least_text = 64;  // shorter texts are not counted
-constexpr int most_values = 1 << 16, deepest_value = 16;
+constexpr std::size_t min_text = 64;  // shorter texts are not counted
+constexpr int max_values = 1 << 16, deepest_value = 16;
 
 class Measure {
   public:
@@ -65,7 +65,7 @@ class Measure {
     std::size_t text(int index) {
         const std::size_t size = lua_rawlen(L_, index);
         const void* const address = lua_topointer(L_, index);
-        if (size < least_text || address == machine_.counted.text) return 0;
+        if (size < min_text || address == machine_.counted.text) return 0;
         machine_.counted.text = address;
         return size + text_size;
     }
@@ -96,7 +96,7 @@ class Measure {
     lua_State* L_;
     Machine& machine_;
     int set_ = 0;
-    int left_ = most_values;
+    int left_ = max_values;
 };
 
 }  // namespace

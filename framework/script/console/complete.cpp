@@ -28,7 +28,7 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t most_candidates = 200;
+constexpr std::size_t max_candidates = 200;
 
 // Order of completions while no letter is typed: values, then functions, then the rest.
 enum class Group : int { value, function, other };
@@ -47,7 +47,7 @@ class Candidates {
         if (!match) return;
         int score = match->score;
         if (expected_) score += 10'000;
-        if (entries_.size() >= most_collected || !labels_.insert(label).second) return;
+        if (entries_.size() >= max_collected || !labels_.insert(label).second) return;
         entries_.push_back({score, group, {text, label, std::move(detail), std::move(doc), from}});
     }
     /// Entries that are added after `expect(true)` fit this place best and come first.
@@ -60,7 +60,7 @@ class Candidates {
             if (a.group != b.group) return a.group < b.group;
             return a.completion.label < b.completion.label;
         });
-        if (entries_.size() > most_candidates) entries_.resize(most_candidates);
+        if (entries_.size() > max_candidates) entries_.resize(max_candidates);
         std::vector<Completion> result;
         for (Entry& entry : entries_) result.push_back(std::move(entry.completion));
         return result;
@@ -75,7 +75,7 @@ class Candidates {
     std::string_view typed_;
     std::size_t replace_from_;
     // The limit matters for a parent with very many children.
-    static constexpr std::size_t most_collected = 20'000;
+    static constexpr std::size_t max_collected = 20'000;
     std::vector<Entry> entries_;
     std::unordered_set<std::string> labels_;
     bool expected_ = false;
@@ -180,7 +180,7 @@ void add_description(lua_State* L, const DescriptionKind& kind, Candidates& out)
     lua_pop(L, 1);
 }
 
-// The type of the value on top; nullptr for an instance or a plain table.
+// The type of the value at the top of the stack; nullptr for an instance or a plain table.
 const TypeDoc* type_of(lua_State* L) {
     if (vec_at(L, -1)) return type_doc("vec");
     if (color_at(L, -1)) return type_doc("color");
@@ -195,7 +195,7 @@ const TypeDoc* type_of(lua_State* L) {
                                 : nullptr;
 }
 
-// Adds the members of the value on top, which has the path `path`.
+// Adds the members of the value at the top of the stack, which has the path `path`.
 void add_members(lua_State* L, Machine& machine, std::string_view path, bool methods_only,
                  std::size_t separator, Candidates& out) {
     if (const auto* box = instance_at(L, -1)) {

@@ -31,8 +31,8 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t most_echoes = 20;
-constexpr int most_results = 20;
+constexpr std::size_t max_echoes = 20;
+constexpr int max_results = 20;
 constexpr const char* chunk_name = "=console";
 
 // Whether the text is a plain path such as `a.b["c"].d`, so that its value is that of the property
@@ -88,9 +88,9 @@ void add_results(lua_State* L, Machine& machine, std::string_view command, Evalu
         }
     } else {
         std::string line;
-        for (int i = 1; i <= count && i <= most_results; ++i)
+        for (int i = 1; i <= count && i <= max_results; ++i)
             line += (i > 1 ? "  " : "") + short_text(L, i);
-        if (count > most_results) line += "  … " + std::to_string(count - most_results) + " more";
+        if (count > max_results) line += "  … " + std::to_string(count - max_results) + " more";
         evaluation.lines.push_back(std::move(line));
     }
     push_registry(L, machine.globals.last_result);
@@ -111,7 +111,7 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
         const bool same = edit.note.empty() && edit.before == edit.after && !edit.replaced;
         if (same && edits.size() > 1) continue;
         ++changed;
-        if (shown >= most_echoes) continue;
+        if (shown >= max_echoes) continue;
         ++shown;
         if (!edit.note.empty()) {
             evaluation.lines.push_back(edit.path + ": " + edit.note);

@@ -78,7 +78,8 @@ std::size_t path_start(std::string_view text, std::size_t end) {
 
 namespace {
 
-// Replaces the value on top by its member `name` or `index`. Returns false if there is none.
+// Replaces the value at the top of the stack by its member `name` or `index`. Returns false if
+// there is none.
 bool descend(lua_State* L, Machine& machine, std::string_view name, lua_Integer index,
              const Property** read) {
     *read = nullptr;

@@ -344,16 +344,16 @@ class Search {
         std::sort(docs_.begin(), docs_.end());
         names_.insert(names_.end(), docs_.begin(), docs_.end());
         const std::size_t total = names_.size();
-        if (total > most) names_.resize(most);
+        if (total > max_lines) names_.resize(max_lines);
         std::vector<std::string> result = columns(names_);
-        if (total > most)
-            result.push_back("… " + std::to_string(total - most) + " more (" +
+        if (total > max_lines)
+            result.push_back("… " + std::to_string(total - max_lines) + " more (" +
                              std::to_string(total) + " found)");
         return result;
     }
 
   private:
-    static constexpr std::size_t most = 50;
+    static constexpr std::size_t max_lines = 50;
     std::string word_;
     std::vector<std::vector<std::string>> names_, docs_;  // found by name, or by documentation only
 };

@@ -24,7 +24,7 @@ std::vector<std::string> help_for(Machine& machine, const std::string& path);
 /// Lists all entries whose name or documentation contains the word.
 std::vector<std::string> find_lines(const property::Tree& tree, std::string_view word);
 
-/// Adds `help` and `find` to the globals on top.
+/// Adds `help` and `find` to the table of globals at the top of the stack.
 void open_help(lua_State* L);
 
 }  // namespace fettle::script

@@ -16,12 +16,12 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::size_t most_rows = 30;
-constexpr std::size_t most_columns = 6;
+constexpr std::size_t max_rows = 30;
+constexpr std::size_t max_columns = 6;
 
 void add_count(std::vector<std::string>& lines, std::size_t total, const char* what) {
-    if (total > most_rows)
-        lines.push_back("… " + std::to_string(total - most_rows) + " more (" +
+    if (total > max_rows)
+        lines.push_back("… " + std::to_string(total - max_rows) + " more (" +
                         std::to_string(total) + " " + what + ")");
 }
 
@@ -48,7 +48,7 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
     std::sort(rows.begin(), rows.end());
     for (std::string& line : columns(rows)) lines.push_back(std::move(line));
     std::vector<std::vector<std::string>> children;
-    for (Handle child = tree.first_child(handle); child && children.size() < most_rows;
+    for (Handle child = tree.first_child(handle); child && children.size() < max_rows;
          child = tree.next_sibling(child))
         children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
     for (std::string& line : columns(children)) lines.push_back(std::move(line));
@@ -71,7 +71,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::size_t total = sorted.size();
-    if (sorted.size() > most_rows) sorted.resize(most_rows);
+    if (sorted.size() > max_rows) sorted.resize(max_rows);
 
     std::vector<const Property*> shared;
     for (const Property* property : tree.class_of(sorted.front().second).properties()) {
@@ -83,7 +83,7 @@ std::vector<std::string> set_lines(const property::Tree& tree, std::vector<Handl
             special |= same == property && !property->read_only && tree.overridden(handle, *same);
         }
         if (everywhere && special) shared.push_back(property);
-        if (shared.size() >= most_columns) break;
+        if (shared.size() >= max_columns) break;
     }
     std::vector<std::vector<std::string>> rows;
     std::vector<std::string> head = {"path", "class"};
@@ -142,7 +142,7 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
 
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, index));
     std::vector<std::vector<std::string>> rows;
-    for (lua_Integer i = 1; i <= length && rows.size() < most_rows; ++i) {
+    for (lua_Integer i = 1; i <= length && rows.size() < max_rows; ++i) {
         lua_rawgeti(L, index, i);
         rows.push_back({"  " + std::to_string(i), short_text(L, -1)});
         lua_pop(L, 1);
@@ -163,7 +163,7 @@ std::vector<std::string> table_lines(lua_State* L, int index) {
     }
     std::sort(named.begin(), named.end());
     for (auto& row : named)
-        if (rows.size() < most_rows) rows.push_back(std::move(row));
+        if (rows.size() < max_rows) rows.push_back(std::move(row));
     std::vector<std::string> lines = columns(rows);
     add_count(lines, total, "entries");
     return lines;

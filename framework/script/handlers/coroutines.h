@@ -10,7 +10,7 @@ namespace fettle::script {
 /// Resumes `thread` with `arguments` values on its stack. Returns the number of results, which stay
 /// on that stack. An error is raised again in `L`.
 int resume_thread(lua_State* L, lua_State* thread, int arguments);
-/// Replaces the table `coroutine` in the globals on top.
+/// Replaces the table `coroutine` in the table of globals at the top of the stack.
 void open_coroutines(lua_State* L);
 
 }  // namespace fettle::script

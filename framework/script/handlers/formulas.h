@@ -20,7 +20,7 @@ bool is_formula(lua_State* L, int index);
 /// it does not exist.
 void define_formula(lua_State* L, Machine& machine, int index, property::Handle instance,
                     std::string_view name);
-/// Replaces the function on top of the stack by a formula object.
+/// Replaces the function at the top of the Lua stack by a formula object.
 void push_formula(lua_State* L, const FunctionSource& source);
 /// Compiles the text of a formula: an expression, or a function that returns the value. Throws
 /// Error(formula) with the reason if it is not valid.
@@ -29,7 +29,7 @@ property::Formula compile_formula(Machine& machine, const std::string& source);
 void push_formula_function(lua_State* L, const property::Tree& tree, property::Handle instance,
                            const property::Property& property);
 
-/// Adds `formula` to the globals on top.
+/// Adds `formula` to the table of globals at the top of the Lua stack.
 void open_formulas(lua_State* L);
 
 }  // namespace fettle::script

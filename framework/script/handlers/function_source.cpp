@@ -111,7 +111,8 @@ int append_piece(lua_State*, const void* piece, std::size_t size, void* out) {
     return 0;
 }
 
-/// The bytecode of the function on top. It does not depend on the position of the text.
+/// The bytecode of the function at the top of the stack. It does not depend on the position of the
+/// text.
 std::string compiled(lua_State* L) {
     std::string bytes;
     lua_dump(L, append_piece, &bytes, 1);
@@ -120,13 +121,13 @@ std::string compiled(lua_State* L) {
 
 // The bytecode contains the index of the environment among the variables of the enclosing
 // functions. This index is not known, so up to this number of preceding variables are tried.
-constexpr int most_variables_around = 16;
+constexpr int max_variables_around = 16;
 
 /// Whether `text`, at its line, compiles to these bytes.
 bool compiles_to(lua_State* L, const std::string& text, int line, const std::string& bytes) {
     const std::string above(static_cast<std::size_t>(std::max(line - 1, 0)), '\n');
     std::string variables;
-    for (int count = 0; count <= most_variables_around; ++count) {
+    for (int count = 0; count <= max_variables_around; ++count) {
         std::string chunk = above;
         if (count > 0) {
             variables += (count > 1 ? ",u" : "u") + std::to_string(count);

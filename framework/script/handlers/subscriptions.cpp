@@ -55,7 +55,8 @@ void push_occurrence(lua_State* L, const Occurrence& occurrence) {
     lua_rawset(L, -3);
 }
 
-/// Reads the answers from the record on top of the stack, which was the argument of the handler.
+/// Reads the answers from the record at the top of the stack, which was the argument of the
+/// handler.
 void take_answer(lua_State* L, property::Question& question) {
     const auto& fields = question.event().fields;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -136,7 +137,7 @@ const Event& event_of(const Class& of, const std::string& name) {
 
 }  // namespace
 
-// The handler function is on top of the stack.
+// The handler function is at the top of the stack.
 Connection connect_event(lua_State* L, Machine& machine, Handle instance, const Class& of,
                          const std::string& name, bool whole_class) {
     const WatchOptions options = options_here(L);

@@ -22,15 +22,16 @@ int subscribe_event(lua_State* L);
 
 /// Pushes the record that is the argument of an event handler.
 void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
-/// Reads a handler's answers to a question from the record on top of the stack.
+/// Reads the answers of a handler to a question from the record at the top of the Lua stack.
 void take_answer(lua_State* L, property::Question& question);
 void push_existence(lua_State* L, const property::Existence& existence);
-/// Connects the handler on top of the stack to an event of an instance or of a whole class.
+/// Connects the handler at the top of the Lua stack to an event of an instance, or of all instances
+/// of a class.
 property::Connection connect_event(lua_State* L, Machine& machine, property::Handle instance,
                                    const property::Class& of, const std::string& name,
                                    bool whole_class);
 
-/// Adds `watch` to the globals on top.
+/// Adds `watch` to the table of globals at the top of the Lua stack.
 void open_watch(lua_State* L);
 
 }  // namespace fettle::script

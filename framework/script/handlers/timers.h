@@ -22,8 +22,8 @@ class Timers {
 
     double now = 0;  // simulation time, seconds
 
-    /// Adds the function on top of `L` and pops it. `interval` below 0: called once. Returns the
-    /// timer's number.
+    /// Adds the function at the top of the stack `L` and pops it. `interval` below 0: called once.
+    /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double due, double interval);
     /// Resumes the coroutine `L` at `due`.
     void wait(lua_State* L, double due);
@@ -84,7 +84,7 @@ class Timers {
     std::uint64_t next_id_ = 1;
 };
 
-/// Adds `after`, `every` and `wait` to the globals on top.
+/// Adds `after`, `every` and `wait` to the table of globals at the top of the stack.
 void open_timers(lua_State* L);
 
 }  // namespace fettle::script

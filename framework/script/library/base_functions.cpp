@@ -72,7 +72,7 @@ bool note_replay(Machine& machine, const std::string& what) {
 }
 
 void print_line(Machine& machine, std::string text) {
-    constexpr std::size_t most_lines = 2000;
+    constexpr std::size_t max_lines = 2000;
     if (!machine.recording.active) {
         const property::Pinned pinned(machine.tree, "the function given to on_print");
         // A copy, because the call may replace it.
@@ -83,7 +83,7 @@ void print_line(Machine& machine, std::string text) {
     std::size_t start = 0;
     do {
         const std::size_t end = text.find('\n', start);
-        if (machine.recording.lines.size() >= most_lines) {
+        if (machine.recording.lines.size() >= max_lines) {
             ++machine.recording.dropped;
         } else {
             machine.recording.lines.push_back(
@@ -322,13 +322,13 @@ int call_handler(lua_State* L) {
 // Raising an error costs about as much as this number of instructions.
 constexpr std::uint64_t cost_of_error = 300;
 
-// Lua's error on top of the stack contains neither the place nor the limit. Replaces it by a better
-// one.
+// Lua's error at the top of the stack contains neither the place nor the limit. Replaces it by a
+// better one.
 void replace_memory_error(lua_State* L, int status) {
     if (status != LUA_ERRMEM) return;
-    if (const std::string told = machine_of(L).budget.take_refusal(); !told.empty()) {
+    if (const std::string refusal = machine_of(L).budget.take_refusal(); !refusal.empty()) {
         lua_pop(L, 1);
-        push_text(L, told);
+        push_text(L, refusal);
     }
 }
 

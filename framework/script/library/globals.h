@@ -19,7 +19,7 @@ void push_last_result(lua_State* L, Machine& machine);
 /// `_`.
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name);
 
-/// Makes the table on top the environment of all scripts.
+/// Makes the table at the top of the stack the environment of all scripts.
 void open_globals(lua_State* L, Machine& machine);
 
 }  // namespace fettle::script

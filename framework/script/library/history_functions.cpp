@@ -76,9 +76,8 @@ int who(lua_State* L) {
     Machine& machine = machine_of(L);
     const Place place = property_at(L, "who");
     const property::Provenance written = machine.tree.who(place.instance, *place.property);
-    print_line(machine,
-               machine.tree.path(place.instance, *place.property) + ": " +
-                   (written.known ? written.cause.text() : "nobody has written it lately"));
+    print_line(machine, machine.tree.path(place.instance, *place.property) + ": " +
+                            (written.known ? written.cause.text() : "no recent write is known"));
     return 0;
 }
 

@@ -207,13 +207,14 @@ int gsub(lua_State* L) {
     const int kind = lua_type(L, 3);
     if (kind != LUA_TNUMBER && kind != LUA_TSTRING && kind != LUA_TTABLE && kind != LUA_TFUNCTION)
         refuse_type(L, 3, "gsub: the replacement is a text, a table or a function");
-    const lua_Integer most = luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
+    const lua_Integer max_count =
+        luaL_optinteger(L, 4, static_cast<lua_Integer>(subject.size()) + 1);
     const bool anchored = !pattern.empty() && pattern.front() == '^';
     PatternMatcher matcher(subject, pattern, pay, L);
     std::string out;
     lua_Integer count = 0;
     std::size_t start = 0, last = PatternMatcher::failed;
-    while (count < most) {
+    while (count < max_count) {
         const std::size_t end = matcher.match(start, anchored ? 1 : 0);
         if (end != PatternMatcher::failed && end != last) {
             ++count;

@@ -28,7 +28,7 @@ class Random {
     State state_{};
 };
 
-/// Adds `random` to the globals on top, and to the table `math` in them.
+/// Adds `random` to the table of globals at the top of the stack, and to the table `math` in them.
 void open_random(lua_State* L);
 
 }  // namespace fettle::script

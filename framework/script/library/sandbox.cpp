@@ -19,7 +19,7 @@ void copy_library(lua_State* L, const char* from, std::initializer_list<const ch
     lua_remove(L, -2);
 }
 
-// Adds the allowed functions to the environment on top.
+// Adds the allowed functions to the environment at the top of the stack.
 void allow(lua_State* L) {
     for (const char* name : {"assert", "error", "next", "rawequal", "rawget", "rawlen", "rawset",
                              "select", "tonumber", "type"}) {

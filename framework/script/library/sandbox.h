@@ -13,7 +13,7 @@ struct Machine;
 /// Pushes a table of globals with the allowed part of Lua's library.
 void open_sandbox(lua_State* L);
 
-// Each function adds its names to the table of globals on top.
+// Each function adds its names to the table of globals at the top of the stack.
 void open_base(lua_State* L);
 void open_table_guards(lua_State* L);
 void open_strings(lua_State* L);

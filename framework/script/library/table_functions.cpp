@@ -33,12 +33,12 @@ void check_list(lua_State* L) {
     lua_pop(L, 1);
 }
 
-std::size_t position(lua_State* L, int index, std::size_t most, const char* what) {
+std::size_t position(lua_State* L, int index, std::size_t max, const char* what) {
     const lua_Integer place = luaL_checkinteger(L, index);
-    if (place < 1 || static_cast<std::size_t>(place) > most)
+    if (place < 1 || static_cast<std::size_t>(place) > max)
         throw Error(ErrorKind::out_of_range, std::string(what) + ": position " +
                                                  std::to_string(place) + " is not between 1 and " +
-                                                 std::to_string(most));
+                                                 std::to_string(max));
     return static_cast<std::size_t>(place);
 }
 

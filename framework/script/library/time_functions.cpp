@@ -23,15 +23,15 @@ using property::Snapshot;
 namespace {
 
 // A snapshot contains a whole game, so the number that scripts may hold is limited.
-constexpr std::size_t most_snapshots = 64;
+constexpr std::size_t max_snapshots = 64;
 
 // Each restore or rewind costs as much as several steps, so a barrier makes at most this number.
-constexpr std::size_t most_travels = 100;
+constexpr std::size_t max_travels = 100;
 
 /// Calls `go` at the next barrier, after earlier calls.
 void travel(Machine& machine, const char* what, std::function<void()> go) {
-    if (machine.snapshots.travels >= most_travels)
-        throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(most_travels) +
+    if (machine.snapshots.travels >= max_travels)
+        throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(max_travels) +
                                              " restores and rewinds wait for the next barrier "
                                              "already");
     machine.tree.at_barrier([&machine, alive = machine.lua.alive, go = std::move(go)] {
@@ -101,9 +101,9 @@ int describe(lua_State* L) {
 
 int snapshot(lua_State* L) {
     Machine& machine = machine_of(L);
-    if (machine.snapshots.count >= most_snapshots) lua_gc(L, LUA_GCCOLLECT);
-    if (machine.snapshots.count >= most_snapshots)
-        throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(most_snapshots) +
+    if (machine.snapshots.count >= max_snapshots) lua_gc(L, LUA_GCCOLLECT);
+    if (machine.snapshots.count >= max_snapshots)
+        throw Error(ErrorKind::rejected, "snapshot: " + std::to_string(max_snapshots) +
                                              " are held already; let go of some");
     require_room(machine, 1);
     auto* box = static_cast<SnapshotBox*>(lua_newuserdatauv(L, sizeof(SnapshotBox), 0));

@@ -15,7 +15,7 @@ struct HeldSnapshots {
     std::size_t travels = 0;    // restores and rewinds that are pending until the next barrier
 };
 
-/// Adds the functions to the table of globals on top.
+/// Adds the functions to the table of globals at the top of the stack.
 void open_time(lua_State* L);
 
 }  // namespace fettle::script

@@ -36,7 +36,7 @@ class Budget {
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
         std::chrono::steady_clock::time_point deadline;
-        // Values at the beginning; differences to them are what was added since.
+        // Values at the beginning, to compute the memory that was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
         const char* who = "";
         std::string raised_by;

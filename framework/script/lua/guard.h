@@ -12,7 +12,7 @@ namespace fettle::script {
 
 /// "main.lua:12: ", the position in the innermost running script function; "" if there is none.
 std::string position(lua_State* L);
-/// "main.lua:3: ", the place where the function on top of the stack is defined.
+/// "main.lua:3: ", the place where the function at the top of the stack is defined.
 std::string definition(lua_State* L);
 /// Raises `message` after the script's position.
 [[noreturn]] void raise(lua_State* L, const std::string& message);
@@ -47,8 +47,8 @@ inline int call_original(lua_State* L) {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
-/// Adds `function` to the table on top. Its upvalue is the function of that name in Lua's own
-/// `library`.
+/// Adds `function` to the table at the top of the stack. Its upvalue is the function of that name
+/// in Lua's own `library`.
 template <int (*function)(lua_State*)>
 void wrap_pure(lua_State* L, const char* library, const char* name) {
     lua_getglobal(L, library);
@@ -82,11 +82,11 @@ void add_varying(lua_State* L, const char* name) {
 
 /// Stores the name of a function for error messages.
 void note_name(lua_State* L, lua_CFunction function, const std::string& name);
-/// Stores the names of the functions in the table on top, which is the environment of scripts, and
-/// in its libraries: "scene.save".
+/// Stores the names of the functions in the table at the top of the stack, which is the environment
+/// of scripts, and in its libraries: "scene.save".
 void note_names(lua_State* L);
 
-/// Adds `function`, which changes something, to the table on top.
+/// Adds `function`, which changes something, to the table at the top of the stack.
 template <int (*function)(lua_State*)>
 void add_function(lua_State* L, const char* name) {
     note_name(L, guarded<effect<function>>, name);
@@ -102,8 +102,8 @@ void add_pure(lua_State* L, const char* name) {
     lua_setfield(L, -2, name);
 }
 
-/// Names the metatable on top: error messages use this name, and scripts get it instead of the
-/// metatable.
+/// Names the metatable at the top of the stack: error messages use this name, and scripts get it
+/// instead of the metatable.
 inline void name_metatable(lua_State* L, const char* name) {
     for (const char* field : {"__name", "__metatable"}) {
         lua_pushstring(L, name);

@@ -18,7 +18,7 @@ struct Sources {
     std::unordered_map<std::string, std::string> texts;  // by name of the chunk
 
     /// Compiles a text and stores it for error messages under `name`. Returns a status of Lua; the
-    /// function or the message is on top.
+    /// function or the message is at the top of the stack.
     int load(lua_State* L, const std::string& text, const std::string& name);
     /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;

@@ -28,7 +28,7 @@ inline std::string string_at(lua_State* L, int index) {
     return std::string(view_at(L, index));
 }
 
-// Sets a field of the table on top.
+// Sets a field of the table at the top of the stack.
 inline void put(lua_State* L, const char* field, std::string_view text) {
     push_text(L, text);
     lua_setfield(L, -2, field);

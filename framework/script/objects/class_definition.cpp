@@ -20,7 +20,7 @@ namespace fettle::script {
 
 namespace {
 
-// The default from `name = value` in a class; the value is on top of the stack.
+// The default from `name = value` in a class; the value is at the top of the stack.
 Value default_of(lua_State* L, const std::string& class_name, const std::string& name) {
     if (is_formula(L, -1))
         throw Error(ErrorKind::wrong_type,
@@ -31,7 +31,7 @@ Value default_of(lua_State* L, const std::string& class_name, const std::string&
     return to_value(L, -1, [&] { return class_name + "." + name; });
 }
 
-// The property from `name = value` in a class; the value is on top of the stack.
+// The property from `name = value` in a class; the value is at the top of the stack.
 Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
     Property property;
     property.name = name;

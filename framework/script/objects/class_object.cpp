@@ -23,7 +23,7 @@
 namespace fettle::script {
 
 namespace {
-constexpr std::size_t most_kinds = 8;  // number of kinds that a message lists
+constexpr std::size_t max_kinds = 8;  // number of kinds that a message lists
 }  // namespace
 
 std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string& what) {
@@ -45,9 +45,9 @@ std::string why_not_creatable(const property::Tree& tree, const Class& of) {
     std::string made_of;
     std::size_t kinds = 0;
     for (const Class* each : tree.classes())
-        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= most_kinds)
+        if (each != &of && each->is_a(of) && each->creatable() && ++kinds <= max_kinds)
             made_of += (kinds == 1 ? "" : ", ") + each->name();
-    if (kinds > most_kinds) made_of += " ...";
+    if (kinds > max_kinds) made_of += " ...";
     if (kinds > 0) return "it is what these have in common: " + made_of;
     std::vector<std::string> paths;
     tree.each_below(tree.root(), [&](Handle handle) {

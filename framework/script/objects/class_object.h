@@ -18,7 +18,7 @@ std::vector<std::string> sorted_keys(lua_State* L, int table, const std::string&
 /// The reason why no instance of a class can be created, as the end of a sentence.
 std::string why_not_creatable(const property::Tree& tree, const property::Class& of);
 void open_classes(lua_State* L, Machine& machine);
-/// Adds `class` to the globals on top.
+/// Adds `class` to the table of globals at the top of the stack.
 void open_class_function(lua_State* L);
 
 }  // namespace fettle::script

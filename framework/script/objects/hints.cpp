@@ -38,8 +38,8 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
 }  // namespace
 
 void Hints::tell(const std::string& about, const std::string& note) {
-    constexpr std::size_t most = 100;  // a limit for games with very many of them
-    if (given_.size() < most && given_.insert(about).second && machine_.host.on_note)
+    constexpr std::size_t limit = 100;  // a limit for games with very many of them
+    if (given_.size() < limit && given_.insert(about).second && machine_.host.on_note)
         machine_.host.on_note(note);
 }
 
@@ -68,9 +68,9 @@ std::string Hints::meaning(const Class& of, std::string_view name) const {
 std::string Hints::child_with(Handle instance, std::string_view name) const {
     std::vector<std::string_view> names = {name};
     for (const std::string_view way : property_synonyms(name)) names.push_back(name_in(way));
-    constexpr int most = 8;
+    constexpr int limit = 8;
     int looked_at = 0;
-    for (Handle child = machine_.tree.first_child(instance); child && looked_at < most;
+    for (Handle child = machine_.tree.first_child(instance); child && looked_at < limit;
          child = machine_.tree.next_sibling(child), ++looked_at)
         for (const std::string_view wanted : names)
             if (machine_.tree.class_of(child).property(wanted) != nullptr)

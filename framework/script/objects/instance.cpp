@@ -52,7 +52,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, co
     // Lua has no unique address for longer names.
     static constexpr std::size_t longest_interned = 40;
     // A limit, since a script may use any number of names.
-    static constexpr std::size_t most_dynamic_names = 4096;
+    static constexpr std::size_t max_dynamic_names = 4096;
     static thread_local Dispatch uncached;
     Dispatch found;
     found.key = key;
@@ -65,7 +65,7 @@ const Dispatch& learn(lua_State* L, Machine& machine, DispatchTable& members, co
     else if (found.property == nullptr)
         found.reference = generic_reference(L, machine, name);
     if (name.size() > longest_interned ||
-        (found.is_dynamic() && ++machine.members.dynamic_names > most_dynamic_names)) {
+        (found.is_dynamic() && ++machine.members.dynamic_names > max_dynamic_names)) {
         uncached = found;
         return uncached;
     }

@@ -15,7 +15,7 @@ struct Machine;
 void push_set(lua_State* L, const std::vector<property::Handle>& instances);
 bool is_set(lua_State* L, int index);
 void open_sets(lua_State* L, Machine& machine);
-/// Adds `query` to the globals on top.
+/// Adds `query` to the table of globals at the top of the stack.
 void open_query(lua_State* L);
 
 }  // namespace fettle::script

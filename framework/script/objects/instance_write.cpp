@@ -82,14 +82,14 @@ void set_or_add(property::Tree& tree, Handle instance, std::string_view name, co
     try {
         tree.set_or_add(instance, name, value);
     } catch (const Error& error) {
-        const std::string_view told = error.what();
+        const std::string_view reason = error.what();
         if (error.kind() != ErrorKind::unknown_name ||
-            told.find("did you mean") != std::string_view::npos)
+            reason.find("did you mean") != std::string_view::npos)
             throw;
         for (const std::string_view meant : property_synonyms(name))
             if (tree.class_of(instance).property(meant) != nullptr)
-                throw Error(error.kind(),
-                            std::string(told) + " (did you mean \"" + std::string(meant) + "\"?)");
+                throw Error(error.kind(), std::string(reason) + " (did you mean \"" +
+                                              std::string(meant) + "\"?)");
         throw;
     }
 }

@@ -22,7 +22,7 @@ using property::Result;
 
 namespace {
 
-constexpr std::size_t most_parameters = 8;
+constexpr std::size_t max_parameters = 8;
 
 /// Throws for a function at the wrong position: only the parameter `accept` takes one.
 void check_no_function(lua_State* L, int index, const std::string& path, const Method& method) {
@@ -49,9 +49,9 @@ int call_method(lua_State* L) {
                                                " has no " + method.name);
     if (method.effect != property::Effect::nothing && !machine.tree.changeable())
         machine.tree.require_changeable("call " + method.name);
-    std::array<Value, most_parameters> values;
+    std::array<Value, max_parameters> values;
     const int given = lua_gettop(L) - 1;
-    if (given > static_cast<int>(std::min(most_parameters, method.parameters.size())))
+    if (given > static_cast<int>(std::min(max_parameters, method.parameters.size())))
         throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ":" + method.name +
                                                ": takes " +
                                                std::to_string(method.parameters.size()) +

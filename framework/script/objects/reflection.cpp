@@ -30,7 +30,7 @@ const DescriptionKind method_kind{
     {"name", "doc", "signature", "parameters", "returns", "many", "pure", "owner"}};
 const DescriptionKind event_kind{"a description of an event", {"name", "doc", "fields", "owner"}};
 
-// --- Fields of the table on top
+// --- Fields of the table at the top of the stack
 
 void put_class(lua_State* L, Machine& machine, const char* field, const Class* of) {
     if (of == nullptr) return;

@@ -32,7 +32,7 @@ class ScriptClasses {
     void add_function_names(const property::Class& of, std::vector<std::string>& names);
     /// Names of functions of the class itself, without its bases.
     std::vector<std::string> own_functions(const property::Class& of) const;
-    /// Pops the function on top of the stack and adds it to the class.
+    /// Pops the function at the top of the stack and adds it to the class.
     void set_function(lua_State* L, const property::Class& of, const std::string& name);
 
     struct Definition {

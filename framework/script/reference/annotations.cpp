@@ -204,10 +204,10 @@ class Annotations {
     static std::vector<std::string> handlers(const Class& of) {
         std::vector<std::string> overloads;
         for (const Event* event : of.events()) {
-            const std::string told =
+            const std::string record_type =
                 event->name == "deleted" ? "Existence" : event->owner->name() + "." + event->name;
             overloads.push_back("fun(self: " + of.name() + ", event: \"" + event->name +
-                                "\", handler: fun(told: " + told + ")): Connection");
+                                "\", handler: fun(record: " + record_type + ")): Connection");
         }
         return overloads;
     }

@@ -8,10 +8,11 @@ namespace fettle::script {
 const std::vector<GlobalDoc>& global_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"after", "after(seconds: number, action: fun()): Connection",
-         "Calls the function once, that much simulation time from now. It may wait()."},
+         "Calls the function once, after that much simulation time. The function may call "
+         "wait()."},
         {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
-         "Makes a class whose instances live in the tree: Ball = class(\"Ball\", Body) { lives = 3 "
-         "}. Values are properties with their defaults; `doc` explains the class, or its "
+         "Defines a class whose instances are in the tree: Ball = class(\"Ball\", Body) { lives "
+         "= 3 }. Values are properties with their defaults; `doc` describes the class, or its "
          "properties by name."},
         {"color",
          "color(name: string): color\n"
@@ -22,36 +23,34 @@ const std::vector<GlobalDoc>& global_docs() {
         {"deg", "deg(degrees: number): number", "An angle in radians."},
         {"delete_save", "delete_save(slot: string)", "Removes a saved game."},
         {"drop_tweaks", "drop_tweaks(pattern: string)",
-         "Forgets the tweaks that match: they are neither listed nor made again."},
+         "Drops the tweaks that match: they are no longer listed or made again."},
         {"edit", "edit(name: string, action: fun())",
-         "What the function writes is one step of undo under that name."},
+         "All writes of the function are one step of undo with that name."},
         {"every", "every(seconds: number, action: fun()): Connection",
-         "Calls the function again and again at that interval of simulation time; 0 is every "
-         "step."},
-        {"find", "find(word: string)", "Lists every name and documentation that has the word."},
+         "Calls the function repeatedly at that interval of simulation time; 0 means every step."},
+        {"find", "find(word: string)", "Lists every name and description that contains the word."},
         {"formula", "formula(value: fun(): any): Formula",
-         "Assigned to a property, the function is its value from then on: it is called again "
-         "whenever something it reads has changed. One that raises an error is told once: its "
-         "module "
-         "goes on with the last value, and reading the property raises the error; so is one that "
-         "takes more than 50 million instructions."},
+         "Assigned to a property, the function computes its value: it is called again whenever "
+         "something that it reads has changed. If it raises an error, the error is reported "
+         "once, the module continues with the last value, and reading the property raises the "
+         "error. More than 50 million instructions are an error, too."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
-        {"history", "history()", "Lists what was edited, the latest first."},
+        {"history", "history()", "Lists the edits, the latest first."},
         {"keep", "keep(pattern: string)",
-         "Writes the tweaks that match into files: of what came from a scene file into that file, "
-         "of what a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` "
-         "beside "
-         "a game that is one file), which the next run reads. keep(\"world.ball.*\")."},
+         "Writes the tweaks that match into files which the next run reads: tweaks of an "
+         "instance of a scene file into that file, tweaks of an instance that a script made into "
+         "`main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one "
+         "file). keep(\"world.ball.*\")."},
         {"load_game", "load_game(slot: string)",
-         "Goes on with a saved game, from the next barrier. One that is damaged, newer, of "
+         "Continues with a saved game at the next barrier. A save that is damaged, newer, of "
          "another game or of classes that are not defined is an error, and nothing changes. "
-         "`game` tells `restored`."},
+         "`game` emits `restored`."},
         {"query", "query(pattern: string): Set|table<string, any>",
-         "What matches a pattern. Where its last part is the name of a child, a set of instances: "
-         "query(\"world.*.circle\"). Where it is the name of a property, or a star, which stands "
-         "for "
-         "every property, a table of values by path: query(\"world.*.mass\"). An empty set where "
-         "nothing matches. Formulas in error are left out."},
+         "Finds what a pattern matches. If its last part is the name of a child, the result is a "
+         "set of instances: query(\"world.*.circle\"). If it is the name of a property, or a "
+         "star, which stands for every property, the result is a table of values by path: "
+         "query(\"world.*.mass\"). If nothing matches, it is an empty set. Formulas in error are "
+         "left out."},
         {"quit", "quit(status?: integer|boolean)",
          "Ends the game with that exit status, 0 to 255; 0 without one."},
         {"random",
@@ -59,62 +58,60 @@ const std::vector<GlobalDoc>& global_docs() {
          "random(n: integer): integer\n"
          "random(from: integer, to: integer): integer\n"
          "random(from: number, to: number): number",
-         "A random number in [0, 1), from 1 to n, or from one to the other; from 0 to a number "
-         "that is "
-         "no integer; random(0) is any "
-         "integer, as in Lua. The same for the same seed."},
+         "A random number in [0, 1), from 1 to n, or between the two arguments; random(x) with "
+         "an x that is not an integer is between 0 and x; random(0) is any integer, as in Lua. "
+         "The same seed gives the same numbers."},
         {"reapply_tweaks", "reapply_tweaks(pattern: string)",
-         "Makes the tweaks of earlier runs that match again."},
-        {"redo", "redo()", "Does again what undo took back."},
+         "Makes the matching tweaks of earlier runs again."},
+        {"redo", "redo()", "Repeats the last edit that undo reversed."},
         {"require", "require(name: string): any",
          "Runs another file of the game once, and returns what it returned."},
         {"restore", "restore(taken: Snapshot)",
-         "Puts the whole tree back to what it was at a snapshot, at the next barrier between "
-         "steps. Variables of Lua stay as they are; `game` tells `restored`."},
+         "Restores the whole tree from a snapshot, at the next barrier between steps. Variables "
+         "of Lua are not changed; `game` emits `restored`."},
         {"rewind", "rewind(seconds: number)",
-         "Goes back by so much simulation time, at the next barrier between steps, as far as the "
-         "past is kept (`time.oldest`)."},
+         "Goes back by that much simulation time, at the next barrier between steps, but not "
+         "further than the timeline (`time.oldest`)."},
         {"save_game", "save_game(slot: string)",
-         "Saves the game in that slot at the next barrier: all of the tree, but no variables of "
-         "Lua, and of a formula that uses local variables its value only. A slot is called by "
-         "letters, digits, spaces, - and _. Several calls for one slot "
-         "before the barrier are one save, as the last of them wants it; more than 1000 calls are "
-         "an error. Saves lie in a folder for each game in `~/.local/share/fettle/`."},
+         "Saves the game in that slot at the next barrier: the whole tree, but no variables of "
+         "Lua; of a formula that uses local variables only the value. The name of a slot "
+         "consists of letters, digits, spaces, - and _. Several calls for one slot before the "
+         "barrier make one save, with the state that the last call wants; more than 1000 calls "
+         "are an error. Saves are in a folder for each game in `~/.local/share/fettle/`."},
         {"saves", "saves(): SavedGame[]",
-         "The saved games by slot, those that cannot be loaded too."},
+         "The saved games by slot, including those that cannot be loaded."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
-         "The instances of a scene file, placed below the parent; detached without one."},
+         "Creates the instances of a scene file below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",
-         "Writes an instance and everything below it to a scene file of the game. It replaces a "
-         "scene "
-         "or nothing: a file of another kind is left as it is, which is an error."},
+         "Writes an instance and everything below it to a scene file of the game. It may replace "
+         "a scene file; a file of another kind is left unchanged, which is an error."},
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
         {"tweaks", "tweaks()",
          "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
-         "and in earlier ones, and what "
-         "of "
-         "it is kept."},
-        {"undo", "undo()", "Takes the latest edit back."},
+         "and in earlier ones, and which of these changes are kept."},
+        {"undo", "undo()", "Reverses the latest edit."},
         {"vec",
          "vec(x: number, y: number): vec\n"
          "vec(other: vec): vec\n"
          "vec(): vec",
          "A vector or point; a copy of one; the zero vector."},
         {"wait", "wait(seconds: number)",
-         "Inside a coroutine: goes on that much simulation time later."},
+         "Inside a coroutine: continues after that much simulation time."},
         {"watch",
          "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after a property that matches has changed: "
          "watch(\"world.*.velocity\", handler)."},
         {"who", "who(path: string)",
-         "Tells who wrote a property last, and at which step: \"console:1, step 49\". What rewind, "
-         "restore or load_game took back reads \"restore, step 30\". The file and line of a script "
-         "are told of what was watched when it was written; else only \"script\". Of what the "
-         "simulation changes, the last other writer is told, and the simulation only where there "
-         "is none or the property is watched."},
+         "Prints who wrote a property last, and at which step: \"console:1, step 49\". For a "
+         "value that rewind, restore or load_game restored, it prints \"restore, step 30\". The "
+         "file and line of a script are known if the property was watched when it was written; "
+         "otherwise only \"script\" is printed. For a value that the simulation changes, the "
+         "last other writer is printed; the simulation is printed only if there is no other "
+         "writer or the property is watched."},
         {"why", "why(path: string)",
-         "Tells where the value of a property comes from: its formula, and what that reads."},
+         "Explains where the value of a property comes from: its formula, and the properties "
+         "that it reads."},
     };
     return docs;
 }

@@ -63,7 +63,7 @@ TypeDoc connection_type() {
 
 TypeDoc change_type() {
     return {"Change",
-            "What a watcher is told, besides the new and the old value.",
+            "The third argument of a watcher, after the new and the old value.",
             {{"cause", "string",
               "Who wrote it and at which step, as a text for people: \"main.lua:14, step 0\", "
               "\"console:1, step 1\", \"simulation, step 1\", \"undo, step 29\", \"restore, step "
@@ -76,11 +76,11 @@ TypeDoc change_type() {
 
 TypeDoc deletion_type() {
     return {"Existence",
-            "What handlers of the events \"created\" and \"deleted\" are told.",
+            "The argument of handlers of the events \"created\" and \"deleted\".",
             {{"cause", "string",
               "Who did it and at which step, as that of a Change: \"main.lua:14, step 0\"."},
              {"instance", "Object",
-              "The instance; after its deletion it tells alive(), name, class and is_a() alone."},
+              "The instance; after its deletion it has only alive(), name, class and is_a()."},
              {"last", "table<string, any>", "After a deletion: its last values by name."},
              {"path", "string",
               "Where it is, or was: \"world.ball\". Undo detaches an instance before it deletes "
@@ -99,18 +99,18 @@ TypeDoc snapshot_type() {
 
 TypeDoc saved_game_type() {
     return {"SavedGame",
-            "What saves() tells of a saved game.",
+            "The description of a saved game that saves() returns.",
             {{"picture", "boolean", "Whether there is a picture of it."},
              {"problem", "string?", "Why it cannot be loaded; nil when it can."},
              {"slot", "string", "The name it was saved under."},
              {"step", "integer", "The fixed step in which it was saved."},
-             {"time", "integer", "When, in seconds since 1970, as os.time() tells it."}}};
+             {"time", "integer", "Time of the save, in seconds since 1970, as in os.time()."}}};
 }
 
 TypeDoc class_type() {
     return {
         "Class",
-        "A class: Body { ... } makes an instance. What it has can be read, and changed by nobody.",
+        "A class: Body { ... } makes an instance. Its members can be read, but not changed.",
         {{"base", "Class?", "The class it derives from; nil for Object."},
          {"creatable", "boolean", "Whether instances can be made; there is one `time` only."},
          {"derived", "Class[]", "The classes that derive from it directly."},
@@ -121,7 +121,7 @@ TypeDoc class_type() {
          {"properties", "PropertyDescription[]",
           "Its properties, inherited ones included, by number and by name: "
           "Body.properties.mass.unit."},
-         {"on", "on(self: Class, event: string, handler: fun(told: any)): Connection",
+         {"on", "on(self: Class, event: string, handler: fun(record: any)): Connection",
           "Calls the function when the event happens to any instance; \"created\" and \"deleted\" "
           "are events too."},
          {"watch",
@@ -172,7 +172,7 @@ TypeDoc event_description() {
     return {"EventDescription",
             "What an event is. Read-only.",
             {{"doc", "string", "When it happens."},
-             {"fields", "FieldDescription[]", "What handlers are told."},
+             {"fields", "FieldDescription[]", "The fields of the record that handlers get."},
              {"name", "string", "What it is called."},
              {"owner", "Class?", "The class that declares it."}}};
 }

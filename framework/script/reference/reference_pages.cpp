@@ -160,9 +160,10 @@ class ClassPage {
     void events() {
         const auto own = own_events(of_);
         if (own.empty()) return;
-        out_ += "\n## Events\n\nListen with `:on(\"" + own.front()->name +
-                "\", function(told) ... end)`. Besides what is listed, `told.instance` is to whom "
-                "it happened, and `told.step` when.\n";
+        out_ +=
+            "\n## Events\n\nListen with `:on(\"" + own.front()->name +
+            "\", function(record) ... end)`. Besides the listed fields, `record.instance` is the "
+            "instance of the event, and `record.step` the step in which it happened.\n";
         for (const Event* event : own) {
             out_ += "\n### `" + event->name + "`\n\n" + event->doc + "\n";
             if (!event->fields.empty()) out_ += "\n" + fields(event->fields, event->fields.size());

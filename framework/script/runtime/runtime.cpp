@@ -39,8 +39,9 @@ namespace {
 
 void require_tree(const Machine& machine) {
     if (machine.life.tree.expired())
-        throw Error(ErrorKind::deleted,
-                    "the tree of this runtime was destroyed: nothing is left to script");
+        throw Error(
+            ErrorKind::deleted,
+            "the tree of this runtime was destroyed, so the runtime cannot be used any more");
 }
 
 void require_seconds(const char* what, double seconds) {
@@ -55,11 +56,11 @@ Options checked(const property::Tree& tree, Options options) {
     if (options.saves != nullptr && !options.saves->are_of(tree))
         throw Error(ErrorKind::rejected, "Options::saves: those of another tree");
     require_seconds("Options::call_seconds", options.call_seconds);
-    constexpr std::size_t least = std::size_t{1} << 20;
-    if (options.memory_limit < least)
+    constexpr std::size_t minimum = std::size_t{1} << 20;
+    if (options.memory_limit < minimum)
         throw Error(ErrorKind::out_of_range,
                     "Options::memory_limit = " + std::to_string(options.memory_limit) +
-                        " bytes: Lua with its library needs " + std::to_string(least) +
+                        " bytes: Lua with its library needs " + std::to_string(minimum) +
                         " at least");
     return options;
 }
@@ -93,7 +94,7 @@ std::weak_ptr<const void> Runtime::lifetime() const {
     return state_->lifetime;
 }
 
-/// For functions that run scripts; throws if the tree was destroyed.
+/// Returns the machine for a function that runs scripts. Throws if the tree was destroyed.
 Machine& Runtime::live() const {
     require_tree(state_->machine);
     return state_->machine;
@@ -233,7 +234,7 @@ bool Runtime::step(double now, double dt) {
 Evaluation Runtime::evaluate(std::string_view command) {
     Machine& machine = live();
     const Life::Use use(machine.life);
-    // A copy, because the call may replace it.
+    // A copy, because the callback may call `on_command` and so destroy the original.
     if (const auto sink = machine.host.on_command) sink(command);
     require_tree(machine);
     return script::evaluate(machine, command);
@@ -258,7 +259,7 @@ Handle Runtime::it() const {
 void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
     require_seconds("limit_calls: seconds", seconds);
     if (!go_on) return state_->watchdog.limit(seconds, {});
-    // The running function may outlive this object, but not the parts.
+    // A running call may outlive this Runtime, but not its State, which contains the machine.
     const auto ask = [&machine = state_->machine, go_on = std::move(go_on)](lua_State* L,
                                                                             double s) {
         return go_on({.where = describe_place(machine, L), .seconds = s});

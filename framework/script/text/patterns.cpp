@@ -160,7 +160,7 @@ std::size_t PatternMatcher::balanced(std::size_t s, std::size_t p) const {
 }
 
 std::size_t PatternMatcher::open_capture(std::size_t s, std::size_t p, Capture::Kind kind) {
-    if (count_ >= most_captures) throw std::invalid_argument("too many captures");
+    if (count_ >= max_captures) throw std::invalid_argument("too many captures");
     captures_[count_++] = {s, 0, kind};
     const std::size_t result = run(s, p);
     if (result == failed) --count_;

@@ -11,7 +11,7 @@ namespace fettle::script {
 
 class PatternMatcher {
   public:
-    static constexpr std::size_t most_captures = 32;
+    static constexpr std::size_t max_captures = 32;
     static constexpr std::size_t failed = static_cast<std::size_t>(-1);
 
     struct Capture {
@@ -49,7 +49,7 @@ class PatternMatcher {
     std::string_view pattern_;
     void (*pay_)(void*, std::uint64_t);
     void* context_;
-    std::array<Capture, most_captures> captures_{};
+    std::array<Capture, max_captures> captures_{};
     std::size_t count_ = 0;
     int depth_ = 0;
     std::uint64_t unpaid_ = 0;

@@ -35,7 +35,8 @@ std::vector<std::string> names_in(lua_State* L, int table) {
     return names;
 }
 
-// Replaces a vector or color on top by a copy, because these values can be changed in place.
+// Replaces a vector or color at the top of the stack by a copy, because these values can be changed
+// in place.
 void copy_of_value(lua_State* L) {
     if (const auto* vec = vec_at(L, -1)) {
         push_vec(L, {vec->x, vec->y});

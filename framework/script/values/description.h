@@ -18,7 +18,7 @@ struct DescriptionKind {
     std::vector<std::string> fields;
 };
 
-/// Makes the table on top a description of this kind; `kind` must outlive it.
+/// Makes the table at the top of the stack a description of this kind; `kind` must outlive it.
 void seal_description(lua_State* L, Machine& machine, const DescriptionKind& kind);
 /// The same for a list: it has elements 1 .. n, and each again under its name.
 void seal_list(lua_State* L, Machine& machine);

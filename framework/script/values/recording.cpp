@@ -6,8 +6,8 @@
 namespace fettle::script {
 
 Recording::Edit* Recording::add(Handle of) {
-    constexpr std::size_t most = 1000;  // a limit for commands that edit very many cells
-    if (edits.size() >= most) {
+    constexpr std::size_t limit = 1000;  // a limit for commands that edit very many cells
+    if (edits.size() >= limit) {
         ++dropped;
         return nullptr;
     }

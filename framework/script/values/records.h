@@ -13,7 +13,7 @@ struct Machine;
 /// Pushes the result of a method.
 void push_result(lua_State* L, const property::Result& result);
 void push_record(lua_State* L, const property::Record& record);
-/// Makes the table on top a record.
+/// Makes the table at the top of the stack a record.
 void seal_record(lua_State* L, Machine& machine);
 void open_records(lua_State* L, Machine& machine);
 

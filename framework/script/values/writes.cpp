@@ -56,12 +56,12 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     if (!machine.recording.active) return;
     const Property& property = machine.tree.property(instance, name);
     const std::string problem = machine.tree.problem(instance, property);
-    std::string told = "is " + source + " = ";
-    told += machine.tree.text(machine.tree.peek(instance, property), property.precision());
-    if (!property.unit.empty()) told += " " + property.unit;
-    if (!problem.empty()) told = "is " + source + ", in error: " + problem;
+    std::string description = "is " + source + " = ";
+    description += machine.tree.text(machine.tree.peek(instance, property), property.precision());
+    if (!property.unit.empty()) description += " " + property.unit;
+    if (!problem.empty()) description = "is " + source + ", in error: " + problem;
     property::formula_problem_told(machine.tree, instance, property);
-    machine.recording.note(instance, machine.tree.path(instance, property), told);
+    machine.recording.note(instance, machine.tree.path(instance, property), description);
 }
 
 void note_added(Machine& machine, Handle instance, std::string_view name) {

@@ -57,7 +57,7 @@ auto widened(const T& got) {
         return to_value(got);
 }
 
-/// Result of writing a number by slot, converted for the tree.
+/// Converts the result of writing a number by slot to the enum of the tree.
 inline property::Put put(physics::Written written) {
     using physics::Written;
     using property::Put;
@@ -80,7 +80,7 @@ void put_numbers(Binding& binding, Get, Set) {
     };
 }
 
-/// As `put_numbers`, but by slot, for the numbers that scripts write most.
+/// As `put_numbers`, but by slot. For the numbers that scripts write most often.
 template <physics::BodyNumber number>
 void put_by_slot(Binding& binding) {
     binding.number.plain = true;
@@ -90,7 +90,7 @@ void put_by_slot(Binding& binding) {
     };
 }
 
-/// Every write calls the setter.
+/// Binds a property to a getter and a setter; every write calls the setter.
 template <auto Get, auto Set>
 Binding setting(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
@@ -102,7 +102,7 @@ Binding setting(Hosting& hosting) {
         });
 }
 
-/// A write of the number that is there already does nothing.
+/// As `setting`, but a write that does not change a number does not call the setter.
 template <auto Get, auto Set>
 Binding bound(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
@@ -122,7 +122,8 @@ Binding read_only(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return widened((object_at<Object>(h, row).*Get)()); });
 }
 
-/// A value that the library computes unless it has an override.
+/// Binds a value that the library computes, and that a user can override. Writing nil removes the
+/// override.
 template <auto Get, auto Set, auto Override>
 Binding overridable(Hosting& hosting) {
     using Object = typename Setter<Set>::Object;
@@ -138,10 +139,10 @@ Binding overridable(Hosting& hosting) {
 
 inline constexpr Range not_negative{.min = 0.0};
 inline constexpr Range fraction{.min = 0.0, .max = 1.0};
-/// Range of masses and inertias, so that their reciprocals are floats, too.
+/// Range of masses and inertias: their reciprocals must be representable as floats, too.
 inline constexpr Range inertial{.min = 1e-30};
-// Ranges that the library accepts: places in the world and points of bodies, m; points of shapes,
-// m; angles, rad.
+// Ranges that the library accepts: positions in the world and points of bodies, m; points of
+// shapes, m; angles, rad.
 inline constexpr Range coordinates{.min = -1e8, .max = 1e8};
 inline constexpr Range shape_coordinates{.min = -1e6, .max = 1e6};
 inline constexpr Range turns{.min = -1e8, .max = 1e8};
@@ -153,7 +154,8 @@ inline Property within(const Range& range, Property property) {
 
 // Properties of the usual types.
 
-/// One of some names; the name's index is the number of an enumerator of the library.
+/// A property with a fixed set of names. The index of a name is the number of the enumerator in the
+/// library.
 template <const auto& names, auto Get, auto Set>
 Property choice(Hosting& hosting, std::string name, std::string default_value, std::string doc) {
     using Object = typename Setter<Set>::Object;
@@ -195,7 +197,7 @@ inline Property amount(std::string name, double default_value, std::string unit,
     return within(not_negative,
                   number(std::move(name), default_value, std::move(unit), std::move(doc), binding));
 }
-/// A limit; infinity: no limit.
+/// A number that is a limit; infinity means no limit.
 inline Property limit_number(std::string name, double default_value, std::string unit,
                              std::string doc, Binding binding) {
     Property property =

@@ -18,8 +18,7 @@ bool immovable(const Body& body) {
            (body.type() == physics::BodyType::dynamic_body && std::isinf(body.mass()));
 }
 
-/// A body that does not move by itself stays at rest in the library; refuses an edit that would
-/// have no effect.
+/// Throws if the library would ignore a velocity, because the body cannot move.
 void require_movable(const Body& body) {
     if (!immovable(body)) return;
     throw std::invalid_argument(body.type() == physics::BodyType::static_body
@@ -103,7 +102,8 @@ Binding type(Hosting& hosting) {
         });
 }
 
-/// A body that cannot move is never awake, although it was never put to sleep.
+/// A body that cannot move is never awake, although no edit put it to sleep. So its `awake` does
+/// not count as overridden.
 Binding awake(Hosting& hosting) {
     Binding binding = bound<&Body::awake, &Body::set_awake>(hosting);
     binding.overridden = [](void* context, Row row) {
@@ -139,31 +139,31 @@ std::vector<Property> motion(Hosting& hosting) {
         {.name = "type",
          .type = Type::text,
          .default_value = "dynamic",
-         .doc =
-             "What moves it. \"static\": nothing; \"kinematic\": its velocity, and nothing pushes "
-             "it; \"dynamic\": forces, contacts and joints.",
+         .doc = "How it moves. \"static\": not at all; \"kinematic\": with its velocity, and no "
+                "force changes that; \"dynamic\": by forces, contacts and joints.",
          .binding = type(hosting),
          .enumerators = {"static", "kinematic", "dynamic"}},
-        simulated(within(
-            coordinates,
-            vector("position", {0, 0}, "m",
-                   "Where its origin is in the world. Writing it teleports.", position(hosting)))),
+        simulated(within(coordinates,
+                         vector("position", {0, 0}, "m",
+                                "Position of its origin in the world. A write moves it at once.",
+                                position(hosting)))),
         simulated(within(
             turns, number("angle", 0, "rad",
-                          "How far it is turned, counter-clockwise; not wrapped after a full turn.",
+                          "Angle by which it is turned, counter-clockwise; not wrapped after a "
+                          "full turn.",
                           body_angle(hosting)))),
         simulated(vector("velocity", {0, 0}, "m/s",
-                         "Of its center of mass. A step limits it to 10000 m/s.",
+                         "Velocity of its center of mass. A step limits it to 10000 m/s.",
                          velocity(hosting))),
         simulated(
             number("angular_velocity", 0, "rad/s",
-                   "How fast it turns, counter-clockwise. A step limits it to 3 rad in each of its "
-                   "parts (`World.substeps`): 720 rad/s with the defaults.",
+                   "Angular velocity, counter-clockwise. A step limits it to 3 rad in each of "
+                   "its parts (`World.substeps`): 720 rad/s with the defaults.",
                    angular_velocity(hosting))),
     };
 }
 
-/// The library's getter without its checks: scripts read the mass often.
+/// Reads the mass without the checks of the library's getter, because scripts read it often.
 Binding mass(Hosting& hosting) {
     Binding binding = overridable<&Body::mass, &Body::set_mass, &Body::mass_override>(hosting);
     binding.number.get = [](const Binding& self, Row row) -> double {
@@ -174,7 +174,8 @@ Binding mass(Hosting& hosting) {
     return binding;
 }
 
-// Marked as simulated, because an edit of a shape changes them without a change report.
+// These properties are marked as simulated, because an edit of a shape changes them without a
+// report of the change.
 std::vector<Property> weight(Hosting& hosting) {
     const std::vector<std::string> sources = {
         "type",       "*.density",  "*.radius", "*.center", "*.width",    "*.height",  "*.angle",
@@ -186,8 +187,9 @@ std::vector<Property> weight(Hosting& hosting) {
          .default_value = 1.0,
          .unit = "kg",
          .range = inertial,
-         .doc = "Area times density of its shapes, unless a mass is given; nil computes it again. "
-                "Infinite: nothing moves it. A dynamic body without shapes weighs 1 kg.",
+         .doc = "Mass: area times density of its shapes, unless it is set; nil computes it "
+                "again. With infinite mass nothing moves it. A dynamic body without shapes has 1 "
+                "kg.",
          .binding = mass(hosting),
          .simulated = true,
          .infinity = true,
@@ -196,8 +198,8 @@ std::vector<Property> weight(Hosting& hosting) {
         {.name = "inertia",
          .unit = "kg m\xC2\xB2",
          .range = inertial,
-         .doc = "Rotational inertia about the center of mass, from the shapes unless one is given; "
-                "nil computes it again. Infinite: nothing turns it.",
+         .doc = "Rotational inertia about the center of mass, computed from the shapes unless it "
+                "is set; nil computes it again. With infinite inertia nothing turns it.",
          .binding =
              overridable<&Body::inertia, &Body::set_inertia, &Body::inertia_override>(hosting),
          .simulated = true,
@@ -208,8 +210,8 @@ std::vector<Property> weight(Hosting& hosting) {
          .type = Type::vec2,
          .unit = "m",
          .range = coordinates,
-         .doc = "Center of mass in its own coordinates, from the shapes unless one is given; nil "
-                "computes it again.",
+         .doc = "Center of mass in the coordinates of the body, computed from the shapes unless "
+                "it is set; nil computes it again.",
          .binding = overridable<&Body::center, &Body::set_center, &Body::center_override>(hosting),
          .simulated = true,
          .derives_from = sources,
@@ -219,20 +221,21 @@ std::vector<Property> weight(Hosting& hosting) {
 
 std::vector<Property> forces(Hosting& hosting) {
     return {
-        vector("force", {0, 0}, "N", "Pushes its center of mass in every step until it is changed.",
+        vector("force", {0, 0}, "N",
+               "Force on its center of mass in every step until it is changed.",
                bound<&Body::force, &Body::set_force>(hosting)),
-        number("torque", 0, "N m", "Turns it in every step until it is changed.",
+        number("torque", 0, "N m", "Torque in every step until it is changed.",
                by_slot<&Body::torque, &Body::set_torque, physics::BodyNumber::torque>(hosting)),
         number("gravity_scale", 1.0, "",
-               "How much of the world's gravity it feels: 0 floats, -1 falls upwards.",
+               "Factor of the world's gravity for this body: 0 floats, -1 falls upwards.",
                by_slot<&Body::gravity_scale, &Body::set_gravity_scale,
                        physics::BodyNumber::gravity_scale>(hosting)),
         amount("linear_damping", 0, "1/s",
-               "Share of its velocity it loses in a second, for small values.",
+               "Share of its velocity that it loses in a second, for small values.",
                by_slot<&Body::linear_damping, &Body::set_linear_damping,
                        physics::BodyNumber::linear_damping>(hosting)),
         amount("angular_damping", 0, "1/s",
-               "Share of its angular velocity it loses in a second, for small values.",
+               "Share of its angular velocity that it loses in a second, for small values.",
                by_slot<&Body::angular_damping, &Body::set_angular_damping,
                        physics::BodyNumber::angular_damping>(hosting)),
     };
@@ -242,25 +245,26 @@ std::vector<Property> switches(Hosting& hosting) {
     return {
         simulated(
             flag("awake", true,
-                 "Whether it takes part in the step. What rests for a while sleeps, together with "
-                 "what it touches, until something disturbs it.",
+                 "True if it takes part in the step. A body that rests for a while falls asleep, "
+                 "together with all bodies that it touches, until one of them is disturbed.",
                  awake(hosting))),
-        flag("can_sleep", true, "Whether it may fall asleep.",
+        flag("can_sleep", true, "True if it may fall asleep.",
              bound<&Body::can_sleep, &Body::set_can_sleep>(hosting)),
-        flag("bullet", false, "However fast, it does not pass through other moving bodies either.",
+        flag("bullet", false, "True if it cannot pass through other moving bodies at any speed.",
              bound<&Body::bullet, &Body::set_bullet>(hosting)),
-        flag("locked_x", false, "Nothing moves it along x.",
+        flag("locked_x", false, "True if it cannot move along x.",
              bound<&Body::locked_x, &Body::set_locked_x>(hosting)),
-        flag("locked_y", false, "Nothing moves it along y.",
+        flag("locked_y", false, "True if it cannot move along y.",
              bound<&Body::locked_y, &Body::set_locked_y>(hosting)),
-        flag("locked_rotation", false, "Nothing turns it.",
+        flag("locked_rotation", false, "True if it cannot turn.",
              bound<&Body::locked_rotation, &Body::set_locked_rotation>(hosting)),
         {.name = "color",
          .type = Type::color,
-         .doc = "Fills its shapes that have no color of their own; nil goes by its type.",
+         .doc = "Color of its shapes that have no own color; nil: a color for the type of the "
+                "body.",
          .binding = color(hosting),
          .nullable = true},
-        figure("contact_force", "N", "How hard what it touches presses on it, all together.",
+        figure("contact_force", "N", "Sum of the forces of its contacts.",
                accessor(hosting, [](Hosting& h, Row row) { return pressed(h, row); })),
     };
 }
@@ -272,13 +276,13 @@ void define_body(Hosting& hosting) {
     body.snapshots = property::Snapshots::natively;
     body.name = "Body";
     body.doc =
-        "A rigid body: its shapes are its children. It is simulated while it hangs below a World.";
+        "A rigid body: its shapes are its children. It is simulated while it is below a World.";
     for (const auto& group : {motion(hosting), weight(hosting), forces(hosting), switches(hosting),
                               touch_properties(hosting)})
         body.properties.insert(body.properties.end(), group.begin(), group.end());
     body.methods = body_methods(hosting);
     body.events = contact_events("body");
-    body.events.push_back({.name = "woke", .doc = "Something disturbed its sleep."});
+    body.events.push_back({.name = "woke", .doc = "Its sleep was disturbed."});
     body.events.push_back({.name = "slept", .doc = "It rested long enough and fell asleep."});
     body.lifecycle =
         lifecycle_of<&Hosting::create_body, &Hosting::place_body, &Hosting::destroy_body>(hosting);

@@ -52,7 +52,7 @@ Method method(Hosting& hosting, Method described, Run) {
 const Field world_point{.name = "point",
                         .type = Type::vec2,
                         .unit = "m",
-                        .doc = "In the world; the center of mass when left out."};
+                        .doc = "A point in the world; the center of mass if it is left out."};
 
 }  // namespace
 
@@ -64,52 +64,53 @@ std::vector<Method> body_methods(Hosting& hosting) {
         touches_method(hosting),
         method(hosting,
                {.name = "to_world",
-                .parameters = {vec2("point", "m", "In the body's coordinates.")},
+                .parameters = {vec2("point", "m", "A point in the coordinates of the body.")},
                 .required = 1,
-                .returns = {vec2("point", "m", "In the world.")},
-                .doc = "Where a point of the body is in the world.",
+                .returns = {vec2("point", "m", "The point in the world.")},
+                .doc = "Converts a point of the body to the world.",
                 .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.world_point(vec2_argument(a[0])));
                }),
         method(hosting,
                {.name = "to_local",
-                .parameters = {vec2("point", "m", "In the world.")},
+                .parameters = {vec2("point", "m", "A point in the world.")},
                 .required = 1,
-                .returns = {vec2("point", "m", "In the body's coordinates.")},
-                .doc = "Where a point of the world is as seen from the body.",
+                .returns = {vec2("point", "m", "The point in the coordinates of the body.")},
+                .doc = "Converts a point of the world to the coordinates of the body.",
                 .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.local_point(vec2_argument(a[0])));
                }),
         drawn_method(hosting,
                      {.name = "drawn_position",
-                      .returns = {vec2("position", "m", "In the world.")},
-                      .doc = "Where the picture that is being drawn shows its origin: pictures are "
-                             "drawn between the last two steps. Outside of `draw`: its position."},
+                      .returns = {vec2("position", "m", "The position in the world.")},
+                      .doc = "Position of its origin in the picture that is being drawn: "
+                             "pictures are drawn between the last two steps. Outside of `draw`: "
+                             "its position."},
                      [](const Frame& frame, Arguments) { return Value(frame.position()); }),
         drawn_method(hosting,
                      {.name = "drawn_angle",
                       .returns = {{.name = "angle", .unit = "rad", .doc = "Counter-clockwise."}},
-                      .doc = "How far it is turned in the picture that is being drawn. Outside of "
-                             "`draw`: its angle."},
+                      .doc = "Its angle in the picture that is being drawn. Outside of `draw`: "
+                             "its angle."},
                      [](const Frame& frame, Arguments) { return Value(frame.angle()); }),
         drawn_method(hosting,
                      {.name = "to_drawn",
-                      .parameters = {vec2("point", "m", "In the body's coordinates.")},
+                      .parameters = {vec2("point", "m", "A point in the coordinates of the body.")},
                       .required = 1,
-                      .returns = {vec2("point", "m", "In the world.")},
-                      .doc = "Where the picture that is being drawn shows a point of the body. "
+                      .returns = {vec2("point", "m", "The point in the world.")},
+                      .doc = "Converts a point of the body to the picture that is being drawn. "
                              "Outside of `draw`: as `to_world`."},
                      [](const Frame& frame, Arguments a) {
                          return Value(frame.point(vec2_argument(a[0])));
                      }),
         method(hosting,
                {.name = "velocity_at",
-                .parameters = {vec2("point", "m", "In the world.")},
+                .parameters = {vec2("point", "m", "A point in the world.")},
                 .required = 1,
-                .returns = {vec2("velocity", "m/s", "Of that point, in the world.")},
-                .doc = "How fast that point of the body moves.",
+                .returns = {vec2("velocity", "m/s", "Velocity of that point in the world.")},
+                .doc = "Velocity of a point of the body.",
                 .effect = Effect::nothing},
                [](const physics::Body& body, Arguments a) -> Result {
                    return to_value(body.velocity_at(vec2_argument(a[0])));
@@ -119,7 +120,7 @@ std::vector<Method> body_methods(Hosting& hosting) {
                 .parameters = {vec2("impulse", "N s", "Mass times the change of velocity."),
                                world_point},
                 .required = 1,
-                .doc = "Changes its velocity at once: a kick."},
+                .doc = "Changes its velocity at once."},
                [](physics::Body body, Arguments a) -> Result {
                    if (a[1].is_nil())
                        body.apply_impulse(vec2_argument(a[0]));
@@ -141,9 +142,10 @@ std::vector<Method> body_methods(Hosting& hosting) {
                }),
         method(hosting,
                {.name = "apply_force",
-                .parameters = {vec2("force", "N", "In the world."), world_point},
+                .parameters = {vec2("force", "N", "Force in world coordinates."), world_point},
                 .required = 1,
-                .doc = "Pushes it during the next step only; the property `force` stays."},
+                .doc = "Applies a force during the next step only; the property `force` is not "
+                       "changed."},
                [](physics::Body body, Arguments a) -> Result {
                    if (a[1].is_nil())
                        body.apply_force(vec2_argument(a[0]));
@@ -155,7 +157,8 @@ std::vector<Method> body_methods(Hosting& hosting) {
                {.name = "apply_torque",
                 .parameters = {{.name = "torque", .unit = "N m", .doc = "Counter-clockwise."}},
                 .required = 1,
-                .doc = "Turns it during the next step only; the property `torque` stays."},
+                .doc = "Applies a torque during the next step only; the property `torque` is not "
+                       "changed."},
                [](physics::Body body, Arguments a) -> Result {
                    body.apply_torque(float_argument(a[0]));
                    return Value();

@@ -10,7 +10,7 @@ namespace {
 using property::Field;
 using property::List;
 
-/// Two touching shapes, from the side of one body.
+/// Two touching shapes, as seen from one of the bodies.
 struct Touch {
     physics::BodyId other;
     physics::ShapeId shape, other_shape;
@@ -37,8 +37,9 @@ Touch touch_of(const physics::Contact& contact, const physics::Body& self, float
     return touch;
 }
 
-/// Chains and concave polygons touch in several pieces, which count as one touch: its point is
-/// their mean, weighted by the impulses, and its normal is that of the main impulse.
+/// Adds a contact. Several contacts between the pieces of two shapes (chains, concave polygons) are
+/// one touch: its point is the mean of theirs, weighted by the impulses, and its normal is that of
+/// the largest impulse.
 void add(std::vector<Touch>& touches, const Touch& touch) {
     const auto same = std::ranges::find_if(touches, [&](const Touch& other) {
         return other.shape == touch.shape && other.other_shape == touch.other_shape;
@@ -77,11 +78,11 @@ const std::vector<Field> touch_fields = {
     {"other", Type::reference, "", "The other body; the world itself for its bounds."},
     {"shape", Type::reference, "", "The shape of this body."},
     {"other_shape", Type::reference, "", "The shape of the other; nil for the bounds."},
-    {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "From this body to the other."},
-    {"impulse", Type::number, "N s", "That pressed them apart in the last step."},
-    {"tangent_impulse", Type::number, "N s", "Of friction, clockwise round this body."},
-    {"friction", Type::number, "", "Mixed from both surfaces."},
+    {"point", Type::vec2, "m", "Point of the contact in the world."},
+    {"normal", Type::vec2, "", "Direction from this body to the other."},
+    {"impulse", Type::number, "N s", "Impulse that separated them in the last step."},
+    {"tangent_impulse", Type::number, "N s", "Impulse of friction, clockwise around this body."},
+    {"friction", Type::number, "", "Coefficient mixed from both surfaces."},
     {"restitution", Type::number, "", "Mixed from both surfaces."},
 };
 
@@ -136,28 +137,28 @@ std::vector<property::Property> touch_properties(Hosting& hosting) {
     return {
         {.name = "contacts",
          .type = Type::list,
-         .doc = "The bodies it touches now; the world itself where it touches the bounds. Sensors "
-                "do not count.",
+         .doc = "The bodies that it touches now; the world itself if it touches the bounds. "
+                "Sensors do not count.",
          .binding = accessor(hosting, [](Hosting& h, Row row) { return touching_bodies(h, row); }),
          .read_only = true,
          .transient = true,
          .simulated = true,
          .element = Type::reference},
         listed(hosting, "contact_shapes", Type::reference, "",
-               "The shapes it touches now, one for each touch; the world itself for its bounds. "
-               "`contact_points`, `contact_normals` and `contact_impulses` have as many entries, "
-               "in the same order.",
+               "The shapes that it touches now, one for each touch; the world itself for its "
+               "bounds. `contact_points`, `contact_normals` and `contact_impulses` have as many "
+               "entries, in the same order.",
                [](Hosting& h, Row row, const Touch& t) -> Value {
                    const Handle shape = shape_of(h, row, t.other_shape);
                    return shape ? shape : h.hosted(row).self;
                }),
-        listed(hosting, "contact_points", Type::vec2, "m", "Where it touches, in the world.",
+        listed(hosting, "contact_points", Type::vec2, "m", "Points of the contacts in the world.",
                [](Hosting&, Row, const Touch& t) { return to_value(t.point); }),
         listed(hosting, "contact_normals", Type::vec2, "",
-               "From this body to the one it touches; of length 1.",
+               "Directions from this body to the touched one; of length 1.",
                [](Hosting&, Row, const Touch& t) { return to_value(t.normal); }),
         listed(hosting, "contact_impulses", Type::number, "N s",
-               "What pressed it and the other apart in the last step.",
+               "Impulses that separated the two in the last step.",
                [](Hosting&, Row, const Touch& t) { return to_value(t.impulse); }),
     };
 }
@@ -166,7 +167,9 @@ property::Method touches_method(Hosting& hosting) {
     return {.name = "touches",
             .returns = touch_fields,
             .many = true,
-            .doc = "What `contacts` lists, with where and how hard: one record a pair of shapes.",
+            .doc =
+                "The touches of `contacts` with points and impulses: one record for each pair "
+                "of shapes.",
             .context = &hosting,
             .call = touches,
             .effect = property::Effect::nothing};

@@ -23,16 +23,16 @@ bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
     return painter.sees(widen(box.min) - reach, widen(box.max) + reach);
 }
 
-/// The box of the shape is for the current pose of its body; at an interpolated pose the shape
-/// reaches back by this.
-Vec2 way(const physics::World& world, std::uint32_t body) {
+/// The motion of a body in the last step. The box of a shape is that of its current pose; at an
+/// interpolated pose the shape may extend beyond the box by this motion.
+Vec2 last_motion(const physics::World& world, std::uint32_t body) {
     const auto& before = world.previous(body).position;
     const auto& now = world.state(body).position;
     return widen(physics::Vec2((now - before).cwiseAbs()));
 }
 
-/// Where a point of the last step that two bodies share is drawn: it moves with the body that
-/// moves; if both move, it is in the middle.
+/// The drawn position of a point of contact. It moves with the body that moves; if both move, it is
+/// the mean of the two positions.
 Vec2 shared_point(physics::World& world, const physics::Contact& contact,
                   const physics::Vec2& point, double alpha) {
     Vec2 sum(0, 0);
@@ -155,7 +155,7 @@ void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& 
     if (!in.looks.get(slot_of(row)).visible) return;
     const physics::Shape shape = hosting.shape(row);
     const physics::Body owner = shape.body();
-    const Vec2 reach = owner ? way(in.world, owner.index()) : Vec2(0, 0);
+    const Vec2 reach = owner ? last_motion(in.world, owner.index()) : Vec2(0, 0);
     if (!sees(painter, shape.aabb(), reach)) return;
     Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
     if (shape.sensor()) paint.fill.a *= sensor_opacity;

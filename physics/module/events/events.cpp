@@ -12,17 +12,17 @@ namespace {
 using property::Event;
 using property::Field;
 
-/// At the beginning of a touch both shapes exist; at its end one of them may have been deleted.
-enum class Told { begin, end };
+/// At the beginning of a touch both shapes exist; at its end one of them may be deleted already.
+enum class Moment { begin, end };
 
 /// Fields of an event that both bodies get, each from its side.
-std::vector<Field> pair_fields(Told told) {
+std::vector<Field> pair_fields(Moment moment) {
     return {
         {"other", Type::reference, "",
-         told == Told::begin
+         moment == Moment::begin
              ? "The other body; the world itself for its bounds."
-             : "The other body; the world itself for its bounds. It may have been deleted: then it "
-               "still tells alive(), name, class and is_a()."},
+             : "The other body; the world itself for its bounds. It may have been deleted: then "
+               "only alive(), name, class and is_a() can be used."},
         {"shape", Type::reference, "", "The shape of this body.", "Shape"},
         {.name = "other_shape",
          .type = Type::reference,
@@ -34,13 +34,13 @@ std::vector<Field> pair_fields(Told told) {
 
 /// `impulse`: description of the event's impulse.
 std::vector<Field> contact_fields(const std::string& impulse) {
-    std::vector<Field> fields = pair_fields(Told::begin);
+    std::vector<Field> fields = pair_fields(Moment::begin);
     const std::vector<Field> rest = {
-        {"point", Type::vec2, "m", "Where, in the world."},
-        {"normal", Type::vec2, "", "From this body to the other; its length is 1."},
+        {"point", Type::vec2, "m", "Point of the contact in the world."},
+        {"normal", Type::vec2, "", "Direction from this body to the other; its length is 1."},
         {"impulse", Type::number, "N s", impulse},
-        {"speed", Type::number, "m/s", "How fast they approached each other."},
-        {.name = "friction", .doc = "Mixed from both surfaces.", .range = not_negative},
+        {"speed", Type::number, "m/s", "Speed at which they approached each other."},
+        {.name = "friction", .doc = "Coefficient mixed from both surfaces.", .range = not_negative},
         {.name = "restitution", .doc = "Mixed from both surfaces.", .range = fraction},
     };
     fields.insert(fields.end(), rest.begin(), rest.end());
@@ -48,9 +48,9 @@ std::vector<Field> contact_fields(const std::string& impulse) {
 }
 
 std::vector<Field> questioned_fields() {
-    std::vector<Field> fields = contact_fields(
-        "With which they pressed on each other in the step before; 0 when they just met.");
-    fields.push_back({"enabled", Type::boolean, "", "Whether it acts in this step."});
+    std::vector<Field> fields =
+        contact_fields("Impulse between them in the step before; 0 if they have just met.");
+    fields.push_back({"enabled", Type::boolean, "", "True if the contact acts in this step."});
     return fields;
 }
 
@@ -60,7 +60,7 @@ Handle found(const std::unordered_map<std::uint32_t, Handle>& departed, std::uin
 }
 
 /// Adds the data of an impact for one of the two parties; `side`: -1 for the second.
-void add_meeting(std::vector<Value>& to, const auto& e, float side) {
+void add_impact(std::vector<Value>& to, const auto& e, float side) {
     to.insert(to.end(),
               {to_value(e.point), to_value(physics::Vec2(side * e.normal)), to_value(e.impulse),
                to_value(e.speed), to_value(e.friction), to_value(e.restitution)});
@@ -72,30 +72,30 @@ std::vector<Event> contact_events(std::string_view of) {
     const std::string self(of);
     return {
         {.name = "contact_begin",
-         .fields = contact_fields("With which they met."),
+         .fields = contact_fields("Impulse of their first contact."),
          .doc = "The " + self + " began to touch another."},
         {.name = "contact_persist",
-         .fields = contact_fields("With which they pressed on each other in this step."),
-         .doc = "The " + self + " still touches another: every step after the first."},
+         .fields = contact_fields("Impulse between them in this step."),
+         .doc = "The " + self + " still touches another: reported in every step after the first."},
         {.name = "before_solve",
          .fields = questioned_fields(),
          .doc = "Asked in the step, before a contact of the " + self +
-                " acts: its friction and restitution may be changed, and enabled false lets both "
-                "pass through each other in this step. Once for two shapes, however many parts of "
-                "them touch. The handler cannot write anything else."},
+                " acts: the handler may change friction and restitution, and with enabled = "
+                "false both pass through each other in this step. Asked once for two shapes, "
+                "however many parts of them touch. The handler cannot write anything else."},
         {.name = "contact_end",
-         .fields = pair_fields(Told::end),
+         .fields = pair_fields(Moment::end),
          .doc = "The " + self + " stopped touching another."},
         {.name = "contact_hit",
          .fields = contact_fields(
-             "With which they would have met in the point that was hit fastest alone."),
+             "Impulse that would stop the impact at the point with the highest speed of impact."),
          .doc = "The " + self + " was hit faster than the world's hit_threshold."},
         {.name = "sensor_begin",
-         .fields = pair_fields(Told::begin),
-         .doc = "The " + self + " came into a sensor, or as a sensor was come into."},
+         .fields = pair_fields(Moment::begin),
+         .doc = "The " + self + " entered a sensor, or a shape entered this sensor."},
         {.name = "sensor_end",
-         .fields = pair_fields(Told::end),
-         .doc = "The " + self + " left a sensor, or as a sensor was left."},
+         .fields = pair_fields(Moment::end),
+         .doc = "The " + self + " left a sensor, or a shape left this sensor."},
     };
 }
 
@@ -124,8 +124,8 @@ Hosting::Party Hosting::party(HostedWorld& hosted, physics::BodyId body,
 
 /// `add_rest`: adds the values of the event other than its parties to the values of a record.
 template <class AddRest>
-void Hosting::tell(const PairEvent& event, const Party& self, const Party& other,
-                   const AddRest& add_rest) {
+void Hosting::emit_pair(const PairEvent& event, const Party& self, const Party& other,
+                        const AddRest& add_rest) {
     const auto emit = [&](Handle to, const Event& which) {
         if (which.listeners == 0 || !tree.alive(to) || !tree.listens(to, which)) return;
         std::vector<Value> values;
@@ -142,26 +142,26 @@ void Hosting::tell(const PairEvent& event, const Party& self, const Party& other
 void Hosting::report(HostedWorld& hosted) {
     const physics::Events& events = hosted.world.events();
     const auto pair = [&](const PairEvent& event, const auto& list, const auto& add_rest) {
-        if (!event.heard()) return;
+        if (!event.has_handlers()) return;
         for (const auto& e : list) {
             const Party a = party(hosted, e.body_a, e.shape_a);
             const Party b = party(hosted, e.body_b, e.shape_b);
-            tell(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
-            tell(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
+            emit_pair(event, a, b, [&](std::vector<Value>& to) { add_rest(to, e, 1.0f); });
+            emit_pair(event, b, a, [&](std::vector<Value>& to) { add_rest(to, e, -1.0f); });
         }
     };
     const auto sensed = [&](const PairEvent& event, const auto& list) {
-        if (!event.heard()) return;
+        if (!event.has_handlers()) return;
         for (const physics::SensorEvent& e : list) {
             const Party sensor = party(hosted, e.sensor_body, e.sensor);
             const Party visitor = party(hosted, e.visitor_body, e.visitor);
-            tell(event, sensor, visitor, [](std::vector<Value>&) {});
-            tell(event, visitor, sensor, [](std::vector<Value>&) {});
+            emit_pair(event, sensor, visitor, [](std::vector<Value>&) {});
+            emit_pair(event, visitor, sensor, [](std::vector<Value>&) {});
         }
     };
     const auto nothing = [](std::vector<Value>&, const auto&, float) {};
     const auto all = [](std::vector<Value>& to, const auto& e, float side) {
-        add_meeting(to, e, side);
+        add_impact(to, e, side);
     };
     pair(contact_end, events.contact_end, nothing);
     pair(contact_begin, events.contact_begin, all);

@@ -15,42 +15,46 @@ using property::Field;
 
 std::vector<Event> world_events() {
     const std::vector<Field> shapes = {
-        {"shape", Type::reference, "", "One of the two; nil for the bounds of the world."},
-        {"other_shape", Type::reference, "", "The other."},
-        {"body", Type::reference, "", "That of the one; the world itself for its bounds."},
-        {"other", Type::reference, "", "That of the other."},
+        {"shape", Type::reference, "", "One of the two shapes; nil for the bounds of the world."},
+        {"other_shape", Type::reference, "", "The second shape; never nil."},
+        {"body", Type::reference, "", "Body of the first shape; the world itself for its bounds."},
+        {"other", Type::reference, "", "Body of the second shape."},
     };
     std::vector<Field> mix = shapes, filter = shapes;
     const std::vector<Field> surface = {
-        {"point", Type::vec2, "m", "Where, in the world."},
-        {"normal", Type::vec2, "", "From the one to the other."},
-        {"impulse", Type::number, "N s", "With which they pressed on each other."},
-        {"speed", Type::number, "m/s", "How fast they approach each other."},
-        {.name = "friction", .doc = "As the rule mixed it; may be changed.", .range = not_negative},
-        {.name = "restitution", .doc = "As the rule mixed it; may be changed.", .range = fraction},
-        {"surface_speed", Type::number, "m/s", "Of both together; may be changed."},
+        {"point", Type::vec2, "m", "Point of the contact in the world."},
+        {"normal", Type::vec2, "", "Direction from the first shape to the second."},
+        {"impulse", Type::number, "N s", "Impulse between them in the step before."},
+        {"speed", Type::number, "m/s", "Speed at which they approach each other."},
+        {.name = "friction",
+         .doc = "Friction mixed by the rule of the world; may be changed.",
+         .range = not_negative},
+        {.name = "restitution",
+         .doc = "Restitution mixed by the rule of the world; may be changed.",
+         .range = fraction},
+        {"surface_speed", Type::number, "m/s", "Speed of both surfaces together; may be changed."},
     };
     mix.insert(mix.end(), surface.begin(), surface.end());
-    filter.push_back({"collide", Type::boolean, "", "Whether they do; may be changed."});
+    filter.push_back({"collide", Type::boolean, "", "True if they collide; may be changed."});
     return {
         {.name = "mix_surfaces",
          .fields = std::move(mix),
-         .doc = "Asked in the step for every contact: what friction and restitution two surfaces "
-                "have together. The handler cannot write anything else."},
+         .doc = "Asked in the step for every contact: the friction and restitution of two "
+                "surfaces together. The handler cannot write anything else."},
         {.name = "filter_pair",
          .fields = std::move(filter),
-         .doc = "Asked in the step when two shapes come near each other whose filters agree: "
+         .doc = "Asked in the step when two shapes whose filters agree come near each other: "
                 "whether they collide. The handler cannot write anything else."},
     };
 }
 
-/// The library finds hits and lasting touches, and calls callbacks, only if they are switched on.
-/// Switching them wakes no body.
+/// Enables the events and callbacks of the library that have handlers; the others would cost time.
+/// This wakes no body.
 void Hosting::follow_listeners() {
     Wanted wanted;
-    wanted.hits = contact_hit.heard();
-    wanted.persisting = contact_persist.heard();
-    wanted.before_solve = before_solve.heard();
+    wanted.hits = contact_hit.has_handlers();
+    wanted.persisting = contact_persist.has_handlers();
+    wanted.before_solve = before_solve.has_handlers();
     wanted.mixing = mix_surfaces->listeners != 0;
     wanted.filter = filter_pair->listeners != 0;
     if (wanted == wanted_) return;

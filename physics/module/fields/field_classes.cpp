@@ -82,13 +82,13 @@ void define_field(Hosting& hosting) {
     property::ClassDescriptor field;
     field.name = "Field";
     field.doc =
-        "A field of force: it pushes what is awake in the world it hangs in. An edit of it wakes "
-        "all.";
+        "A field of force: it acts on bodies that are awake in the world above it. An edit of it "
+        "wakes all bodies.";
     field.creatable = false;
     field.snapshots = property::Snapshots::natively;
     field.lifecycle = lifecycle<physics::WindField>(hosting);
     field.properties = {
-        flag("enabled", true, "Whether it acts.",
+        flag("enabled", true, "True if it acts.",
              accessor(
                  hosting, [](Hosting& h, Row row) { return field_at(h, row).definition().enabled; },
                  [](Hosting& h, Row row, const Value& value) {
@@ -98,9 +98,9 @@ void define_field(Hosting& hosting) {
          .type = Type::list,
          .unit = "m",
          .range = coordinates,
-         .doc =
-             "Where it acts, by its lower left and upper right corner: on shapes that reach into "
-             "it (Buoyancy), or whose body has its center of mass there; nil: everywhere.",
+         .doc = "Region in which it acts, by its lower left and upper right corner: on shapes that "
+                "overlap it (Buoyancy), or whose body has its center of mass inside; nil: "
+                "everywhere.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return region(h, row); },
              [](Hosting& h, Row row, const Value& value) { set_region(h, row, value); }),
@@ -110,7 +110,7 @@ void define_field(Hosting& hosting) {
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
-         .doc = "It acts on shapes of these categories, as bits.",
+         .doc = "Categories of the shapes on which it acts, as bits.",
          .binding = accessor(
              hosting,
              [](Hosting& h, Row row) { return to_value(field_at(h, row).definition().mask); },
@@ -145,14 +145,14 @@ void define_fields(Hosting& hosting) {
     Hosting& h = hosting;
     define_field(h);
     define_kind<WindField>(
-        h, "Wind", "Moving air: presses on every edge that faces it, by the square of its speed.",
-        {vector("velocity", {5, 0}, "m/s", "Of the air.", force_value<&WindField::velocity>(h)),
-         amount("density", widen(1.2f, 0).x(), "kg/m\xC2\xB2", "Of the air.",
+        h, "Wind", "Moving air: pushes every edge that faces it, by the square of its speed.",
+        {vector("velocity", {5, 0}, "m/s", "Velocity of the air.",
+                force_value<&WindField::velocity>(h)),
+         amount("density", widen(1.2f, 0).x(), "kg/m\xC2\xB2", "Density of the air.",
                 force_value<&WindField::density>(h))});
     define_kind<DragField>(
-        h, "Drag", "Slows what moves against a flow, by the area of its shapes.",
-        {vector("flow", {0, 0}, "m/s", "What it slows things to.",
-                force_value<&DragField::flow>(h)),
+        h, "Drag", "Slows bodies that move relative to a flow, by the area of their shapes.",
+        {vector("flow", {0, 0}, "m/s", "Velocity of the flow.", force_value<&DragField::flow>(h)),
          amount("linear", 1, "N s/m\xC2\xB3", "Resistance for each m/s and m\xC2\xB2.",
                 force_value<&DragField::linear>(h)),
          amount("quadratic", 0, "N s\xC2\xB2/m\xE2\x81\xB4",
@@ -160,30 +160,34 @@ void define_fields(Hosting& hosting) {
                 force_value<&DragField::quadratic>(h))});
     define_kind<BuoyancyField>(
         h, "Buoyancy",
-        "A liquid below a straight surface: lifts by the weight of what is displaced, exactly.",
-        {number("level", 0, "m", "Of the surface, along its normal from the origin.",
+        "A liquid below a straight surface: lifts bodies by exactly the weight of the displaced "
+        "liquid.",
+        {number("level", 0, "m", "Height of the surface, along its normal from the origin.",
                 force_value<&BuoyancyField::level>(h)),
-         vector("normal", {0, 1}, "", "Up from the surface; of any length but 0.",
+         vector("normal", {0, 1}, "", "Direction up from the surface; of any length but 0.",
                 force_value<&BuoyancyField::normal>(h)),
-         amount("density", 2, "kg/m\xC2\xB2", "Of the liquid.",
+         amount("density", 2, "kg/m\xC2\xB2", "Density of the liquid.",
                 force_value<&BuoyancyField::density>(h)),
          amount("drag", 2, "1/s", "Share of the displaced mass that resists motion.",
                 force_value<&BuoyancyField::drag>(h)),
-         vector("flow", {0, 0}, "m/s", "Of the liquid.", force_value<&BuoyancyField::flow>(h))});
+         vector("flow", {0, 0}, "m/s", "Velocity of the liquid.",
+                force_value<&BuoyancyField::flow>(h))});
     Property falloff{.name = "falloff",
                      .type = Type::integer,
                      .default_value = 2,
                      .range = {.min = 0, .max = 3},
-                     .doc = "It falls by this power of the distance.",
+                     .doc = "The acceleration is divided by this power of the distance.",
                      .binding = force_value<&AttractorField::falloff>(h)};
     define_kind<AttractorField>(
-        h, "Attractor", "Pulls everything towards a point, as a planet does.",
-        {within(coordinates, vector("center", {0, 0}, "m", "In the world.",
+        h, "Attractor", "Pulls bodies towards a point, as a planet does.",
+        {within(coordinates, vector("center", {0, 0}, "m", "Position of the point in the world.",
                                     force_value<&AttractorField::center>(h))),
-         number("strength", 10, "m/s\xC2\xB2", "At a distance of 1 m; negative repels.",
+         number("strength", 10, "m/s\xC2\xB2",
+                "Acceleration at a distance of 1 m; a negative one repels.",
                 force_value<&AttractorField::strength>(h)),
          falloff,
-         amount("core", 0.5, "m", "Nearer than this it pulls in proportion to the distance.",
+         amount("core", 0.5, "m",
+                "At a smaller distance the force is proportional to the distance.",
                 force_value<&AttractorField::core>(h))});
 }
 

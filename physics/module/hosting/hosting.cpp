@@ -59,7 +59,7 @@ std::unique_ptr<HostedWorld> Hosting::make_world(std::uint32_t number) {
 
 void Hosting::refresh(std::uint64_t what) {
     const std::uint64_t number = what >> 40;
-    if (number >= most_worlds || worlds_[number] == nullptr) return;
+    if (number >= max_worlds || worlds_[number] == nullptr) return;
     worlds_[number]->world.refresh({.of = static_cast<physics::Refresh::Of>(what >> 32 & 0xff),
                                     .slot = static_cast<std::uint32_t>(what)});
 }

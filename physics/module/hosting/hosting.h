@@ -1,6 +1,6 @@
 #pragma once
-// Data of the module: the worlds that it hosts. A row of the tree is the number of a world and the
-// slot of a body, a shape, a joint or a field there, so that reading a property reads an
+// The data of the module: the hosted worlds. A row of the tree consists of the number of a world
+// and the slot of a body, a shape, a joint or a field in it. So a property is read directly from an
 // array of the physics library.
 
 #include <array>
@@ -26,9 +26,9 @@ using property::Handle;
 using property::Row;
 
 inline constexpr unsigned slot_bits = 24;
-inline constexpr std::uint32_t most_slots = 1u << slot_bits;
-inline constexpr std::uint32_t most_worlds = 1u << (32 - slot_bits);
-/// The world of all objects that are in no World: never stepped.
+inline constexpr std::uint32_t max_slots = 1u << slot_bits;
+inline constexpr std::uint32_t max_worlds = 1u << (32 - slot_bits);
+/// Number of the world for all objects whose instance has no World above it. It is never stepped.
 inline constexpr std::uint32_t limbo = 0;
 inline constexpr std::uint32_t first_world = limbo + 1;
 
@@ -36,20 +36,20 @@ constexpr std::uint32_t world_number(Row row) {
     return row >> slot_bits;
 }
 constexpr std::uint32_t slot_of(Row row) {
-    return row & (most_slots - 1);
+    return row & (max_slots - 1);
 }
 constexpr Row make_row(std::uint32_t world, std::uint32_t slot) {
     return world << slot_bits | slot;
 }
 
-/// Throws if a row cannot hold its numbers, and destroys the new object, which no instance refers
-/// to yet.
+/// Returns the row of a new object. If the slot is too large for a row, destroys the object, which
+/// no instance refers to yet, and throws.
 Row row_of(std::uint32_t world, auto made) {
-    if (made.id().index < most_slots) return make_row(world, made.id().index);
+    if (made.id().index < max_slots) return make_row(world, made.id().index);
     made.destroy();
     throw property::Error(
         property::ErrorKind::rejected,
-        "a world holds at most " + std::to_string(most_slots) + " bodies and as many shapes");
+        "a world holds at most " + std::to_string(max_slots) + " bodies and as many shapes");
 }
 
 // The user data of the physics library are 64 bits: enough for a handle.
@@ -62,17 +62,17 @@ constexpr Handle unpack(std::uint64_t data) {
 
 struct HostedWorld {
     physics::World world;
-    Handle self;          // null: limbo
-    bool placed = false;  // it is below the root and is stepped
+    Handle self;          // null for limbo
+    bool placed = false;  // true if it is below the root, so that it is stepped
     bool unreported = false;
     SlotValues<Look> looks;                                  // by shape slot
     SlotValues<std::optional<property::Color>> body_colors;  // by body slot
     SlotValues<Ties> ties;                                   // by joint slot
-    // Limbo: velocities that were set, by body slot. Shapes that are added later move the center of
-    // mass, but do not change the velocity that it will have in a world.
+    // Only in limbo: velocities that were set, by body slot. Shapes that are added later move the
+    // center of mass, but the body gets this velocity when it enters a world.
     SlotValues<std::optional<physics::Vec2>> velocities;
-    // The instance of an object that was destroyed while it touched another one: needed for the
-    // event of the end. By generation.
+    // Instances of objects that were destroyed while they touched others, by generation. The event
+    // of the end of the touch contains them.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
 };
 
@@ -82,11 +82,11 @@ struct ShapeKind {
     physics::Geometry geometry;
 };
 
-/// Two events of the same name: bodies and shapes emit both.
+/// Two events with the same name: one of bodies and one of shapes.
 struct PairEvent {
     const property::Event* of_body = nullptr;
     const property::Event* of_shape = nullptr;
-    bool heard() const { return of_body->listeners != 0 || of_shape->listeners != 0; }
+    bool has_handlers() const { return of_body->listeners != 0 || of_shape->listeners != 0; }
 };
 
 class Hosting {
@@ -99,11 +99,11 @@ class Hosting {
         HostedWorld& in;
         std::uint32_t slot;
     };
-    // Most games have one world. If the row is only compared, the processor goes on to the data of
-    // that world while the row is still being fetched.
+    // Most games have one world. The comparison lets the processor load the data of that world
+    // before the row has been loaded.
     Place at(Row row) {
         const std::uint32_t slot = row - make_row(first_world, 0);
-        if (slot < most_slots) [[likely]]
+        if (slot < max_slots) [[likely]]
             return {*worlds_[first_world], slot};
         return {*worlds_[world_number(row)], slot_of(row)};
     }
@@ -179,7 +179,8 @@ class Hosting {
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
     void refresh(std::uint64_t what);
-    /// While one lives, reads count as parts of an edit, and are repeated with it.
+    /// While an object of this class exists, reads are parts of an edit: a replay repeats them with
+    /// the edit, so they are not reported to the timeline.
     class Doing {
       public:
         explicit Doing(Hosting& hosting) : doing_(hosting.doing_) { ++doing_; }
@@ -204,8 +205,8 @@ class Hosting {
     property::Color fill_of(Row shape);
     property::Color border_of(Row shape);
 
-    /// For each class, the function that creates its instances; the index of the variant's
-    /// alternative is the kind.
+    /// For each class, the function that creates its rows, and the kind of its objects. The kind is
+    /// the index of the alternative in the library's variant.
     using Kinds =
         std::vector<std::pair<Row (*)(void* context, property::Tree&, Handle), std::size_t>>;
     Kinds field_kinds, joint_kinds;
@@ -222,7 +223,7 @@ class Hosting {
 
     PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
     PairEvent before_solve;
-    /// Notes the events of the class of bodies, or of shapes.
+    /// Stores the events of the class of bodies, or of shapes.
     void note_pair_events(const property::Class& defined, const property::Event* PairEvent::*of);
     const property::Event* mix_surfaces = nullptr;  // an event of worlds, as the next two
     const property::Event* filter_pair = nullptr;
@@ -244,14 +245,14 @@ class Hosting {
     };
     Party party(HostedWorld& hosted, physics::BodyId body, physics::ShapeId shape) const;
     template <class AddRest>
-    void tell(const PairEvent& event, const Party& self, const Party& other,
-              const AddRest& add_rest);
+    void emit_pair(const PairEvent& event, const Party& self, const Party& other,
+                   const AddRest& add_rest);
 
     property::SnapshotPart& part_;
     physics::Owner owner_{
         "this world belongs to a property tree, which makes and ends what is in it: create or "
         "destroy the instance instead"};
-    std::array<std::unique_ptr<HostedWorld>, most_worlds> worlds_;
+    std::array<std::unique_ptr<HostedWorld>, max_worlds> worlds_;
     int doing_ = 0;
     struct Postponed {
         std::uint32_t world;

@@ -8,7 +8,7 @@ Row Joints::create(Handle self, physics::JointType type) {
     const Hosting::Placing placing(hosting_);
     const std::uint32_t number = hosting_.world_above(self);
     physics::World& world = hosting_.world_at(number)->world;
-    loosen();
+    set_connect_needed();
     return row_of(number, world.create_joint(type, pack(self)));
 }
 
@@ -20,7 +20,7 @@ Row Joints::place(Handle self, Row row) {
     const Row placed = row_of(number, hosting_.world_at(number)->world.create_joint(at(row)));
     put_ties(placed, ties(row));
     destroy(row);
-    loosen();
+    set_connect_needed();
     return placed;
 }
 
@@ -55,7 +55,7 @@ void Joints::set_body(Row row, std::size_t side, Handle body) {
     if (changed.source == Source::measured) changed.source = Source::none;
     at(row).disconnect();
     put_ties(row, changed);
-    loosen();
+    set_connect_needed();
 }
 
 void Joints::set_source(Row row, Source source) {
@@ -63,7 +63,7 @@ void Joints::set_source(Row row, Source source) {
     changed.source = source;
     if (source == Source::none) {
         at(row).disconnect();
-        loosen();
+        set_connect_needed();
     }
     put_ties(row, changed);
 }
@@ -98,10 +98,10 @@ bool Joints::can_act(std::uint32_t world, const Ties& ties) const {
     return true;
 }
 
-void Joints::tighten() {
-    if (!loose_) return;
-    loose_ = false;
-    for (std::uint32_t number = first_world; number < most_worlds; ++number) {
+void Joints::connect() {
+    if (!connect_needed_) return;
+    connect_needed_ = false;
+    for (std::uint32_t number = first_world; number < max_worlds; ++number) {
         HostedWorld* const in = hosting_.world_at(number);
         if (in == nullptr) continue;
         for (physics::Joint& joint : in->world.joints()) {

@@ -20,9 +20,9 @@ using property::Row;
 /// begins to act. A given value stays when the joint gets other bodies.
 enum class Source : std::uint32_t { none, measured, given };
 
-/// The data of a joint that only the tree has, and not the library.
+/// The data of a joint that the module stores and the library does not.
 struct Ties {
-    std::array<Handle, 2> bodies;  // null: the world. A MouseJoint has only b
+    std::array<Handle, 2> bodies;  // null: the world. A MouseJoint uses only the second one
     Source source = Source::none;
 };
 
@@ -59,12 +59,12 @@ class Joints {
     using Measure = void (*)(Hosting& hosting, Row row);
     std::array<Measure, static_cast<std::size_t>(physics::JointType::ratchet) + 1> measures{};
 
-    /// Bodies were moved to another world, or a joint was edited: `tighten` is needed before the
-    /// next step.
-    void loosen(bool loose = true) { loose_ = loose; }
-    bool loose() const { return loose_; }
-    /// Connects the joints whose bodies are in their world.
-    void tighten();
+    /// To be called when bodies were moved to another world or a joint was edited: `connect` is
+    /// needed before the next step.
+    void set_connect_needed(bool needed = true) { connect_needed_ = needed; }
+    bool connect_needed() const { return connect_needed_; }
+    /// Connects the dormant joints whose bodies are both in their world.
+    void connect();
 
   private:
     std::pair<physics::World*, physics::JointId> object_of(Row row) const;
@@ -73,7 +73,7 @@ class Joints {
     physics::Body library_body(Handle body) const;
 
     Hosting& hosting_;
-    bool loose_ = false;
+    bool connect_needed_ = false;
 };
 
 }  // namespace fettle::physics_module

@@ -13,8 +13,8 @@
 namespace fettle::physics_module {
 
 struct Look {
-    std::optional<property::Color> fill;    // none: the body's color, or that of the body's type
-    std::optional<property::Color> border;  // none: a darker fill
+    std::optional<property::Color> fill;    // empty: the color of the body, or of its type
+    std::optional<property::Color> border;  // empty: a darker fill
     bool visible = true;
 };
 

@@ -9,10 +9,10 @@
 namespace fettle::physics_module {
 namespace {
 
-/// A simulation may move or turn a body a little farther than a setter accepts.
+/// Limits a coordinate or an angle to the range of setters, which a simulation may slightly exceed.
 float settable(float x) {
-    constexpr float most = 1e8f;  // m or rad
-    return std::clamp(x, -most, most);
+    constexpr float limit = 1e8f;  // m or rad
+    return std::clamp(x, -limit, limit);
 }
 
 physics::BodyDef description(const physics::Body& body) {
@@ -64,7 +64,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     def.velocity = velocity(from);
     const bool awake = old.awake();
 
-    // First the parts that may be refused, so that nothing has changed if one is.
+    // The operations that may be refused come first, so that a refusal changes nothing.
     const std::vector<physics::Shape> shapes = old.shapes();
     std::vector<physics::Shape> copies;
     physics::Body fresh = target.world.create_body(def);
@@ -98,7 +98,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     if (color) target.body_colors.set(fresh.index(), color);
     joints.disconnect_all(old);
     old.destroy();
-    joints.loosen();
+    joints.set_connect_needed();
     return row;
 }
 
@@ -109,14 +109,14 @@ Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owne
     return leave_shape(from, to, fresh);
 }
 
-/// A copy of the shape in another world, on no body.
+/// Creates a copy of the shape in another world, without a body.
 physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
     physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
     (void)row_of(to, made);
     return made;
 }
 
-/// `fresh` replaces the shape at `from`, which is destroyed.
+/// Destroys the shape at `from`, which `fresh` replaces. Returns the row of `fresh`.
 Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh) {
     note_departure(from);
     if (!hosted(from).looks.empty()) {

@@ -16,11 +16,11 @@ namespace fettle::physics_module {
 Row Hosting::create_world(Handle self) {
     const Doing placing(*this);
     std::uint32_t number = first_world;
-    while (number < most_worlds && worlds_[number] != nullptr) ++number;
-    if (number == most_worlds)
+    while (number < max_worlds && worlds_[number] != nullptr) ++number;
+    if (number == max_worlds)
         throw property::Error(
             property::ErrorKind::rejected,
-            "there can be at most " + std::to_string(most_worlds - 1) + " worlds at a time");
+            "there can be at most " + std::to_string(max_worlds - 1) + " worlds at a time");
     worlds_[number] = make_world(number);
     worlds_[number]->self = self;
     listen(*worlds_[number], {});
@@ -106,7 +106,8 @@ void Hosting::destroy_shape(Row row) {
     shape(row).destroy();
 }
 
-/// An object that is deleted during a touch must still have a name in the event of its end.
+/// Stores the instances of a shape and its body that are removed during a touch, for the event of
+/// its end.
 void Hosting::note_departure(Row row) {
     const physics::Shape going = shape(row);
     if (!going.is_touching()) return;
@@ -118,7 +119,7 @@ void Hosting::note_departure(Row row) {
 
 // --- Fields
 
-/// Worlds have few fields: a search is as good as an index.
+/// A linear search is fast enough, because worlds have few fields.
 physics::Field Hosting::field(Row row) {
     for (const physics::Field& field : world(row).fields())
         if (field.id().index == slot_of(row)) return field;

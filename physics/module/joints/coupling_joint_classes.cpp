@@ -19,20 +19,23 @@ void define_weld_joint(Hosting& hosting) {
         {
             measured_number(
                 "reference_angle", "rad",
-                "The angle of body_b against body_a that it holds. Unless one is given, the angle "
-                "when the joint began to act.",
+                "The angle of body_b relative to body_a that it holds. Unless it is set, the "
+                "angle when the joint began to act.",
                 measured_setting<JointType::weld, &WeldJoint::reference_angle,
                                  &WeldJoint::set_reference_angle, angle_between>(hosting)),
             amount("hertz", physics::infinity, "Hz",
-                   "How stiff it holds the point; infinite is rigid, 0 not at all.",
+                   "Stiffness of the point; infinite is rigid, 0 is free.",
                    setting<&WeldJoint::hertz, &WeldJoint::set_hertz>(hosting)),
-            amount("damping_ratio", 0, "", "1 comes to rest without swinging.",
+            amount("damping_ratio", 0, "",
+                   "Damping ratio; with 1 it comes to rest without swinging.",
                    setting<&WeldJoint::damping_ratio, &WeldJoint::set_damping_ratio>(hosting)),
             amount("angular_hertz", physics::infinity, "Hz",
-                   "How stiff it holds the angle; infinite is rigid, 0 not at all.",
+                   "Stiffness of the angle; infinite is rigid, 0 is free.",
                    setting<&WeldJoint::angular_hertz, &WeldJoint::set_angular_hertz>(hosting)),
             amount(
-                "angular_damping_ratio", 0, "", "1 comes to rest without swinging.",
+                "angular_damping_ratio", 0, "",
+                "Damping ratio of the angle; with 1 it comes to rest without "
+                "swinging.",
                 setting<&WeldJoint::angular_damping_ratio, &WeldJoint::set_angular_damping_ratio>(
                     hosting)),
         });
@@ -43,36 +46,39 @@ void define_weld_joint(Hosting& hosting) {
 void define_motor_joint(Hosting& hosting) {
     property::ClassDescriptor motor = pair_joint<JointType::motor>(
         hosting, "MotorJoint", "motor_joint",
-        "Drives body_b against body_a by at most a force and a torque: to a velocity or, with a "
-        "hertz, to an offset. At rest it is the friction of a game seen from above.",
+        "Drives body_b relative to body_a with a limited force and torque: to a velocity or, "
+        "with a hertz, to an offset. With velocity 0 it is the friction of a game seen from "
+        "above.",
         {
-            amount("max_force", 0, "N", "It pushes no harder.",
+            amount("max_force", 0, "N", "Largest force.",
                    setting<&MotorJoint::max_force, &MotorJoint::set_max_force>(hosting)),
-            amount("max_torque", 0, "N m", "It turns no harder.",
+            amount("max_torque", 0, "N m", "Largest torque.",
                    setting<&MotorJoint::max_torque, &MotorJoint::set_max_torque>(hosting)),
             vector(
                 "linear_velocity", {0, 0}, "m/s",
-                "Of anchor_b against anchor_a that it drives to, in the coordinates of body_a.",
+                "Target velocity of anchor_b relative to anchor_a, in the coordinates of body_a.",
                 setting<&MotorJoint::linear_velocity, &MotorJoint::set_linear_velocity>(hosting)),
             number(
-                "angular_velocity", 0, "rad/s", "Of body_b against body_a that it drives to.",
+                "angular_velocity", 0, "rad/s",
+                "Target angular velocity of body_b relative to body_a.",
                 setting<&MotorJoint::angular_velocity, &MotorJoint::set_angular_velocity>(hosting)),
-            within(
-                coordinates,
-                vector(
-                    "linear_offset", {0, 0}, "m",
-                    "Of anchor_b from anchor_a that it drives to, in the coordinates of body_a.",
-                    setting<&MotorJoint::linear_offset, &MotorJoint::set_linear_offset>(hosting))),
+            within(coordinates,
+                   vector("linear_offset", {0, 0}, "m",
+                          "Target position of anchor_b relative to anchor_a, in the coordinates of "
+                          "body_a.",
+                          setting<&MotorJoint::linear_offset, &MotorJoint::set_linear_offset>(
+                              hosting))),
             measured_number(
                 "angular_offset", "rad",
-                "The angle of body_b against body_a that it drives to. Unless one is "
-                "given, the angle when the joint began to act.",
+                "Target angle of body_b relative to body_a. Unless it is set, the angle when the "
+                "joint began to act.",
                 measured_setting<JointType::motor, &MotorJoint::angular_offset,
                                  &MotorJoint::set_angular_offset, angle_between>(hosting)),
-            amount("hertz", 0, "Hz", "How stiff it drives to the offsets; 0: not at all.",
+            amount("hertz", 0, "Hz", "Stiffness of the drive to the offsets; 0: none.",
                    setting<&MotorJoint::hertz, &MotorJoint::set_hertz>(hosting)),
             amount("damping_ratio", 1, "",
-                   "Of the drive to the offsets: 1 comes to rest without swinging.",
+                   "Damping ratio of the drive to the offsets; with 1 it comes to rest without "
+                   "swinging.",
                    setting<&MotorJoint::damping_ratio, &MotorJoint::set_damping_ratio>(hosting)),
         });
     motor.properties[0].infinity = motor.properties[1].infinity = true;
@@ -96,21 +102,23 @@ void define_pulley_joint(Hosting& hosting) {
         hosting, "PulleyJoint", "pulley_joint",
         "A rope from body_a over two wheels of the world to body_b. It only pulls.",
         {
-            within(coordinates,
-                   vector("ground_a", {-1, 1}, "m", "The wheel over body_a, in the world.",
-                          setting<&PulleyJoint::ground_a, &PulleyJoint::set_ground_a>(hosting))),
-            within(coordinates,
-                   vector("ground_b", {1, 1}, "m", "The wheel over body_b, in the world.",
-                          setting<&PulleyJoint::ground_b, &PulleyJoint::set_ground_b>(hosting))),
-            amount("ratio", 1, "", "How many parts of the rope pull body_b.",
+            within(
+                coordinates,
+                vector("ground_a", {-1, 1}, "m", "Position of the wheel over body_a in the world.",
+                       setting<&PulleyJoint::ground_a, &PulleyJoint::set_ground_a>(hosting))),
+            within(
+                coordinates,
+                vector("ground_b", {1, 1}, "m", "Position of the wheel over body_b in the world.",
+                       setting<&PulleyJoint::ground_b, &PulleyJoint::set_ground_b>(hosting))),
+            amount("ratio", 1, "", "Number of parts of the rope that pull body_b.",
                    setting<&PulleyJoint::ratio, &PulleyJoint::set_ratio>(hosting)),
             measured_number("length", "m",
-                            "Of the part at body_a and ratio times that at body_b. Unless one is "
-                            "given, the length when the joint began to act.",
+                            "Length of the part at body_a plus ratio times that at body_b. "
+                            "Unless it is set, the length when the joint began to act.",
                             measured_setting<JointType::pulley, &PulleyJoint::length,
                                              &PulleyJoint::set_length, rope_now>(hosting)),
-            figure("tension", "N", "Of the rope in the last step.",
-                   told<&PulleyJoint::tension>(hosting)),
+            figure("tension", "N", "Force in the rope in the last step.",
+                   reading<&PulleyJoint::tension>(hosting)),
         });
     // The rope runs over the wheels.
     for (const char* source : {"ground_a", "ground_b", "ratio"})
@@ -125,12 +133,12 @@ void define_gear_joint(Hosting& hosting) {
         hosting, "GearJoint", "gear_joint", "Turns body_b with body_a.",
         {
             number("ratio", 1, "",
-                   "How far body_b turns when body_a turns once: negative where wheels mesh, "
-                   "positive where a belt joins them.",
+                   "Turns of body_b for one turn of body_a: negative for wheels that mesh, "
+                   "positive for wheels with a belt.",
                    setting<&GearJoint::ratio, &GearJoint::set_ratio>(hosting)),
             measured_number("phase", "rad",
-                            "The angle of body_b less ratio times that of body_a. Unless one is "
-                            "given, what it was when the joint began to act.",
+                            "The angle of body_b less ratio times that of body_a. Unless it is "
+                            "set, its value when the joint began to act.",
                             measured_setting<JointType::gear, &GearJoint::phase,
                                              &GearJoint::set_phase, phase_now>(hosting)),
         }));
@@ -138,22 +146,23 @@ void define_gear_joint(Hosting& hosting) {
 
 void define_ratchet_joint(Hosting& hosting) {
     hosting.tree.define(pair_joint<JointType::ratchet>(
-        hosting, "RatchetJoint", "ratchet_joint", "Lets body_b turn against body_a one way only.",
+        hosting, "RatchetJoint", "ratchet_joint",
+        "Lets body_b turn relative to body_a in one direction only.",
         {
-            amount("tooth", 0, "rad", "From tooth to tooth; 0: it holds at any angle.",
+            amount("tooth", 0, "rad", "Angle between two teeth; 0: it holds at any angle.",
                    setting<&RatchetJoint::tooth, &RatchetJoint::set_tooth>(hosting)),
             {.name = "backwards",
              .type = Type::boolean,
-             .doc = "Clockwise is free instead of counter-clockwise.",
+             .doc = "True if clockwise is the free direction, and not counter-clockwise.",
              .binding = setting<&RatchetJoint::backwards, &RatchetJoint::set_backwards>(hosting)},
             measured_number(
                 "reference_angle", "rad",
-                "The angle that counts as 0, where a tooth is. Unless one is given, the "
-                "angle when the joint began to act.",
+                "The angle that counts as 0, at which a tooth is. Unless it is set, the angle "
+                "when the joint began to act.",
                 measured_setting<JointType::ratchet, &RatchetJoint::reference_angle,
                                  &RatchetJoint::set_reference_angle, angle_between>(hosting)),
-            figure("caught_angle", "rad", "It does not turn back beyond this.",
-                   told<&RatchetJoint::caught_angle>(hosting)),
+            figure("caught_angle", "rad", "It does not turn back beyond this angle.",
+                   reading<&RatchetJoint::caught_angle>(hosting)),
         }));
 }
 

@@ -17,20 +17,23 @@ void define_distance_joint(Hosting& hosting) {
         {
             measured_number(
                 "length", "m",
-                "Of the rod, or of the spring at rest. Unless one is given, the distance when "
-                "the joint began to act.",
+                "Length of the rod, or of the spring at rest. Unless it is set, the distance "
+                "when the joint began to act.",
                 measured_setting<JointType::distance, &DistanceJoint::length,
                                  &DistanceJoint::set_length, length_now>(hosting)),
-            amount("min_length", 0, "m", "The anchors come no nearer.",
+            amount("min_length", 0, "m", "Smallest distance of the anchors.",
                    setting<&DistanceJoint::min_length, &DistanceJoint::set_min_length>(hosting)),
             amount("max_length", physics::infinity, "m",
-                   "The anchors go no farther apart. Where min_length is above it, this counts.",
+                   "Largest distance of the anchors. If min_length is larger, both are this "
+                   "distance.",
                    setting<&DistanceJoint::max_length, &DistanceJoint::set_max_length>(hosting)),
             amount("hertz", physics::infinity, "Hz",
-                   "How stiff the spring is; infinite is a rod, 0 is slack between the limits.",
+                   "Stiffness of the spring; infinite is a rod, 0 is free between the limits.",
                    setting<&DistanceJoint::hertz, &DistanceJoint::set_hertz>(hosting)),
             amount(
-                "damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
+                "damping_ratio", 0, "",
+                "Damping ratio of the spring; with 1 it comes to rest without "
+                "swinging.",
                 setting<&DistanceJoint::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
         });
     distance.properties[0].range = not_negative;

@@ -9,13 +9,13 @@
 
 namespace fettle::physics_module {
 
-/// Limits a measured value to what setters accept: bodies that are far apart may give more.
-inline float bounded(float x, float most = std::numeric_limits<float>::max()) {
-    return std::isnan(x) ? 0.0f : std::clamp(x, -most, most);
+/// Limits a measured value to the range of setters, because bodies far apart may exceed it.
+inline float bounded(float x, float limit = std::numeric_limits<float>::max()) {
+    return std::isnan(x) ? 0.0f : std::clamp(x, -limit, limit);
 }
 inline physics::Vec2 bounded(const physics::Vec2& point) {
-    constexpr float most = 1e8f;  // of coordinates
-    return {bounded(point.x(), most), bounded(point.y(), most)};
+    constexpr float limit = 1e8f;  // the largest coordinate
+    return {bounded(point.x(), limit), bounded(point.y(), limit)};
 }
 
 /// A setting of a joint. If no user has set it, it is measured when the joint begins to act. `Look`
@@ -63,11 +63,11 @@ property::Lifecycle joint_lifecycle(Hosting& hosting) {
     return lifecycle;
 }
 
-/// A number that the joint measures, unless it is set.
+/// A property with a number that the joint measures unless it is set.
 Property measured_number(std::string name, std::string unit, std::string doc, Binding binding);
 /// A read-only number of a joint; 0 while it does not act.
 template <auto Ask>
-Binding told(Hosting& hosting) {
+Binding reading(Hosting& hosting) {
     using Native = typename Getter<Ask>::Object;
     return accessor(hosting, [](Hosting& h, Row row) {
         const auto joint = h.joints.at<Native>(row);

@@ -30,38 +30,38 @@ void define_joint(Hosting& hosting) {
     joint.snapshots = property::Snapshots::natively;
     joint.name = "Joint";
     joint.doc =
-        "Ties bodies together or to the world. It acts while it and its bodies are in the "
-        "same world.";
+        "Connects bodies with each other or with the world. It acts while it and its bodies are "
+        "in the same world.";
     joint.creatable = false;
     joint.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
     joint.properties = {
-        flag("enabled", true, "Whether it acts.",
+        flag("enabled", true, "True if it may act.",
              setting<&Joint::enabled, &Joint::set_enabled>(hosting)),
         amount("break_force", physics::infinity, "N",
-               "It breaks when it has to bear more, in the mean over a step; infinite: never.",
+               "It breaks if its force is larger, as the mean of a step; infinite: never.",
                setting<&Joint::break_force, &Joint::set_break_force>(hosting)),
         amount("break_torque", physics::infinity, "N m",
-               "It breaks when it has to bear more, besides the torque of its force.",
+               "It breaks if its torque, besides that of its force, is larger.",
                setting<&Joint::break_torque, &Joint::set_break_torque>(hosting)),
-        simulated(flag("broken", false, "It bore too much and does not act; false mends it.",
+        simulated(flag("broken", false, "True if it broke and does not act; false repairs it.",
                        setting<&Joint::broken, &Joint::set_broken>(hosting))),
         {.name = "force",
          .type = Type::vec2,
          .unit = "N",
-         .doc = "What it pulled its body, or body_b, with in the last step.",
+         .doc = "Force on its body, or on body_b, in the last step.",
          .binding = read_only<&Joint::force>(hosting),
          .read_only = true,
          .transient = true,
          .simulated = true,
          .single_precision = true},
-        figure("torque", "N m",
-               "What it turned body_b with in the last step, besides what its force does.",
+        figure("torque", "N m", "Torque on body_b in the last step, besides that of its force.",
                read_only<&Joint::torque>(hosting))};
     joint.properties[1].infinity = joint.properties[2].infinity = true;
     joint.events = {{.name = "broke",
-                     .fields = {{"force", Type::vec2, "N", "That it had to bear."},
-                                {"torque", Type::number, "N m", "Besides that of the force."}},
-                     .doc = "It bore more than its break_force or break_torque."}};
+                     .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
+                                {"torque", Type::number, "N m",
+                                 "Torque of the joint when it broke, besides that of the force."}},
+                     .doc = "Its force or torque was larger than break_force or break_torque."}};
     hosting.broke = hosting.tree.define(std::move(joint)).event("broke");
 }
 
@@ -70,28 +70,31 @@ Property body_property(Hosting& hosting, std::string name) {
     return {.name = std::move(name),
             .type = Type::reference,
             .doc =
-                "One of the two that are tied; nil: the world. When it is deleted, the joint "
-                "does not act until it is given another, or nil.",
+                "One of the two connected bodies; nil: the world. When the body is deleted, the "
+                "joint does not act until this is set to another body or to nil.",
             .binding = body<Side>(hosting),
             .reference_class = "Body"};
 }
 
 Property anchor_property(std::string name, Binding binding) {
-    return {
-        .name = std::move(name),
-        .type = Type::vec2,
-        .unit = "m",
-        .range = coordinates,
-        .doc = "The point where that body is held, in its coordinates, or in those of the world.",
-        .binding = binding,
-        .single_precision = true};
+    return {.name = std::move(name),
+            .type = Type::vec2,
+            .unit = "m",
+            .range = coordinates,
+            .doc =
+                "The point at which that body is held, in its coordinates, or in those of the "
+                "world.",
+            .binding = binding,
+            .single_precision = true};
 }
 
 void define_pair_joint(Hosting& hosting) {
     property::ClassDescriptor pair;
     pair.name = "PairJoint";
     pair.base = "Joint";
-    pair.doc = "Ties two bodies, or one to the world. While both are the same, it does not act.";
+    pair.doc =
+        "Connects two bodies, or one with the world. While both are the same, it does not "
+        "act.";
     pair.creatable = false;
     pair.lifecycle = joint_lifecycle<JointType::distance>(hosting);
     pair.makes_base_rows = true;
@@ -100,7 +103,7 @@ void define_pair_joint(Hosting& hosting) {
         body_property<1>(hosting, "body_b"),
         anchor_property("anchor_a", setting<&Joint::anchor_a, &Joint::set_anchor_a>(hosting)),
         anchor_property("anchor_b", setting<&Joint::anchor_b, &Joint::set_anchor_b>(hosting)),
-        flag("collide", false, "Whether the two bodies collide with each other.",
+        flag("collide", false, "True if the two bodies collide with each other.",
              setting<&Joint::collide, &Joint::set_collide>(hosting)),
     };
     hosting.tree.define(std::move(pair));
@@ -112,33 +115,35 @@ void define_mouse_joint(Hosting& hosting) {
     mouse.name = "MouseJoint";
     mouse.base = "Joint";
     mouse.stem = "mouse_joint";
-    mouse.doc = "Pulls a point of a body softly towards a target: how a mouse drags.";
+    mouse.doc = "Pulls a point of a body softly towards a target, as for dragging with the mouse.";
     mouse.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
     mouse.makes_base_rows = true;
     mouse.properties = {
         {.name = "body",
          .type = Type::reference,
-         .doc = "What is pulled; nil: nothing.",
+         .doc = "The body that is pulled; nil: none.",
          .binding = body<1>(hosting),
          .reference_class = "Body"},
         {.name = "anchor",
          .type = Type::vec2,
          .unit = "m",
          .range = coordinates,
-         .doc = "The point of the body that is pulled, in its coordinates. Unless one is given, "
-                "the point that was at the target when the joint began to act.",
+         .doc = "The point of the body that is pulled, in its coordinates. Unless it is set, the "
+                "point that was at the target when the joint began to act.",
          .binding = measured_setting<JointType::mouse, &MouseJoint::anchor, &MouseJoint::set_anchor,
                                      mouse_anchor_now>(hosting),
          .simulated = true,
          .derives_from = {"body", "target"},
          .single_precision = true},
-        within(coordinates, vector("target", {0, 0}, "m", "Where it is pulled to, in the world.",
-                                   setting<&MouseJoint::target, &MouseJoint::set_target>(hosting))),
-        amount("frequency", 5, "Hz", "How stiff it is; 0 is slack.",
+        within(coordinates,
+               vector("target", {0, 0}, "m", "Position in the world to which it is pulled.",
+                      setting<&MouseJoint::target, &MouseJoint::set_target>(hosting))),
+        amount("frequency", 5, "Hz", "Stiffness; 0 is free.",
                setting<&MouseJoint::hertz, &MouseJoint::set_hertz>(hosting)),
-        amount("damping_ratio", 0.7f, "", "1 comes to rest without swinging.",
+        amount("damping_ratio", 0.7f, "",
+               "Damping ratio; with 1 it comes to rest without swinging.",
                setting<&MouseJoint::damping_ratio, &MouseJoint::set_damping_ratio>(hosting)),
-        amount("max_force", physics::infinity, "N", "It never pulls harder.",
+        amount("max_force", physics::infinity, "N", "Largest force.",
                setting<&MouseJoint::max_force, &MouseJoint::set_max_force>(hosting)),
     };
     mouse.properties.back().infinity = true;

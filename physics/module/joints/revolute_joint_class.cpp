@@ -18,33 +18,34 @@ Binding revolute_angle(Hosting& hosting) {
 
 std::vector<Property> properties(Hosting& hosting) {
     return {
-        figure("angle", "rad", "Of body_b against body_a, less the reference_angle.",
+        figure("angle", "rad", "Angle of body_b relative to body_a, less the reference_angle.",
                revolute_angle(hosting)),
         measured_number(
             "reference_angle", "rad",
-            "The angle that counts as 0. Unless one is given, the angle when the joint "
-            "began to act.",
+            "The angle that counts as 0. Unless it is set, the angle when the joint began to act.",
             measured_setting<JointType::revolute, &RevoluteJoint::reference_angle,
                              &RevoluteJoint::set_reference_angle, angle_between>(hosting)),
         limit_number(
-            "lower_angle", -physics::infinity, "rad", "It turns no further back.",
+            "lower_angle", -physics::infinity, "rad", "Smallest angle.",
             setting<&RevoluteJoint::lower_angle, &RevoluteJoint::set_lower_angle>(hosting)),
         limit_number(
             "upper_angle", physics::infinity, "rad",
-            "It turns no further on. Where lower_angle is above it, this counts.",
+            "Largest angle. If lower_angle is larger, both are this angle.",
             setting<&RevoluteJoint::upper_angle, &RevoluteJoint::set_upper_angle>(hosting)),
-        number("motor_speed", 0, "rad/s", "What the motor turns body_b with.",
+        number("motor_speed", 0, "rad/s", "Angular velocity to which the motor drives body_b.",
                setting<&RevoluteJoint::motor_speed, &RevoluteJoint::set_motor_speed>(hosting)),
-        amount("max_motor_torque", 0, "N m", "The motor is no stronger; 0: there is none.",
+        amount("max_motor_torque", 0, "N m", "Largest torque of the motor; 0: no motor.",
                setting<&RevoluteJoint::max_motor_torque, &RevoluteJoint::set_max_motor_torque>(
                    hosting)),
-        figure("motor_torque", "N m", "What the motor gave in the last step.",
-               told<&RevoluteJoint::motor_torque>(hosting)),
+        figure("motor_torque", "N m", "Torque of the motor in the last step.",
+               reading<&RevoluteJoint::motor_torque>(hosting)),
         amount("hertz", 0, "Hz", "Stiffness of a spring to the target_angle; 0: none.",
                setting<&RevoluteJoint::hertz, &RevoluteJoint::set_hertz>(hosting)),
-        amount("damping_ratio", 0, "", "Of the spring; 1 comes to rest without swinging.",
+        amount("damping_ratio", 0, "",
+               "Damping ratio of the spring; with 1 it comes to rest without "
+               "swinging.",
                setting<&RevoluteJoint::damping_ratio, &RevoluteJoint::set_damping_ratio>(hosting)),
-        number("target_angle", 0, "rad", "What the spring turns it to.",
+        number("target_angle", 0, "rad", "Angle at which the spring rests.",
                setting<&RevoluteJoint::target_angle, &RevoluteJoint::set_target_angle>(hosting)),
     };
 }

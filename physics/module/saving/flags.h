@@ -1,6 +1,6 @@
 #pragma once
-// Checks of foreign bytes that are about to be read as flags: a byte that is neither 0 nor 1 must
-// not be read as a bool.
+// Checks that bytes from a file can be read as flags: a byte that is neither 0 nor 1 must not be
+// read as a bool.
 
 #include <cstddef>
 #include <cstring>
@@ -15,7 +15,8 @@ inline bool is_flag(const bool& flag) {
     return byte <= 1;
 }
 
-/// The flag of an optional is at the byte that differs between one with a value and one without.
+/// True if the flag of the optional is valid. Its position is the byte that differs between an
+/// optional with a value and one without.
 template <class T>
 bool is_optional(const std::optional<T>& value) {
     using Optional = std::optional<T>;
@@ -28,7 +29,7 @@ bool is_optional(const std::optional<T>& value) {
         return i;
     }();
     unsigned char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);  // NOLINT: any byte may be looked at
+    std::memcpy(bytes, &value, sizeof value);  // NOLINT: any byte may be examined
     return at == sizeof value || bytes[at] <= 1;
 }
 

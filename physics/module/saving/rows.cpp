@@ -16,7 +16,7 @@ using property::Class;
 struct Owned {
     std::uint64_t data = 0;
     std::size_t kind = 0;
-    bool claimed = false;  // its instance has this object as its row
+    bool claimed = false;  // the row of its instance refers to this object
 };
 using ByRow = std::unordered_map<Row, Owned>;
 
@@ -24,7 +24,7 @@ class Rows {
   public:
     Rows(const Hosting& hosting, const RestoredObjects& objects)
         : hosting_(hosting), objects_(objects) {
-        for (std::uint32_t number = 0; number < most_worlds; ++number) {
+        for (std::uint32_t number = 0; number < max_worlds; ++number) {
             physics::World* const world = objects.worlds[number];
             if (world == nullptr) continue;
             for (const physics::Body& body : world->bodies())
@@ -69,7 +69,7 @@ class Rows {
 
     // Called after all instances.
 
-    /// True if every object with an instance is the row of that instance, and of its kind.
+    /// True if every object with an instance is the object of that instance's row.
     bool all_claimed() const {
         for (const ByRow* objects : {&bodies_, &shapes_, &joints_, &fields_})
             for (const auto& [row, object] : *objects)
@@ -77,7 +77,7 @@ class Rows {
         return true;
     }
 
-    /// True if all instances that the joint ties are bodies.
+    /// True if all instances that the joint connects are bodies.
     bool ties_bodies(const Ties& ties) const {
         return std::ranges::all_of(ties.bodies, [&](Handle body) {
             const Seen* const tied = find(body);
@@ -86,7 +86,7 @@ class Rows {
     }
 
   private:
-    /// An instance that the snapshot will restore.
+    /// An instance in the snapshot.
     struct Seen {
         std::uint32_t generation = 0;
         bool is_body = false;
@@ -107,8 +107,8 @@ class Rows {
             return false;
         return found->second.claimed = true;
     }
-    /// The kind of a class, from the function that creates its instances: a class of a script has
-    /// that of its base.
+    /// The kind of a class, found by the function that creates its rows. A class of a script has
+    /// the function of its base.
     static std::optional<std::size_t> kind_of(const Hosting::Kinds& kinds,
                                               const property::Lifecycle& lifecycle) {
         for (const auto& [create, kind] : kinds)

@@ -1,5 +1,5 @@
 #pragma once
-// Checks of a snapshot: that the rows of instances are theirs, and that joints join bodies.
+// Checks of a snapshot: each instance must have its own object, and joints must connect bodies.
 
 #include <array>
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace fettle::physics_module {
 
-/// Objects that the snapshot will restore, each checked by itself.
+/// The objects in the snapshot, each of which is already checked separately.
 struct RestoredObjects {
-    std::array<physics::World*, most_worlds> worlds{};
-    std::array<Handle, most_worlds> selves{};
-    std::array<std::span<const Ties>, most_worlds> ties{};
+    std::array<physics::World*, max_worlds> worlds{};
+    std::array<Handle, max_worlds> selves{};
+    std::array<std::span<const Ties>, max_worlds> ties{};
 };
 
-/// Called within `Hosting::restore`. Throws Error(damaged) if the row of an instance is the row of
-/// no object, of another instance's object or of another kind, if an object names an instance that
-/// has another row, and if a joint joins an instance that is no body: foreign bytes may hold any
-/// number.
+/// Called within `Hosting::restore`. Throws Error(damaged) if the row of an instance refers to no
+/// object, to the object of another instance or to an object of another kind; if an object refers
+/// to an instance with another row; or if a joint connects an instance that is not a body. Bytes
+/// from a file may contain any number.
 void check_rows(const Hosting& hosting, const RestoredObjects& objects,
                 const property::ByteReader& from);
 

@@ -34,7 +34,7 @@ Departed get_departed(property::ByteReader& from) {
 }
 
 /// Data of a hosted world in addition to its physics::World.
-struct Beside {
+struct ModuleData {
     Handle self;
     bool placed = false, unreported = false;
     std::vector<Look> looks;
@@ -64,38 +64,38 @@ void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
     put(to, hosted.departed_shapes);
 }
 
-Beside read_beside(property::ByteReader& from) {
-    Beside beside;
-    beside.self = from.get<Handle>();
-    beside.placed = from.boolean();
-    beside.unreported = from.boolean();
-    beside.looks = from.list<Look>();
-    beside.body_colors = from.list<std::optional<property::Color>>();
-    beside.velocities = from.list<std::optional<physics::Vec2>>();
-    beside.ties = from.list<Ties>();
-    for (const Look& look : beside.looks)
+ModuleData read_module_data(property::ByteReader& from) {
+    ModuleData data;
+    data.self = from.get<Handle>();
+    data.placed = from.boolean();
+    data.unreported = from.boolean();
+    data.looks = from.list<Look>();
+    data.body_colors = from.list<std::optional<property::Color>>();
+    data.velocities = from.list<std::optional<physics::Vec2>>();
+    data.ties = from.list<Ties>();
+    for (const Look& look : data.looks)
         from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
                      "a look");
-    for (const auto& color : beside.body_colors) from.require(is_color(color), "a color");
-    for (const auto& velocity : beside.velocities)
+    for (const auto& color : data.body_colors) from.require(is_color(color), "a color");
+    for (const auto& velocity : data.velocities)
         from.require(is_optional(velocity) && (!velocity || velocity->allFinite()), "a velocity");
-    for (const Ties& ties : beside.ties)
+    for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
-    beside.bodies = get_departed(from);
-    beside.shapes = get_departed(from);
-    return beside;
+    data.bodies = get_departed(from);
+    data.shapes = get_departed(from);
+    return data;
 }
 
-void put_beside(Beside beside, HostedWorld& hosted) {
-    hosted.self = beside.self;
-    hosted.placed = beside.placed;
-    hosted.unreported = beside.unreported;
-    hosted.looks.replace(std::move(beside.looks));
-    hosted.body_colors.replace(std::move(beside.body_colors));
-    hosted.velocities.replace(std::move(beside.velocities));
-    hosted.ties.replace(std::move(beside.ties));
-    hosted.departed_bodies = std::move(beside.bodies);
-    hosted.departed_shapes = std::move(beside.shapes);
+void put_module_data(ModuleData data, HostedWorld& hosted) {
+    hosted.self = data.self;
+    hosted.placed = data.placed;
+    hosted.unreported = data.unreported;
+    hosted.looks.replace(std::move(data.looks));
+    hosted.body_colors.replace(std::move(data.body_colors));
+    hosted.velocities.replace(std::move(data.velocities));
+    hosted.ties.replace(std::move(data.ties));
+    hosted.departed_bodies = std::move(data.bodies);
+    hosted.departed_shapes = std::move(data.shapes);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ void Hosting::save(property::ByteWriter& to) const {
     const auto count = std::count_if(worlds_.begin(), worlds_.end(),
                                      [](const auto& hosted) { return hosted != nullptr; });
     to.put(static_cast<std::uint64_t>(count));
-    for (std::uint32_t number = 0; number < most_worlds; ++number) {
+    for (std::uint32_t number = 0; number < max_worlds; ++number) {
         if (worlds_[number] == nullptr) continue;
         to.put(number);
         save_beside(to, *worlds_[number]);
@@ -118,13 +118,13 @@ void Hosting::save(property::ByteWriter& to) const {
         worlds_[number]->world.save(to.out());
         to.end_block(block);
     }
-    to.put(std::uint8_t{joints.loose()});
+    to.put(std::uint8_t{joints.connect_needed()});
 }
 
 std::function<void()> Hosting::restore(property::ByteReader& from) {
     struct Saved {
         std::uint32_t number;
-        Beside beside;
+        ModuleData data;
         std::unique_ptr<physics::World> world;
     };
     for (const auto& hosted : worlds_)
@@ -134,12 +134,12 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
                                   "world calls: wait until its step or query is over");
     auto worlds = std::make_shared<std::vector<Saved>>();
     const bool hits_wanted = from.boolean();
-    std::vector<bool> found(most_worlds, false);
+    std::vector<bool> found(max_worlds, false);
     for (std::size_t n = from.count(16); n > 0; --n) {
         const auto number = from.get<std::uint32_t>();
-        from.require(number < most_worlds && !found[number], "a world without a number");
+        from.require(number < max_worlds && !found[number], "a world without a number");
         found[number] = true;
-        Saved saved{number, read_beside(from), std::make_unique<physics::World>()};
+        Saved saved{number, read_module_data(from), std::make_unique<physics::World>()};
         const property::ByteReader block = from.block();
         try {
             saved.world->restore(block.rest());
@@ -150,31 +150,31 @@ std::function<void()> Hosting::restore(property::ByteReader& from) {
     }
     from.require(found[limbo], "there is no place for what is in no world");
     RestoredObjects objects;
-    const bool loose = from.boolean();
+    const bool connect_needed = from.boolean();
     for (const Saved& saved : *worlds) {
         objects.worlds[saved.number] = saved.world.get();
-        objects.selves[saved.number] = saved.beside.self;
-        objects.ties[saved.number] = saved.beside.ties;
+        objects.selves[saved.number] = saved.data.self;
+        objects.ties[saved.number] = saved.data.ties;
     }
     check_rows(*this, objects, from);
-    return [this, worlds, hits_wanted, loose, found] {
+    return [this, worlds, hits_wanted, connect_needed, found] {
         const Placing placing(*this);
         postponed_.clear();
-        for (std::uint32_t number = 0; number < most_worlds; ++number)
+        for (std::uint32_t number = 0; number < max_worlds; ++number)
             if (!found[number]) worlds_[number].reset();
         for (Saved& saved : *worlds) {
             auto& hosted = worlds_[saved.number];
             // Handlers are not restored: the current ones stay. A world that existed before kept
             // its callbacks.
-            Wanted told = hosted == nullptr ? Wanted{} : wanted_;
-            told.hits = hits_wanted;
+            Wanted wanted = hosted == nullptr ? Wanted{} : wanted_;
+            wanted.hits = hits_wanted;
             if (hosted == nullptr) hosted = make_world(saved.number);
             hosted->world.take(std::move(*saved.world));
-            put_beside(std::move(saved.beside), *hosted);
+            put_module_data(std::move(saved.data), *hosted);
             hosted->placed = tree.alive(hosted->self) && tree.is_below(hosted->self, tree.root());
-            listen(*hosted, told);
+            listen(*hosted, wanted);
         }
-        joints.loosen(loose);
+        joints.set_connect_needed(connect_needed);
     };
 }
 

@@ -65,21 +65,23 @@ std::vector<Property> surface(Hosting& hosting) {
         amount("density", defaults.density, "kg/m\xC2\xB2", "Mass per area.",
                bound<&Shape::density, &Shape::set_density>(hosting)),
         amount("friction", defaults.friction, "",
-               "Coulomb coefficient: 0 is ice, 1 is rubber. Two shapes in contact use the "
-               "geometric mean of theirs, or what the world's friction_mix says.",
+               "Coulomb coefficient: 0 is like ice, 1 like rubber. Two shapes in contact use the "
+               "geometric mean of their coefficients, or the world's friction_mix.",
                bound<&Shape::friction, &Shape::set_friction>(hosting)),
         within(fraction,
                number("restitution", defaults.restitution, "",
-                      "How much of the approaching speed comes back. Two shapes in contact use the "
-                      "greater of theirs, or what the world's restitution_mix says.",
+                      "Share of the speed of approach with which shapes separate. Two shapes in "
+                      "contact use the greater of their values, or the world's restitution_mix.",
                       bound<&Shape::restitution, &Shape::set_restitution>(hosting))),
         amount("rolling_resistance", defaults.rolling_resistance, "",
-               "Brakes rolling: lever of the resisting torque as a share of the radius.",
+               "Resistance to rolling: the lever of the resisting torque as a share of the "
+               "radius.",
                bound<&Shape::rolling_resistance, &Shape::set_rolling_resistance>(hosting)),
         number("surface_speed", defaults.surface_speed, "m/s",
-               "A conveyor belt: how fast the surface runs, counter-clockwise round the shape.",
+               "Speed of the surface, as of a conveyor belt, counter-clockwise around the shape.",
                bound<&Shape::surface_speed, &Shape::set_surface_speed>(hosting)),
-        flag("sensor", defaults.sensor, "Tells what overlaps it, and pushes nothing.",
+        flag("sensor", defaults.sensor,
+             "True if it reports overlapping shapes and does not push them.",
              bound<&Shape::sensor, &Shape::set_sensor>(hosting)),
     };
 }
@@ -89,20 +91,20 @@ std::vector<Property> filter(Hosting& hosting) {
         {.name = "category",
          .type = Type::integer,
          .default_value = 1,
-         .doc = "What it is, as bits. Two shapes collide when each one's mask has a bit of the "
+         .doc = "Its categories, as bits. Two shapes collide if each one's mask has a bit of the "
                 "other's category.",
          .binding = bound<&Shape::category, &Shape::set_category>(hosting)},
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
-         .doc = "What it collides with, as bits of categories; -1 is everything.",
+         .doc = "Categories with which it collides, as bits; -1 is all.",
          .binding = bound<&Shape::mask, &Shape::set_mask>(hosting)},
         {.name = "group",
          .type = Type::integer,
          .range = {.min = std::numeric_limits<std::int32_t>::min(),
                    .max = std::numeric_limits<std::int32_t>::max()},
-         .doc = "Shapes of one group, when it is not 0, always collide (above 0) or never do "
-                "(below), whatever their masks.",
+         .doc = "Shapes with an equal group other than 0 always collide (above 0) or never "
+                "collide (below 0), whatever their masks are.",
          .binding = bound<&Shape::group, &Shape::set_group>(hosting)},
     };
 }
@@ -113,14 +115,15 @@ std::vector<Property> looks(Hosting& hosting) {
         {.name = "color",
          .type = Type::color,
          .default_value = fill,
-         .doc = "Fills it. Without one of its own it has its body's, or goes by the body's type.",
+         .doc = "Color of the fill. Unless it is set, the color of the body, or a color for the "
+                "type of the body.",
          .binding = paint<&Look::fill, &Hosting::fill_of>(hosting)},
         {.name = "border",
          .type = Type::color,
          .default_value = default_border(fill),
-         .doc = "Of its outline; darker than its color unless one is given.",
+         .doc = "Color of its outline; a darker fill color unless it is set.",
          .binding = paint<&Look::border, &Hosting::border_of>(hosting)},
-        flag("visible", true, "Whether it is drawn; it collides all the same.", visible(hosting)),
+        flag("visible", true, "True if it is drawn; it collides in any case.", visible(hosting)),
     };
 }
 
@@ -133,7 +136,7 @@ std::vector<Property> derived(Hosting& hosting) {
     return {
         {.name = "area",
          .unit = "m\xC2\xB2",
-         .doc = "Of the shape, rounding included.",
+         .doc = "Area of the shape, rounding included.",
          .binding = read_only<&Shape::area>(hosting),
          .read_only = true,
          .transient = true,
@@ -142,7 +145,7 @@ std::vector<Property> derived(Hosting& hosting) {
         {.name = "aabb",
          .type = Type::list,
          .unit = "m",
-         .doc = "Lower left and upper right corner of the box round it, in the world.",
+         .doc = "Lower left and upper right corner of its bounding box in the world.",
          .binding = read_only<&Shape::aabb>(hosting),
          .read_only = true,
          .transient = true,
@@ -153,8 +156,8 @@ std::vector<Property> derived(Hosting& hosting) {
         {.name = "world_vertices",
          .type = Type::list,
          .unit = "m",
-         .doc = "Its corners or points in the world, without rounding; a circle or an ellipse has "
-                "none.",
+         .doc = "Its corners or points in the world, without rounding; a circle or an ellipse "
+                "has none.",
          .binding = accessor(hosting, [](Hosting& h, Row row) { return world_vertices(h, row); }),
          .read_only = true,
          .transient = true,
@@ -171,7 +174,7 @@ void define_shape(Hosting& hosting) {
     property::ClassDescriptor shape;
     shape.snapshots = property::Snapshots::natively;
     shape.name = "Shape";
-    shape.doc = "A part of a body: where it is solid, how heavy and how slippery it is there.";
+    shape.doc = "A part of a body with an outline, a density and a surface.";
     shape.creatable = false;
     for (const auto& group : {surface(hosting), filter(hosting), looks(hosting), derived(hosting)})
         shape.properties.insert(shape.properties.end(), group.begin(), group.end());

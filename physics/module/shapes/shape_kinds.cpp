@@ -59,9 +59,9 @@ property::Method add_vertex(Hosting& hosting) {
         .parameters = {{.name = "point",
                         .type = Type::vec2,
                         .unit = "m",
-                        .doc = "In the body's coordinates."}},
+                        .doc = "A point in the coordinates of the body."}},
         .required = 1,
-        .doc = "Makes the polygon reach as far as that point; one inside changes nothing."};
+        .doc = "Extends the polygon to that point; a point inside changes nothing."};
     method.context = &hosting;
     method.effect = property::Effect::tree;
     method.call = [](void*, property::Tree& tree, Handle self, Row,
@@ -76,13 +76,12 @@ property::Method add_vertex(Hosting& hosting) {
 }
 
 Property turned(Hosting& hosting) {
-    return within(turns,
-                  number("angle", 0, "rad", "How far it is turned on its body, counter-clockwise.",
-                         bound<&Shape::angle, &Shape::set_angle>(hosting)));
+    return within(turns, number("angle", 0, "rad", "Its angle on the body, counter-clockwise.",
+                                bound<&Shape::angle, &Shape::set_angle>(hosting)));
 }
 
 Property middle(Hosting& hosting) {
-    return point("center", {0.0f, 0.0f}, "Its middle, in the body's coordinates.",
+    return point("center", {0.0f, 0.0f}, "Its center in the coordinates of the body.",
                  bound<&Shape::center, &Shape::set_center>(hosting));
 }
 
@@ -100,18 +99,18 @@ void define(Hosting& hosting, std::size_t kind, std::string name, std::string do
 }
 
 std::vector<Property> ends(Hosting& hosting, const physics::Segment& defaults) {
-    return {point("from", defaults.from, "One end, in the body's coordinates.",
+    return {point("from", defaults.from, "One end in the coordinates of the body.",
                   bound<&Shape::from, &Shape::set_from>(hosting)),
-            point("to", defaults.to, "The other end, in the body's coordinates.",
+            point("to", defaults.to, "The other end in the coordinates of the body.",
                   bound<&Shape::to, &Shape::set_to>(hosting))};
 }
 
 void define_ellipse(Hosting& hosting) {
     const physics::Ellipse ellipse;
     define(hosting, 5, "Ellipse", "An ellipse, exactly.",
-           {length("radius_x", ellipse.radius_x, size, "Half its width, before it is turned.",
+           {length("radius_x", ellipse.radius_x, size, "Half its width at angle 0.",
                    bound<&Shape::radius_x, &Shape::set_radius_x>(hosting)),
-            length("radius_y", ellipse.radius_y, size, "Half its height, before it is turned.",
+            length("radius_y", ellipse.radius_y, size, "Half its height at angle 0.",
                    bound<&Shape::radius_y, &Shape::set_radius_y>(hosting)),
             middle(hosting), turned(hosting)});
 }
@@ -119,19 +118,18 @@ void define_ellipse(Hosting& hosting) {
 void define_outlines(Hosting& hosting) {
     define(
         hosting, 6, "Concave",
-        "A polygon that may be concave. It collides in convex pieces, and is one shape all the "
-        "same.",
+        "A polygon that may be concave. It collides in convex pieces, but is one shape.",
         {points(hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
-                "Its corners in the body's coordinates, in either sense of rotation. An outline "
-                "that crosses or touches itself is refused, and so is a hole.")});
+                "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
+                "outline that crosses or touches itself is refused, and so is a hole.")});
     define(hosting, 7, "Chain",
            "A line of segments without seams, solid on its left: points from left to right are "
-           "ground, a closed counter-clockwise chain holds what is inside. From behind everything "
-           "passes.",
+           "ground; a closed counter-clockwise chain is a container. Bodies pass through it from "
+           "the other side.",
            {points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
-                   "In the body's coordinates."),
+                   "Its points in the coordinates of the body."),
             flag("closed", false,
-                 "Whether it goes on from the last point to the first; that takes three points.",
+                 "True if the last point is connected to the first; this needs three points.",
                  bound<&Shape::closed, &Shape::set_closed>(hosting))});
 }
 
@@ -143,32 +141,34 @@ void define_shapes(Hosting& hosting) {
     const physics::Box box;
     const Property center = middle(hosting);
     define(hosting, 0, "Circle", "A disc.",
-           {length("radius", circle.radius, size, "From its center to its rim.",
+           {length("radius", circle.radius, size, "Distance from its center to its rim.",
                    bound<&Shape::radius, &Shape::set_radius>(hosting)),
             center});
     define(hosting, 1, "Box", "A rectangle.",
-           {length("width", box.width, size, "From its left to its right side, rounding included.",
+           {length("width", box.width, size,
+                   "Distance from its left to its right side, rounding included.",
                    bound<&Shape::width, &Shape::set_width>(hosting)),
-            length("height", box.height, size, "From bottom to top, rounding included.",
+            length("height", box.height, size, "Distance from bottom to top, rounding included.",
                    bound<&Shape::height, &Shape::set_height>(hosting)),
             center, turned(hosting),
             rounding(hosting,
                      "Radius of its corners; more than half the smaller side counts as "
                      "half.")});
-    define(hosting, 2, "Segment", "A straight line without thickness; it weighs nothing.",
+    define(hosting, 2, "Segment", "A straight line without thickness and without mass.",
            ends(hosting, std::get<physics::Segment>(hosting.kinds[2].geometry)));
     const auto& capsule = std::get<physics::Segment>(hosting.kinds[3].geometry);
     std::vector<Property> rounded = ends(hosting, capsule);
-    rounded.push_back(length("radius", capsule.rounding, size, "Around the line between its ends.",
+    rounded.push_back(length("radius", capsule.rounding, size,
+                             "Radius around the line between its ends.",
                              bound<&Shape::rounding, &Shape::set_rounding>(hosting)));
     define(hosting, 3, "Capsule", "A straight line with round ends and a thickness.",
            std::move(rounded));
     define(
         hosting, 4, "Polygon", "A convex polygon.",
         {points(hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
-                "Its corners in the body's coordinates, counter-clockwise. What is written is "
-                "made convex: the hull of the points becomes the shape."),
-         rounding(hosting, "Radius that is added all round it.")},
+                "Its corners in the coordinates of the body, counter-clockwise. The convex hull "
+                "of the written points becomes the shape."),
+         rounding(hosting, "Radius that is added on all sides.")},
         {add_vertex(hosting)});
     define_ellipse(hosting);
     define_outlines(hosting);

@@ -16,9 +16,10 @@ using property::Record;
 using property::Result;
 using Arguments = std::span<const Value>;
 
-const Field ray_from{"from", Type::vec2, "m", "Where the ray starts."};
-const Field ray_to{"to", Type::vec2, "m", "Where it ends."};
-const Field mask{"mask", Type::integer, "", "Categories to look for, as bits; all when left out."};
+const Field ray_from{"from", Type::vec2, "m", "Beginning of the ray."};
+const Field ray_to{"to", Type::vec2, "m", "End of the ray."};
+const Field mask{"mask", Type::integer, "",
+                 "Categories to look for, as bits; all if it is left out."};
 
 Field shape_field(std::string name, std::string doc) {
     return {.name = std::move(name),
@@ -29,46 +30,52 @@ Field shape_field(std::string name, std::string doc) {
 }
 
 const std::vector<Field> hit_fields = {
-    shape_field("shape", "What was hit; nil for the bounds of the world."),
-    {"body", Type::reference, "", "Its body; the world itself for its bounds."},
-    {"point", Type::vec2, "m", "Where, in the world."},
+    shape_field("shape", "The shape that was hit; nil for the bounds of the world."),
+    {"body", Type::reference, "", "The body of the shape; the world itself for its bounds."},
+    {"point", Type::vec2, "m", "Point of the hit in the world."},
     {"normal", Type::vec2, "",
-     "Of the surface there, outward; its length is 1. Against the motion where a shape that is "
-     "cast overlaps it from the beginning."},
-    {"fraction", Type::number, "", "How far along the ray, 0 to 1."},
+     "Normal of the surface at the point, outward; its length is 1. If a shape that is cast "
+     "overlaps the other one from the beginning: against the motion."},
+    {"fraction", Type::number, "", "Distance along the ray, as a share from 0 to 1."},
 };
 const std::vector<Field> found_contact_fields = {
     {"body_a", Type::reference, "", "One of the two bodies.", "Body"},
-    {"body_b", Type::reference, "", "The other; the world itself for its bounds."},
+    {"body_b", Type::reference, "", "The other body; the world itself for its bounds."},
     shape_field("shape_a", "The shape of body_a."),
     shape_field("shape_b", "The shape of body_b; nil for the bounds."),
-    {"point", Type::vec2, "m", "Where, in the world."},
-    {"normal", Type::vec2, "", "From a to b; its length is 1."},
-    {"separation", Type::number, "m", "Below 0: how deep they overlap."},
-    {"force", Type::number, "N", "That presses them apart."},
+    {"point", Type::vec2, "m", "Point of the contact in the world."},
+    {"normal", Type::vec2, "", "Direction from a to b; its length is 1."},
+    {"separation", Type::number, "m",
+     "Distance of the surfaces; below 0: the depth of their overlap."},
+    {"force", Type::number, "N", "Impulse that separates them."},
 };
 
 const Field group{"group", Type::integer, "",
-                  "Shapes of this group are seen if it is positive, and not if it is negative."};
+                  "Only shapes of this group are found if it is positive, and none of them if it "
+                  "is negative."};
 const std::vector<Field> near_fields = {
-    {"shape", Type::reference, "", "The one that is nearest."},
+    {"shape", Type::reference, "", "The nearest shape."},
     {"body", Type::reference, "", "Its body."},
     {"point", Type::vec2, "m",
-     "On its surface, in the world; inside of the shape, the point asked for."},
-    {"normal", Type::vec2, "", "Of the surface there, outward; the zero vector inside of it."},
+     "The nearest point of its surface in the world; inside of the shape, the given point."},
+    {"normal", Type::vec2, "",
+     "Normal of the surface at the point, outward; the zero vector "
+     "inside of the shape."},
     {"distance", Type::number, "m", "0 inside."},
 };
 const std::vector<Field> separation_fields = {
-    {"distance", Type::number, "m", "0 where they overlap."},
-    {"point_a", Type::vec2, "m", "Of the first, nearest to the second."},
-    {"point_b", Type::vec2, "m", "Of the second, nearest to the first."},
-    {"normal", Type::vec2, "", "From the first to the second; the zero vector where they overlap."},
+    {"distance", Type::number, "m", "Distance; 0 if they overlap."},
+    {"point_a", Type::vec2, "m", "The point of the first that is nearest to the second."},
+    {"point_b", Type::vec2, "m", "The point of the second that is nearest to the first."},
+    {"normal", Type::vec2, "",
+     "Direction from the first to the second; the zero vector if they "
+     "overlap."},
 };
 
 const Field accept{
     "accept", Type::nil, "",
-    "A function that is handed a shape, or nil for the bounds of the world, and says "
-    "whether it counts. It may read everything and search on, and change nothing."};
+    "A function that gets a shape, or nil for the bounds of the world, and returns whether it "
+    "counts. It may read and search, but not change anything."};
 
 physics::QueryFilter filter(const Value& categories, const Value& of_group = {},
                             const Value& function = {}) {
@@ -118,16 +125,16 @@ Result raycast_all(HostedWorld& hosted, Arguments a) {
     return records;
 }
 
-/// The smallest shape: a small shape in front of a large one is meant. Sensors count, so that they
-/// can be selected, too.
+/// Returns the body with the smallest shape at the point, because a small shape in front of a large
+/// one is probably meant. Sensors count, so that they can be selected, too.
 Result at(HostedWorld& hosted, Arguments a) {
     physics::QueryFilter all = filter(a[1], a[2], a[3]);
     all.sensors = true;
     const auto found = hosted.world.query_point(vec2_argument(a[0]), all);
-    const auto least = std::min_element(
+    const auto smallest = std::min_element(
         found.begin(), found.end(),
         [](const physics::Shape& x, const physics::Shape& y) { return x.area() < y.area(); });
-    return found.empty() ? Value() : Value(Instances(hosted).of(least->body()));
+    return found.empty() ? Value() : Value(Instances(hosted).of(smallest->body()));
 }
 
 /// The bodies of the shapes, each once.
@@ -192,17 +199,17 @@ Result closest(Hosting&, HostedWorld& hosted, Arguments a) {
 }
 
 Result distance(Hosting& hosting, HostedWorld&, Arguments a) {
-    std::optional<physics::Separation> least;
+    std::optional<physics::Separation> nearest;
     for (const physics::Shape& one : shapes_of(hosting, a[0], "a")) {
         for (const physics::Shape& other : shapes_of(hosting, a[1], "b")) {
             const physics::Separation gap = physics::distance(one, other);
-            if (!least || gap.distance < least->distance) least = gap;
+            if (!nearest || gap.distance < nearest->distance) nearest = gap;
         }
     }
-    if (!least) return Value();
+    if (!nearest) return Value();
     return Record{&separation_fields,
-                  {to_value(least->distance), to_value(least->point_a), to_value(least->point_b),
-                   to_value(least->normal)}};
+                  {to_value(nearest->distance), to_value(nearest->point_a),
+                   to_value(nearest->point_b), to_value(nearest->normal)}};
 }
 
 Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
@@ -263,64 +270,69 @@ std::vector<Method> world_methods(Hosting& hosting) {
     const Field probe{"shape", Type::reference, "", "A shape or a body, of any world or of none."};
     const Field bodies{.name = "bodies",
                        .type = Type::list,
-                       .doc = "Each once, in no special order.",
+                       .doc = "Each body once, in any order.",
                        .reference_class = "Body",
                        .element = Type::reference};
-    const Field corner{"corner", Type::vec2, "m", "Of the box."};
+    const Field corner{"corner", Type::vec2, "m", "A corner of the box."};
     const Field opposite{"opposite", Type::vec2, "m", "The corner across."};
     return {
-        method<raycast>(hosting, {.name = "raycast",
-                                  .parameters = {ray_from, ray_to, mask, group, accept},
-                                  .required = 2,
-                                  .returns = hit_fields,
-                                  .doc = "The first shape a ray meets, or nil. Sensors do not "
-                                         "stop it, nor shapes in which it begins."}),
-        method<raycast_all>(hosting, {.name = "raycast_all",
-                                      .parameters = {ray_from, ray_to, mask, group, accept},
-                                      .required = 2,
-                                      .returns = hit_fields,
-                                      .many = true,
-                                      .doc = "Every shape a ray meets, nearest first. Sensors do "
-                                             "not count, nor shapes in which it begins."}),
-        method<at>(
-            hosting,
-            {.name = "at",
-             .parameters = {{"point", Type::vec2, "m", "In the world."}, mask, group, accept},
-             .required = 1,
-             .returns = {{.name = "body",
-                          .type = Type::reference,
-                          .doc = "The body, or nil.",
-                          .reference_class = "Body",
-                          .nullable = true}},
-             .doc = "The body at a point, that with the smallest shape there "
-                    "where there are several, or nil. Sensors count too."}),
-        method<overlap_box>(hosting,
-                            {.name = "overlap_box",
-                             .parameters = {corner, opposite, mask, group, accept},
+        method<raycast>(hosting,
+                        {.name = "raycast",
+                         .parameters = {ray_from, ray_to, mask, group, accept},
+                         .required = 2,
+                         .returns = hit_fields,
+                         .doc = "The first shape that a ray hits, or nil. Sensors and shapes in "
+                                "which the ray begins do not count."}),
+        method<raycast_all>(hosting,
+                            {.name = "raycast_all",
+                             .parameters = {ray_from, ray_to, mask, group, accept},
                              .required = 2,
-                             .returns = {bodies},
-                             .doc = "The bodies that reach into a box. Sensors count too."}),
-        method<overlap>(hosting, {.name = "overlap",
-                                  .parameters = {probe, mask, group, accept},
-                                  .required = 1,
-                                  .returns = {bodies},
-                                  .doc = "The bodies that overlap a shape, or a body, where it is; "
-                                         "not its own. A shape of no body is at its coordinates.",
-                                  .effect = property::Effect::nothing}),
+                             .returns = hit_fields,
+                             .many = true,
+                             .doc = "Every shape that a ray hits, the nearest first. Sensors and "
+                                    "shapes in which the ray begins do not count."}),
+        method<at>(hosting,
+                   {.name = "at",
+                    .parameters =
+                        {{"point", Type::vec2, "m", "A point in the world."}, mask, group, accept},
+                    .required = 1,
+                    .returns = {{.name = "body",
+                                 .type = Type::reference,
+                                 .doc = "The body, or nil.",
+                                 .reference_class = "Body",
+                                 .nullable = true}},
+                    .doc = "The body at a point, or nil. If there are several, the one with the "
+                           "smallest shape. Sensors count, too."}),
+        method<overlap_box>(hosting, {.name = "overlap_box",
+                                      .parameters = {corner, opposite, mask, group, accept},
+                                      .required = 2,
+                                      .returns = {bodies},
+                                      .doc = "The bodies that overlap a box. Sensors count, too."}),
+        method<overlap>(hosting,
+                        {.name = "overlap",
+                         .parameters = {probe, mask, group, accept},
+                         .required = 1,
+                         .returns = {bodies},
+                         .doc = "The bodies that overlap a shape or a body; not its own body. A "
+                                "shape without a body is at its own coordinates.",
+                         .effect = property::Effect::nothing}),
         method<shapecast>(
             hosting,
             {.name = "shapecast",
-             .parameters =
-                 {probe, {"motion", Type::vec2, "m", "How far it goes."}, mask, group, accept},
+             .parameters = {probe,
+                            {"motion", Type::vec2, "m", "Distance and direction of the motion."},
+                            mask,
+                            group,
+                            accept},
              .required = 2,
              .returns = hit_fields,
-             .doc = "The first shape that a shape, or a body, would meet on its way, or nil. "
-                    "Sensors do not count.",
+             .doc = "The first shape that a moving shape or body would hit, or nil. Sensors do "
+                    "not count.",
              .effect = property::Effect::nothing}),
         method<closest>(
             hosting, {.name = "closest",
-                      .parameters = {{"point", Type::vec2, "m", "In the world."},
-                                     {"reach", Type::number, "m", "No farther than this."},
+                      .parameters = {{"point", Type::vec2, "m", "A point in the world."},
+                                     {"reach", Type::number, "m", "Largest distance."},
                                      mask,
                                      group,
                                      accept},
@@ -334,22 +346,22 @@ std::vector<Method> world_methods(Hosting& hosting) {
                                                   {"b", Type::reference, "", "Another."}},
                                    .required = 2,
                                    .returns = separation_fields,
-                                   .doc = "How far two shapes or bodies are from each other.",
+                                   .doc = "Distance between two shapes or bodies.",
                                    .effect = property::Effect::nothing}),
         method<explode>(
             hosting,
             {.name = "explode",
-             .parameters = {{"point", Type::vec2, "m", "In the world."},
-                            {"radius", Type::number, "m", "It reaches this far."},
-                            {"impulse", Type::number, "N s", "What a body at the point gets."},
+             .parameters = {{"point", Type::vec2, "m", "Center of the explosion in the world."},
+                            {"radius", Type::number, "m", "Radius of the explosion."},
+                            {"impulse", Type::number, "N s", "Impulse for a body at the point."},
                             mask,
                             accept},
              .required = 3,
-             .doc = "Pushes bodies away from a point: the farther, the less."}),
+             .doc = "Pushes bodies away from a point; the impulse decreases with the distance."}),
         method<contacts_of_world>(hosting, {.name = "contacts",
                                             .returns = found_contact_fields,
                                             .many = true,
-                                            .doc = "Every point where two bodies touch now."}),
+                                            .doc = "Every point at which two bodies touch now."}),
     };
 }
 

@@ -46,20 +46,19 @@ std::vector<Property> simulation(Hosting& hosting) {
     const physics::WorldDef defaults;
     return {
         vector("gravity", widen(defaults.gravity), "m/s\xC2\xB2",
-               "Pulls every dynamic body, as far as its gravity_scale lets it.",
+               "Acceleration of every dynamic body, times its gravity_scale.",
                bound<&World::gravity, &World::set_gravity>(hosting)),
         {.name = "substeps",
          .type = Type::integer,
          .default_value = defaults.substeps,
          .range = {.min = 1, .max = 64},
-         .doc = "Parts a step is solved in: more is stiffer and slower.",
+         .doc = "Number of parts in which a step is solved: more is stiffer and slower.",
          .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
         {.name = "threads",
          .type = Type::integer,
          .default_value = 1,
          .range = {.min = 1, .max = 64},
-         .doc = "How many threads share a step; the machine runs no more of them at a time than it "
-                "has "
+         .doc = "Number of threads for a step; at most as many run at a time as the machine has "
                 "processors. The number changes no result.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return Value(h.world(row).threads()); },
@@ -67,14 +66,15 @@ std::vector<Property> simulation(Hosting& hosting) {
          .transient = true},
         choice<solvers, &World::solver, &World::set_solver>(
             hosting, "solver", solvers[0],
-            "How contacts and joints are solved: \"soft_step\" sweeps over them in small steps and "
-            "remembers; \"sequential\" goes over the contacts once, the worst first, as in 2008; "
-            "\"direct\" solves all that touch each other as one problem."),
+            "How contacts and joints are solved: \"soft_step\" solves them one after the other "
+            "in small steps with warm starting; \"sequential\" solves the contacts once, the "
+            "worst first, as was usual in 2008; \"direct\" solves all that touch each other as "
+            "one problem."),
         {.name = "bounds",
          .type = Type::list,
          .unit = "m",
          .range = coordinates,
-         .doc = "Walls round the world, given by their lower left and upper right corner; nil: "
+         .doc = "Walls around the world, given by their lower left and upper right corner; nil: "
                 "none.",
          .binding = accessor(
              hosting, [](Hosting& h, Row row) { return bounds(h, row); },
@@ -83,10 +83,10 @@ std::vector<Property> simulation(Hosting& hosting) {
          .element = Type::vec2,
          .single_precision = true},
         flag("sleeping", defaults.sleeping,
-             "What rests falls asleep and costs nothing until it is disturbed.",
+             "True if resting bodies fall asleep, which saves time, until they are disturbed.",
              bound<&World::sleeping, &World::set_sleeping>(hosting)),
         flag("continuous", defaults.continuous,
-             "However fast, bodies do not pass through static ones.",
+             "True if bodies cannot pass through static ones at any speed.",
              bound<&World::continuous, &World::set_continuous>(hosting)),
     };
 }
@@ -95,11 +95,11 @@ std::vector<Property> mixing(Hosting& hosting) {
     return {
         choice<mix_rules, &World::friction_mix, &World::set_friction_mix>(
             hosting, "friction_mix", "geometric",
-            "How the friction of two surfaces makes that of their contact: \"geometric\" is the "
-            "root of their product."),
+            "Friction of a contact from those of its two surfaces: \"geometric\" is the root of "
+            "their product."),
         choice<mix_rules, &World::restitution_mix, &World::set_restitution_mix>(
             hosting, "restitution_mix", "maximum",
-            "How the restitution of two surfaces makes that of their contact."),
+            "Restitution of a contact from those of its two surfaces."),
     };
 }
 
@@ -107,23 +107,24 @@ std::vector<Property> tuning(Hosting& hosting) {
     const physics::WorldDef defaults;
     Property bounce =
         amount("bounds_restitution", defaults.bounds_restitution, "",
-               "How much of its speed what hits the walls gets back.",
+               "Share of the speed with which bodies separate from the walls of the bounds.",
                bound<&World::bounds_restitution, &World::set_bounds_restitution>(hosting));
     bounce.range = fraction;
     return {
-        amount("bounds_friction", defaults.bounds_friction, "", "Of the walls of the bounds.",
+        amount("bounds_friction", defaults.bounds_friction, "",
+               "Friction of the walls of the bounds.",
                bound<&World::bounds_friction, &World::set_bounds_friction>(hosting)),
         bounce,
         amount("restitution_threshold", defaults.restitution_threshold, "m/s",
                "Slower impacts do not bounce.",
                bound<&World::restitution_threshold, &World::set_restitution_threshold>(hosting)),
         amount("hit_threshold", defaults.hit_threshold, "m/s",
-               "Slower impacts make no contact_hit.",
+               "Slower impacts cause no contact_hit.",
                bound<&World::hit_threshold, &World::set_hit_threshold>(hosting)),
-        amount("sleep_speed", defaults.sleep_speed, "m/s", "What is slower than this rests.",
+        amount("sleep_speed", defaults.sleep_speed, "m/s", "A body that is slower than this rests.",
                bound<&World::sleep_speed, &World::set_sleep_speed>(hosting)),
         amount("sleep_delay", defaults.sleep_delay, "s",
-               "How long something rests before it falls asleep.",
+               "Time for which a body must rest before it falls asleep.",
                bound<&World::sleep_delay, &World::set_sleep_delay>(hosting)),
         amount("contact_hertz", defaults.contact_hertz, "Hz",
                "Stiffness of contacts, at most a quarter of the rate of sub-steps.",
@@ -131,13 +132,13 @@ std::vector<Property> tuning(Hosting& hosting) {
         amount("contact_damping", defaults.contact_damping, "", "Damping ratio of contacts.",
                bound<&World::contact_damping, &World::set_contact_damping>(hosting)),
         amount("push_speed", defaults.push_speed, "m/s",
-               "The fastest that an overlap is pushed apart.",
+               "Largest speed at which an overlap is separated.",
                bound<&World::push_speed, &World::set_push_speed>(hosting)),
     };
 }
 
-/// Step statistics that a user moved to another parent may outlive their world; then they show
-/// those of limbo.
+/// A user may move the instance of the statistics to another parent, so that it outlives its world.
+/// Then the statistics of limbo are shown.
 const StepStatistics& statistics_of(Hosting& hosting, Row row) {
     const HostedWorld* hosted = hosting.world_at(world_number(row));
     return (hosted != nullptr ? hosted : hosting.world_at(limbo))->world.statistics();
@@ -168,33 +169,39 @@ void define_step_statistics(Hosting& hosting) {
     property::ClassDescriptor statistics;
     statistics.snapshots = property::Snapshots::natively;
     statistics.name = "StepStatistics";
-    statistics.doc = "What the last step of a world did, and how long that took.";
+    statistics.doc = "Statistics of the last step of a world, and the time that it took.";
     statistics.creatable = false;
     statistics.properties = {
-        statistic<&S::steps>(h, "steps", "Steps since the world was made."),
-        statistic<&S::bodies>(h, "bodies", "Bodies in the world."),
-        statistic<&S::awake_bodies>(h, "awake_bodies", "Bodies that took part in the step."),
-        statistic<&S::shapes>(h, "shapes", "Shapes of all bodies."),
-        statistic<&S::joints>(h, "joints", "Joints that act on a body."),
-        statistic<&S::awake_joints>(h, "awake_joints", "Joints on a body that is awake."),
-        statistic<&S::contacts>(h, "contacts", "Pairs of shapes near each other."),
-        statistic<&S::awake_contacts>(h, "awake_contacts",
-                                      "Pairs of shapes near each other of which a body is awake."),
-        statistic<&S::touching>(h, "touching", "Pairs near enough to be solved."),
-        statistic<&S::islands>(h, "islands", "Groups of bodies that sleep together."),
-        statistic<&S::moved_proxies>(h, "moved_proxies", "Shapes that left their box in the tree."),
-        statistic<&S::direct_solves>(h, "direct_solves",
-                                     "Problems that the direct solver solved: every group of "
-                                     "bodies that touch has two in a part of a step."),
-        statistic<&S::direct_failures>(h, "direct_failures",
-                                       "Problems too large for the direct solver, or without a "
-                                       "solution: solved by sweeps instead."),
-        statistic<&S::edits_ms>(h, "edits_ms", "Time to bring up to date what was edited."),
+        statistic<&S::steps>(h, "steps", "Number of steps since the world was made."),
+        statistic<&S::bodies>(h, "bodies", "Number of bodies in the world."),
+        statistic<&S::awake_bodies>(h, "awake_bodies",
+                                    "Number of bodies that took part in the step."),
+        statistic<&S::shapes>(h, "shapes", "Number of shapes of all bodies."),
+        statistic<&S::joints>(h, "joints", "Number of joints that act on a body."),
+        statistic<&S::awake_joints>(h, "awake_joints", "Number of joints on a body that is awake."),
+        statistic<&S::contacts>(h, "contacts", "Number of pairs of shapes near each other."),
+        statistic<&S::awake_contacts>(
+            h, "awake_contacts",
+            "Number of pairs of shapes near each other with a body that is "
+            "awake."),
+        statistic<&S::touching>(h, "touching", "Number of pairs near enough to be solved."),
+        statistic<&S::islands>(h, "islands", "Number of groups of bodies that sleep together."),
+        statistic<&S::moved_proxies>(h, "moved_proxies",
+                                     "Number of shapes that left their box in the tree."),
+        statistic<&S::direct_solves>(
+            h, "direct_solves",
+            "Number of problems that the direct solver solved: two in a part "
+            "of a step for every group of bodies that touch."),
+        statistic<&S::direct_failures>(
+            h, "direct_failures",
+            "Number of problems too large for the direct solver, or without a "
+            "solution, which were solved by iteration instead."),
+        statistic<&S::edits_ms>(h, "edits_ms", "Time to bring edited data up to date."),
         statistic<&S::pairs_ms>(h, "pairs_ms", "Time of the broad phase."),
         statistic<&S::narrow_ms>(h, "narrow_ms", "Time of the manifolds."),
         statistic<&S::solve_ms>(h, "solve_ms", "Time of forces, contacts and joints."),
         statistic<&S::finish_ms>(h, "finish_ms", "Time of poses, boxes and continuous collision."),
-        statistic<&S::sleep_ms>(h, "sleep_ms", "Time to find what rests."),
+        statistic<&S::sleep_ms>(h, "sleep_ms", "Time to find resting bodies."),
         statistic<&S::total_ms>(h, "total_ms", "Time of the whole step."),
     };
     hosting.statistics_class = &hosting.tree.define(std::move(statistics));
@@ -204,9 +211,7 @@ void define_world(Hosting& hosting) {
     property::ClassDescriptor world;
     world.snapshots = property::Snapshots::natively;
     world.name = "World";
-    world.doc =
-        "Bodies below it are simulated together. Its child `step` tells about the last "
-        "step.";
+    world.doc = "Bodies below it are simulated together. Its child `step` describes the last step.";
     for (const auto& group : {simulation(hosting), mixing(hosting), tuning(hosting)})
         world.properties.insert(world.properties.end(), group.begin(), group.end());
     world.methods = world_methods(hosting);

@@ -1,5 +1,5 @@
-// Prints the hash of every short scene, and of a small one under each solver: the same lines from
-// every compiler, at every optimization, on every machine.
+// Prints the hash of every short scene, and of a small scene with each solver. The output must be
+// the same for every compiler, optimization level and machine.
 
 #include <cinttypes>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #pragma once
-// The ten benchmark scenes, shortened to when most of their bodies touch something.
+// The ten benchmark scenes, shortened so that they end when most of their bodies touch something.
 
 #include <fettle/physics/physics.h>
 
@@ -15,17 +15,17 @@ struct ShortScene {
     int steps;
 };
 std::span<const ShortScene> short_scenes();
-/// A hundred boxes and circles: for the solvers that take their time.
+/// A hundred boxes and circles, for the slow solvers.
 inline constexpr ShortScene small_crowd = {"small_crowd", 90};
 
 struct RunOptions {
     physics::Solver solver = physics::Solver::soft_step;
-    int simd_width = 0;  ///< 0: as the machine has it
-    /// Called in the middle of the run: may save, disturb and restore the world.
+    int simd_width = 0;  ///< 0: the widest of the machine
+    /// Called in the middle of the run; may save, change and restore the world.
     std::function<void(physics::World&)> in_the_middle{};
     /// Called after each step.
     std::function<void(physics::World&)> after_step{};
-    int times = 0;  ///< as long as the benchmark; 0: as the short scene
+    int times = 0;  ///< multiples of the length in the benchmark; 0: the length of the short scene
 };
 
 /// The hash of all bodies at the end of a scene.

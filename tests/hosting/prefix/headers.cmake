@@ -1,4 +1,4 @@
-# Every installed header by itself, with no more than its library asks for.
+# Compiles every installed header separately, with only the dependencies of its library.
 file(GLOB_RECURSE headers RELATIVE "${prefix}/include" "${prefix}/include/fettle/*.h")
 foreach(header IN LISTS headers)
   string(REGEX REPLACE "^fettle/([^/]+)/.*" "\\1" library "${header}")

@@ -1,4 +1,4 @@
-# The window example in a virtual display: its picture with the console open holds far more than its balls do.
+# Runs the window example in a virtual display: with the console open, the file of its picture is much larger.
 file(MAKE_DIRECTORY "${FOLDER}")
 foreach(console closed open)
   execute_process(COMMAND "${XVFB_RUN}" -a -s "-screen 0 1280x800x24 -noreset" "${WINDOW}" 60 ${console}

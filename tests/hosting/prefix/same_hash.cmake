@@ -1,5 +1,5 @@
-# The state hash of a heap of bodies, with physics linked in and with physics plugged in, straight on and after going back in
-# time, which undoes what was done meanwhile: printed when all agree.
+# Compares the state hashes of a heap of bodies in four runs: with physics linked in or loaded as a module, and without or with
+# going back in time. Prints the hash if all are equal.
 file(WRITE "${FOLDER}/main.lua" [[
 world.floor = Body { type = "static", position = vec(0, -1), Box { width = 40, height = 2 } }
 for i = 0, 29 do
@@ -21,6 +21,6 @@ endforeach()
 list(REMOVE_DUPLICATES hashes)
 list(LENGTH hashes different)
 if(NOT different EQUAL 1)
-  message(FATAL_ERROR "linked in and plugged in, straight on and back differ: ${hashes}")
+  message(FATAL_ERROR "the hashes of linked in and loaded physics, with and without going back, differ: ${hashes}")
 endif()
 execute_process(COMMAND "${CMAKE_COMMAND}" -E echo_append "${hashes}")

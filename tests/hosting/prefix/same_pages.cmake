@@ -1,4 +1,4 @@
-# The reference of physics linked in and of physics plugged in, page by page; and the page of a module of somebody else's.
+# Compares the reference pages of physics linked in and of physics loaded as a module; tests the page of a module outside of Fettle.
 file(REMOVE_RECURSE "${FOLDER}")
 foreach(way IN ITEMS "linked" "plugged;--module;physics" "wind;--module;${WIND}")
   list(POP_FRONT way name)

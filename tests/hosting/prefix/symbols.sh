@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the installed shared libraries show of themselves: only names that the public headers have, and what is in C. A
-# module shows its entry point and nothing else.
+# The installed shared libraries may export only names of the public headers and names in C. A module may export only its
+# entry point.
 #
 #   symbols.sh PREFIX LIBRARIES NM OBJDUMP
 set -euo pipefail
@@ -8,7 +8,7 @@ prefix=$1 libraries=$2 nm=$3 objdump=$4
 words=$(mktemp)
 trap 'rm -f -- "$words"' EXIT
 
-# One exported name a line, in plain C++; what a table or a guard is of, instead of the table.
+# One exported C++ name per line; for a table or a guard, the name of its class or variable.
 shown() {
     "$nm" -D -C --defined-only -- "$1" | sed -E 's/^[0-9a-f]* [A-Za-z] //
         s/^((vtable|VTT|typeinfo|typeinfo name|guard variable) for |(non-virtual|virtual|covariant return) thunk to )//'
@@ -28,12 +28,12 @@ for file in "$libraries"/libfettle_*.so; do
     private=$(grep 'fettle::' <<<"$all" | identifiers | comm -23 - "$words")
     wanted=$(basename -- "$(readlink -f -- "$file")" | sed -E 's/(\.so\.0\.[0-9]+|\.so\.[1-9][0-9]*)\..*/\1/')
     if [[ ! -e $libraries/$wanted || $("$objdump" -p "$file") != *SONAME*"$wanted"* ]]; then
-        printf '%s is not to be found as %s\n' "${file##*/}" "$wanted"
+        printf '%s does not export %s\n' "${file##*/}" "$wanted"
         wrong=1
     fi
     printf '%s: %d bytes, %d names\n' "$wanted" "$(stat -Lc %s -- "$file")" "$(wc -l <<<"$all")"
-    if [[ -n $foreign ]]; then printf '%s shows what is not of Fettle:\n%s\n' "${file##*/}" "$foreign"; wrong=1; fi
-    if [[ -n $private ]]; then printf '%s shows what no public header has:\n%s\n' "${file##*/}" "$private"; wrong=1; fi
+    if [[ -n $foreign ]]; then printf '%s exports names that are not of Fettle:\n%s\n' "${file##*/}" "$foreign"; wrong=1; fi
+    if [[ -n $private ]]; then printf '%s exports names that are in no public header:\n%s\n' "${file##*/}" "$private"; wrong=1; fi
     count=$((count + 1)) names=$((names + $(wc -l <<<"$all")))
 done
 for file in "$libraries"/fettle/modules/*.so; do

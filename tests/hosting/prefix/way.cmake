@@ -1,4 +1,4 @@
-# One way of another project to Fettle: writes a small project, builds it and runs it.
+# One way to use Fettle in another project: writes a small project, builds it and runs it.
 set(here "${FOLDER}/${WAY}")
 file(REMOVE_RECURSE "${here}")
 file(MAKE_DIRECTORY "${here}")
@@ -17,7 +17,7 @@ if(WAY STREQUAL "pkgconfig")
   return()
 endif()
 
-# All that the compiler opens for every header of the parts that need neither window nor script.
+# All files that the compiler reads for the headers of the parts that need neither window nor script.
 if(WAY STREQUAL "headers")
   file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/fettle/physics/*.h" "${PREFIX}/include/fettle/property/*.h"
        "${PREFIX}/include/fettle/module/*.h" "${PREFIX}/include/fettle/physics_module/*.h")

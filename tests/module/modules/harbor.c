@@ -1,25 +1,27 @@
-/* A module in plain C whose rows no property tells whole: snapshots have them as bytes. Its steps ask,
- * one of its methods is handed a function, and its fields say all that a field can say. */
+/* A module in plain C whose rows contain data that no property shows, so that snapshots store their
+ * bytes. Its steps ask questions, one of its methods gets a function, and its fields use every kind
+ * of description. */
 
 #include <stdlib.h>
 #include <string.h>
 
 #include <fettle/module/abi.h>
 
-enum { most = 8, shown = 4 };
+enum { max_harbors = 8, shown = 4 };
 
 typedef struct Harbor {
     double level;  /* m */
-    uint64_t tide; /* where the noise of the sea stands: nobody sees it */
+    uint64_t tide; /* state of the random generator; no property shows it */
     fettle_handle self, pilot;
     uint32_t used;
 } Harbor;
 
 static const fettle_host* host;
-static Harbor harbors[most];
+static Harbor harbors[max_harbors];
 static fettle_event_tag rising, docked;
 
-/* What a module knew of a field before it could tell more: the program takes the rest as zero. */
+/* The smaller structure of a field in modules for an older interface: the program reads the missing
+ * members as zero. */
 typedef struct old_field {
     const char* name;
     uint32_t type;
@@ -47,7 +49,7 @@ static fettle_status set_pilot(void* context, fettle_row row, const fettle_value
     return FETTLE_OK;
 }
 
-/* The children that count. */
+/* Number of children for which the function returns true. */
 static fettle_status ships(void* context, fettle_handle self, fettle_row row,
                            const fettle_value* arguments, uint32_t count, fettle_result* result) {
     static fettle_value found[shown];
@@ -68,9 +70,9 @@ static fettle_status ships(void* context, fettle_handle self, fettle_row row,
 
 static fettle_status create(void* context, fettle_handle self, fettle_row* row) {
     (void)context;
-    for (*row = 0; *row < most && harbors[*row].used; ++*row) {
+    for (*row = 0; *row < max_harbors && harbors[*row].used; ++*row) {
     }
-    if (*row == most) return FETTLE_ERR_FAILED;
+    if (*row == max_harbors) return FETTLE_ERR_FAILED;
     memset(&harbors[*row], 0, sizeof(Harbor));
     harbors[*row].tide = 12345 + *row;
     harbors[*row].self = self;
@@ -140,20 +142,20 @@ static fettle_status attach(void* context) {
 
 static void step(void* context, double dt) {
     (void)context;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < max_harbors; ++i) {
         Harbor* h = &harbors[i];
-        fettle_value told[2];
+        fettle_value fields[2];
         if (!h->used) continue;
         h->tide = h->tide * 6364136223846793005u + 1442695040888963407u;
-        memset(told, 0, sizeof told);
-        told[0].type = FETTLE_INTEGER;
-        told[0].as.integer = (int64_t)(h->tide >> 40);
-        told[1].type = FETTLE_NUMBER;
-        told[1].as.number = dt * (double)(h->tide >> 40) / (1 << 24);
+        memset(fields, 0, sizeof fields);
+        fields[0].type = FETTLE_INTEGER;
+        fields[0].as.integer = (int64_t)(h->tide >> 40);
+        fields[1].type = FETTLE_NUMBER;
+        fields[1].as.number = dt * (double)(h->tide >> 40) / (1 << 24);
         if (*rising.listeners != 0 &&
-            host->ask(host->self, h->self, rising.id, told, 2, 1) != FETTLE_OK)
+            host->ask(host->self, h->self, rising.id, fields, 2, 1) != FETTLE_OK)
             host->print(host->self, host->last_error(host->self));
-        h->level += told[1].as.number;
+        h->level += fields[1].as.number;
     }
 }
 
@@ -165,7 +167,7 @@ static void report(void* context) {
 static uint64_t hash(void* context) {
     uint64_t all = 0, level;
     (void)context;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < max_harbors; ++i) {
         if (!harbors[i].used) continue;
         memcpy(&level, &harbors[i].level, sizeof level);
         all = (all * 31 + level) * 31 + harbors[i].tide;
@@ -179,7 +181,7 @@ static fettle_status save(void* context, void* sink,
     const uint64_t one = sizeof(Harbor);
     (void)context;
     bytes(sink, &one, sizeof one);
-    for (int i = 0; i < most; ++i) bytes(sink, &harbors[i], sizeof(Harbor));
+    for (int i = 0; i < max_harbors; ++i) bytes(sink, &harbors[i], sizeof(Harbor));
     return FETTLE_OK;
 }
 

@@ -1,4 +1,4 @@
-/* A module whose values are none. */
+/* A module with invalid values. */
 
 #include <fettle/module/abi.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* A module in plain C: clouds that gather water and rain. Built several times, each time with one
- * of the macros below, it is also everything that can be wrong with a module. */
+/* A module in plain C: clouds that gather water and rain. It is built several times, each time with
+ * one of the macros below, which make one kind of faulty module each. */
 
 #include <math.h>
 #include <signal.h>
@@ -22,7 +22,7 @@
 #define ABI FETTLE_ABI
 #endif
 
-enum { most = 64 };
+enum { max_clouds = 64 };
 static const double dry = 0.0;
 
 #ifdef EXIT_IN_CONSTRUCTOR
@@ -31,7 +31,8 @@ __attribute__((constructor)) static void before_all(void) {
 }
 #endif
 
-/* As another compilation may have laid it out: nothing of it may go over by bytes. */
+/* Another layout of the structure, as another version may have: a reload must not copy its bytes.
+ */
 typedef struct Cloud {
 #ifdef OTHER_LAYOUT
     char padding[40];
@@ -48,7 +49,7 @@ typedef struct Cloud {
 } Cloud;
 
 static const fettle_host* host;
-static Cloud clouds[most];
+static Cloud clouds[max_clouds];
 static fettle_event_tag rained;
 
 static void* water_base(void* context) {
@@ -87,7 +88,7 @@ static fettle_status get_mood(void* context, fettle_row row, fettle_value* value
     return FETTLE_OK;
 }
 
-/* Says that it is a number and gives a text. */
+/* Declared as a number, but returns a text. */
 static fettle_status get_slip(void* context, fettle_row row, fettle_value* value) {
     return get_mood(context, row, value);
 }
@@ -103,11 +104,11 @@ static fettle_status rain(void* context, fettle_handle self, fettle_row row,
     }
     clouds[row].water -= amount;
     if (host->listens(host->self, self, rained.id)) {
-        fettle_value told;
-        memset(&told, 0, sizeof told);
-        told.type = FETTLE_NUMBER;
-        told.as.number = amount;
-        host->emit(host->self, self, rained.id, &told, 1);
+        fettle_value amount_field;
+        memset(&amount_field, 0, sizeof amount_field);
+        amount_field.type = FETTLE_NUMBER;
+        amount_field.as.number = amount;
+        host->emit(host->self, self, rained.id, &amount_field, 1);
     }
     result->kind = FETTLE_ONE_VALUE;
     result->value.type = FETTLE_NUMBER;
@@ -135,9 +136,9 @@ static fettle_status survey(void* context, fettle_handle self, fettle_row row,
 
 static fettle_status create(void* context, fettle_handle self, fettle_row* row) {
     (void)context;
-    for (*row = 0; *row < most && clouds[*row].used; ++*row) {
+    for (*row = 0; *row < max_clouds && clouds[*row].used; ++*row) {
     }
-    if (*row == most) {
+    if (*row == max_clouds) {
         host->fail(host->self, "the sky is full");
         return FETTLE_ERR_REJECTED;
     }
@@ -249,10 +250,11 @@ static void step(void* context, double dt) {
 #ifdef EXIT_IN_STEP
     _exit(0);
 #elif defined SILENT_IN_STEP
-    for (int i = 3; i < 1024; ++i) close(i); /* whoever waits for a word waits for ever */
+    for (int i = 3; i < 1024; ++i)
+        close(i); /* closes all files, so the parent would wait without end for a message */
     for (;;) pause();
 #endif
-    for (int i = 0; i < most; ++i)
+    for (int i = 0; i < max_clouds; ++i)
         if (clouds[i].used) clouds[i].water += dt;
 }
 
@@ -264,7 +266,7 @@ static void report(void* context) {
 static uint64_t hash(void* context) {
     uint64_t all = 0;
     (void)context;
-    for (int i = 0; i < most; ++i) all = all * 31 + (uint64_t)(clouds[i].water * 1024);
+    for (int i = 0; i < max_clouds; ++i) all = all * 31 + (uint64_t)(clouds[i].water * 1024);
     return all;
 }
 

@@ -85,7 +85,7 @@ class ByteReader {
         return elements;
     }
     /// A count of elements of at least `least` bytes each.
-    std::size_t count(std::size_t least = 1);
+    std::size_t count(std::size_t min_size = 1);
     std::string_view text();
     Value value() { return value(0); }
     /// The next block, with a reader that cannot read beyond it.

@@ -13,10 +13,10 @@ namespace fettle::property {
 
 class Tree;
 
-/// Inside `SnapshotPart::restore`: visits each instance that will exist, with its class and its
-/// row. A part that stores rows itself must check here that each row exists and belongs to the
-/// instance, because bytes from a file may contain any number. At any other time there are no
-/// instances.
+/// Visits each instance that the snapshot contains, with its class and its row. A part that stores
+/// rows itself must check here that each row exists and belongs to the instance, because bytes from
+/// a file may contain any number. To be called only inside `SnapshotPart::restore`; at any other
+/// time it visits nothing.
 void each_restored(const Tree& tree, const std::function<void(Handle, const Class&, Row)>& visit);
 
 }  // namespace fettle::property

@@ -17,7 +17,7 @@ namespace fettle::property {
 class Symbol {
   public:
     /// The greatest number of different names in a process; a name is never released.
-    static constexpr std::uint32_t most = std::uint32_t{1} << 22;
+    static constexpr std::uint32_t max_count = std::uint32_t{1} << 22;
 
     Symbol() = default;
     /// Throws Error(bad_name) if there are too many different names.

@@ -44,7 +44,7 @@ class WriteLog : public Observer {
     std::size_t memory() const;
     /// Limit of one piece in bytes, 32 MiB by default. Further changes are not logged and set
     /// `too_much`.
-    void set_most(std::size_t bytes) { most_ = bytes; }
+    void set_limit(std::size_t bytes) { limit_ = bytes; }
     /// Repeats a piece: in the `go_on` of `Tree::restore`, in the state at the beginning of the
     /// piece. Throws Error(rejected) for a piece of another tree, Error(deleted) if its tree is
     /// destroyed. It does not check that the bytes come from `take`: they contain addresses.
@@ -77,8 +77,8 @@ class WriteLog : public Observer {
         std::size_t at;
         PlainWrites writes;
     };
-    static constexpr std::size_t worth_keeping = 128;               // fewer are copied at once
-    static constexpr std::size_t most_kept = std::size_t{1} << 20;  // bytes of the reused buffer
+    static constexpr std::size_t worth_keeping = 128;              // fewer are copied at once
+    static constexpr std::size_t max_kept = std::size_t{1} << 20;  // bytes of the reused buffer
 
     /// True if changes are to be logged now.
     bool notes();
@@ -89,7 +89,7 @@ class WriteLog : public Observer {
 
     Tree& tree_;
     std::weak_ptr<const Tree*> life_;  // of the tree
-    std::size_t most_ = std::size_t{32} << 20;
+    std::size_t limit_ = std::size_t{32} << 20;
     bool too_much_ = false;
     std::vector<std::byte> bytes_;
     std::vector<Kept> kept_;

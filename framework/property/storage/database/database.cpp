@@ -17,8 +17,8 @@ std::string words(sqlite3* database, int code) {
     if (primary == SQLITE_FULL) return system_reason(ENOSPC);
     if (primary == SQLITE_INTERRUPT) return "reading it takes too long";
     // The message of the connection is more precise, but only if it belongs to this code.
-    const bool told = database != nullptr && sqlite3_errcode(database) == primary;
-    std::string text = told ? sqlite3_errmsg(database) : sqlite3_errstr(code);
+    const bool has_message = database != nullptr && sqlite3_errcode(database) == primary;
+    std::string text = has_message ? sqlite3_errmsg(database) : sqlite3_errstr(code);
     if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return text;
     // SQLite does not keep the reason of a failed commit, so it is taken from errno.
     const int last = errno;
@@ -183,9 +183,9 @@ void Database::distrust() {
           std::pair{SQLITE_LIMIT_ATTACHED, 0}, std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1}})
         sqlite3_limit(database_, limit, value);
     // Each statement is counted by itself. Ours need some thousands of operations.
-    constexpr int most_operations = 200'000'000;
+    constexpr int max_operations = 200'000'000;
     sqlite3_progress_handler(
-        database_, most_operations, [](void*) { return 1; }, nullptr);
+        database_, max_operations, [](void*) { return 1; }, nullptr);
     run("PRAGMA cell_size_check = ON");
 }
 

@@ -21,8 +21,8 @@ std::vector<std::string> KeptTweaks::deepest_first(const std::vector<std::string
     for (const auto& [depth, places] : by_depth) {
         std::vector<std::string> of_depth;
         for (const std::size_t i : places) of_depth.push_back(paths[i]);
-        std::vector<std::string> told = remove(of_depth);
-        for (std::size_t i = 0; i < places.size(); ++i) before[places[i]] = std::move(told[i]);
+        std::vector<std::string> removed = remove(of_depth);
+        for (std::size_t i = 0; i < places.size(); ++i) before[places[i]] = std::move(removed[i]);
     }
     return before;
 }

@@ -215,7 +215,7 @@ void KeptTweaks::check_value(const std::string& path, const Property* declared,
                              const Image& image) const {
     const Value value = image_value(tree_, image);
     if (declared != nullptr) {
-        require_told_as_property(*declared);
+        require_settable_in_scene(*declared);
         if (declared->read_only) throw Error(ErrorKind::read_only, path + ": it is read-only");
         (void)coerced(tree_, *declared, value, path);
     }

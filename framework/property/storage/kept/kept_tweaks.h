@@ -165,10 +165,10 @@ class KeptTweaks {
     std::shared_ptr<const Document> document_;  // the file as it was read
     std::vector<Changes> changes_;              // changes since then, one item per section
     Contents contents_;
-    std::unordered_set<std::string> told_;  // warnings
-    std::vector<Assignment> waiting_;       // until the instance that they refer to exists
-    bool unwritten_ = false;                // the document is newer than the file
-    bool applied_ = false;                  // set by `apply_all`
+    std::unordered_set<std::string> reported_;  // warnings
+    std::vector<Assignment> waiting_;           // until the instance that they refer to exists
+    bool unwritten_ = false;                    // the document is newer than the file
+    bool applied_ = false;                      // set by `apply_all`
 };
 
 }  // namespace fettle::property

@@ -28,7 +28,7 @@ void KeptTweaks::warn(const Document& document, std::size_t offset, const std::s
 }
 
 void KeptTweaks::tell(const SceneError& error) {
-    if (told_.insert(error.what()).second) warn_(error.what());
+    if (reported_.insert(error.what()).second) warn_(error.what());
 }
 
 const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::string& key) const {

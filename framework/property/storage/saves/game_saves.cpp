@@ -35,9 +35,9 @@ GameSaves::~GameSaves() {
 void GameSaves::save(const std::string& slot) {
     tree().require_changeable("save the game");
     Saves::check_slot(slot);
-    if (requests_ == most_requests)
+    if (requests_ == max_requests)
         throw Error(ErrorKind::rejected,
-                    "the game is asked to be saved more than " + std::to_string(most_requests) +
+                    "the game is asked to be saved more than " + std::to_string(max_requests) +
                         " times at one barrier, the last time as \"" + slot + "\"");
     // The request is queued in order with the other work of the barrier: a game that is loaded in
     // between is a different one.
@@ -147,7 +147,7 @@ void GameSaves::warn(const std::string& what) const {
 
 /// For formulas: a game that saves every minute gets the warning once.
 void GameSaves::warn_once(const std::string& what) {
-    if (told_.insert(what).second) warn(what);
+    if (reported_.insert(what).second) warn(what);
 }
 
 }  // namespace fettle::property

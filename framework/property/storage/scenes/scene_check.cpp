@@ -66,16 +66,16 @@ class SceneCheck {
         const Type element = property != nullptr ? property->element : Type::nil;
         try {
             if (property != nullptr) {
-                require_told_as_property(*property);
+                require_settable_in_scene(*property);
                 if (property->read_only)
                     throw Error(ErrorKind::read_only, path + ": it is read-only");
             }
             const FormulaText formula = formula_text(document_, node);
-            const Node* const told = formula ? formula.value : &node;
+            const Node* const given = formula ? formula.value : &node;
             Value value;
-            if (told != nullptr) value = read_value(document_, *told, type, element, resolve_);
-            const bool resets = told != nullptr && told->kind == Document::Kind::null;
-            if (property != nullptr && told != nullptr && !resets)
+            if (given != nullptr) value = read_value(document_, *given, type, element, resolve_);
+            const bool resets = given != nullptr && given->kind == Document::Kind::null;
+            if (property != nullptr && given != nullptr && !resets)
                 value = coerced(tree_, *property, value, path);
             if (formula) (void)made_formula(tree_, document_, formula, value);
         } catch (const SceneError& error) {

@@ -32,7 +32,8 @@ class Detached {
     ~Detached() {
         if (top && tree_.alive(top)) try {
                 tree_.destroy(top);
-            } catch (const std::exception&) {  // why the scene cannot be loaded is told instead
+            } catch (const std::exception&) {  // the reason why the scene cannot be loaded is
+                                               // reported instead
             }
     }
     Detached(const Detached&) = delete;
@@ -205,7 +206,7 @@ class SceneLoader {
         const Handle handle = made_[index].handle;
         now_ = &node;
         try {
-            require_told_as_property(property);
+            require_settable_in_scene(property);
             if (const Node* value = value_in(node, type, property.element, pass))
                 tree_.set(handle, property,
                           read_value(document_, *value, type, property.element, resolve_));

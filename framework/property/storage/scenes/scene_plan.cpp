@@ -194,9 +194,9 @@ void ScenePlan::other_key(std::size_t index, const Node& member) {
     };
     const auto belongs = [&](const std::string& name) {
         const Property& property = *of.property(name);
-        const bool told = !property.read_only && property.binding.kind != BindingKind::node;
+        const bool settable = !property.read_only && property.binding.kind != BindingKind::node;
         return "is a property of " + of.name() +
-               (told ? " and belongs inside \"properties\"" : ", which no scene tells");
+               (settable ? " and belongs inside \"properties\"" : ", which no scene file sets");
     };
     if (of.property(key) != nullptr) fail("; it " + belongs(key));
     if (key == version_key) fail(": it stands once, in the topmost object of the file");

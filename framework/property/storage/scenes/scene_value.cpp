@@ -388,11 +388,10 @@ Formula made_formula(const Tree& tree, const Document& document, const FormulaTe
     }
 }
 
-void require_told_as_property(const Property& property) {
+void require_settable_in_scene(const Property& property) {
     if (property.binding.kind == BindingKind::node && property.transient)
         throw Error(ErrorKind::read_only,
-                    "is told by the keys of the instance and by where it stands, not as a "
-                    "property");
+                    "is set by the keys and the place of the instance, not as a property");
 }
 
 Value read_value(const Document& document, const Node& node, Type type, Type element,

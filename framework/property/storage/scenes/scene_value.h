@@ -73,7 +73,7 @@ Formula made_formula(const Tree& tree, const Document& document, const FormulaTe
                      const Value& value);
 
 /// Throws Error for name and parent, which a scene describes by the keys of an instance.
-void require_told_as_property(const Property& property);
+void require_settable_in_scene(const Property& property);
 
 /// Reads a value of type `type`; if that is a list, `element` is the type of its elements. If the
 /// text has another type, the value of that type is returned, and the property converts or refuses

@@ -25,7 +25,7 @@ const FileFormat journal_format{
                "instance TEXT, property TEXT, was TEXT, now TEXT, was_text TEXT, now_text TEXT, "
                "step INTEGER, time INTEGER, file TEXT, inside TEXT, kept_in TEXT, PRIMARY KEY "
                "(run, number)) WITHOUT ROWID"}};
-constexpr int most_files = 9;
+constexpr int max_files = 9;
 constexpr int io_error = 10;         // an error code of SQLite that does not concern the file
 constexpr int long_patience = 2000;  // ms; for opening a file and for the last commit
 
@@ -139,7 +139,7 @@ void Journal::leave_out_odd_folders() {
 void Journal::find_existing() {
     std::error_code ignored;
     for (const fs::path& folder : folders_)
-        for (int number = 1; number <= most_files && !database_; ++number) {
+        for (int number = 1; number <= max_files && !database_; ++number) {
             const fs::path file = candidate(folder, number);
             if (!fs::exists(file, ignored)) continue;
             std::string problem;
@@ -162,7 +162,7 @@ void Journal::create() {
         fs::create_directories(folder, error);
         if (!error && !may_write(folder)) error.assign(errno, std::generic_category());
         std::string problem = error ? error.message() : std::string();
-        for (int number = 1; number <= most_files && problem.empty(); ++number) {
+        for (int number = 1; number <= max_files && problem.empty(); ++number) {
             const fs::path file = candidate(folder, number);
             if (unusable_.contains(file)) continue;
             // Another run may have made the file in the meantime.

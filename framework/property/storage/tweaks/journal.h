@@ -19,26 +19,27 @@ namespace fettle::property {
 
 /// A row of the journal. Each run numbers its own rows.
 struct JournalRow {
-    /// `restored`: a kept deletion was undone later.
+    /// `restored`: the undo of a deletion that was already kept.
     enum class Kind : std::uint8_t { value, created, deleted, moved, restored };
     enum class State : std::uint8_t { open, kept, dropped };
 
-    static constexpr std::int64_t elsewhere = -1;  // a `run`: the journal can only be read
+    static constexpr std::int64_t elsewhere = -1;  // value of `run` for rows of a read-only journal
     std::int64_t run = 0;
     std::int64_t number = 0;
     Kind kind = Kind::value;
     State state = State::open;
-    std::string instance;  // path; for a deletion and a move, the home path
+    std::string instance;  // path of the instance; for a deletion and a move, its home path
     std::string property;  // "" unless kind is value
-    /// In the form of image.h. For a creation, `now` is a scene; for a move, the new path. For a
-    /// restoration, `was` is the text that its deletion removed from a file, and `now` is a scene.
+    /// The old and the new value, encoded as in image.h. For a creation, `now` is the text of a
+    /// scene. For a move, `now` is the new path. For a row of kind `restored`, `was` is the text
+    /// that the deletion removed from a file, and `now` is the text of a scene.
     std::string was, now;
-    std::string was_text, now_text;  // for people
+    std::string was_text, now_text;  // the same values in readable form
     std::int64_t step = 0;
     std::int64_t time = 0;  // seconds since 1970
     std::string file;       // scene file of the instance; "" if a script made it
-    std::string inside;     // steps in that file
-    std::string kept_in;    // name of the file in which it was kept
+    std::string inside;     // path of the instance within that file
+    std::string kept_in;    // name of the file into which the tweak was kept
 };
 
 class Journal {
@@ -53,23 +54,23 @@ class Journal {
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Rows of earlier runs that are still open, oldest first.
+    /// Returns the rows of earlier runs whose state is `open`, oldest first.
     std::vector<JournalRow> earlier();
 
-    /// Reads the states of rows of earlier runs again: other running programs may have changed
-    /// them.
+    /// Reads the states of these rows of earlier runs again, because other running programs may
+    /// have changed them.
     void refresh(std::vector<JournalRow>& rows);
 
     struct Changes {
-        std::vector<const JournalRow*> put;      // rows of this run, new ones or new contents
-        std::vector<std::int64_t> withdrawn;     // rows of this run, by number
-        std::vector<const JournalRow*> settled;  // rows of other runs that are not open any more
-        std::vector<const JournalRow*> removed;  // rows of other runs that are no valid tweaks
+        std::vector<const JournalRow*> put;      // new or changed rows of this run
+        std::vector<std::int64_t> withdrawn;     // numbers of rows of this run to be deleted
+        std::vector<const JournalRow*> settled;  // rows of other runs that are now kept or dropped
+        std::vector<const JournalRow*> removed;  // invalid rows of other runs to be deleted
     };
     /// Commits all changes or none. False if another program is writing now. Throws DatabaseError.
     bool commit(const Changes& changes);
-    /// From now on a commit waits up to some seconds for another program, because it may be the
-    /// last commit.
+    /// After this, a commit waits up to some seconds for another program, because it may be the
+    /// last commit of this run.
     void be_patient();
     /// True if the file was removed or replaced: the rows of this run must be put again.
     bool vanished();
@@ -97,7 +98,7 @@ class Journal {
     std::unique_ptr<Database> database_;
     std::unique_ptr<Checkpoints> checkpoints_;
     std::set<std::filesystem::path> unusable_;
-    std::vector<std::filesystem::path> unwritable_;  // journals that can only be read
+    std::vector<std::filesystem::path> unwritable_;  // read-only journals
     std::int64_t run_ = 0;
     int patience_ = 20;  // ms; short, because a frame must not wait
 };

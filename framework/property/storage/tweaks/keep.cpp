@@ -277,7 +277,7 @@ class Keeping {
         switch (row.kind) {
             case Kind::value:
                 return state_.kept.set(unmarked(home), row.property, declared(home, row.property),
-                                       rows_.told(row, paths_), [&](const std::string& path) {
+                                       rows_.kept_image(row, paths_), [&](const std::string& path) {
                                            return unmarked(paths_.home_of_live(path));
                                        });
             case Kind::created:
@@ -358,7 +358,7 @@ class Keeping {
         }
     }
 
-    /// Without those that contradict the ones before them; these are told.
+    /// Returns the rows without those that contradict earlier ones, which are reported.
     template <class Check>
     Rows possible_together(const Rows& rows, Check check) {
         try {

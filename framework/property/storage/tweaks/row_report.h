@@ -45,13 +45,13 @@ class RowReport {
     template <class Begin, class Keep>
     Rows tried_together(const Rows& rows, const RowPaths& paths, Begin begin, Keep keep_it) {
         Rows done;
-        const std::size_t told = count();
+        const std::size_t reported = count();
         std::vector<std::pair<const JournalRow*, std::string>> problems;
         for (bool again = true; again;) {
             again = false;
             done.clear();
             begin();
-            forget_since(told);
+            forget_since(reported);
             for (const auto& [row, problem] : problems) report_.problems.push_back(problem);
             for (JournalRow* row : rows) {
                 if (std::ranges::any_of(problems,
@@ -74,7 +74,7 @@ class RowReport {
         return done;
     }
     /// The value to be kept. A formula that is not saved is reported.
-    Image told(const JournalRow& row, const RowPaths& paths) {
+    Image kept_image(const JournalRow& row, const RowPaths& paths) {
         Image image = paths.live_image(row);
         if (image.kind == Image::Kind::formula && !image.not_saved.empty())
             report_.problems.push_back(path_of(row) + ": its formula " + image.not_saved +

@@ -124,7 +124,7 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
     const NewPath in_file = from_top(paths_.home_of_top(row));
     switch (row.kind) {
         case Kind::value:
-            return edit_.set(steps, row.property, report_.told(row, paths_),
+            return edit_.set(steps, row.property, report_.kept_image(row, paths_),
                              [&](const std::string& path) {
                                  const std::string home = paths_.home_of_live(path);
                                  const auto inside = in_file(home);

@@ -338,7 +338,7 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
         Entry& its = *entries[i];
         if (&its == &deletion || its.row.state != RowState::open || its.gone) continue;
         if (!is_at_or_below(path_now(its.row), path)) continue;
-        // Elsewhere in the files, so it needs a deletion of its own.
+        // Its home is not below the deleted one in the files, so it needs a separate deletion.
         const bool elsewhere = home.empty() || !is_at_or_below(its.row.instance, home);
         const bool in_its_place = its.row.now == path;  // a different instance, deleted before
         if (its.row.kind == Kind::deleted && (elsewhere || in_its_place)) continue;
@@ -348,7 +348,7 @@ void Tweaks::State::make_void(const std::string& path, const std::string& home, 
         if (its.row.kind == Kind::moved && elsewhere && tree.alive(its.handle))
             add_deletion(its.handle, its.row.now, its.row.instance).with = &deletion;
     }
-    // An instance whose home is below another deleted one needs no deletion of its own.
+    // An instance whose home is below another deleted one needs no separate deletion.
     for (const auto& each : entries)
         if (each->with == &deletion && !each->gone)
             each->gone = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {

@@ -40,9 +40,10 @@ void Tweaks::State::barrier() {
     commit();
 }
 
-// --- What was created ----------------------------------------------------------------------------
+// --- Created instances ---------------------------------------------------------------------------
 
-/// `moving`: an instance that is below another parent now, and was there before what is new.
+/// Makes tweaks of the instances created since the last call. `moving`: an instance that was just
+/// moved below another parent, and existed before the new ones.
 void Tweaks::State::settle_fresh(Handle moving) {
     const std::vector<Handle> born = std::move(fresh);
     fresh.clear();

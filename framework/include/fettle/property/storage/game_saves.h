@@ -40,10 +40,10 @@ class GameSaves {
 
     /// Saves at the next barrier. If a slot is saved several times before it, only the last call
     /// counts. The save is read back as by `load` before it is written. Throws Error(bad_name) for
-    /// a name that no slot can have, Error(rejected) after `most_requests` calls between two
+    /// a name that no slot can have, Error(rejected) after `max_requests` calls between two
     /// barriers.
     void save(const std::string& slot);
-    static constexpr std::size_t most_requests = 1000;
+    static constexpr std::size_t max_requests = 1000;
     /// Restores the last save of that slot at the next barrier: from a `save` that still waits for
     /// that barrier or for its picture, otherwise from the file. The file is read at once and
     /// checked as far as possible before the barrier. Throws as `Saves::load` does, and
@@ -85,7 +85,7 @@ class GameSaves {
         loaded_;                    // requests that are loaded before the next save of the slot
     std::vector<Waiting> waiting_;  // saves without their picture
     std::map<std::string, std::vector<std::byte>> unwritten_;  // saves without a file, by slot
-    std::set<std::string> told_;                               // reported formulas
+    std::set<std::string> reported_;                           // reported formulas
     /// A request may reach its barrier after this object is destroyed.
     std::shared_ptr<GameSaves*> alive_;
 };

@@ -65,15 +65,15 @@ class SceneError : public Error {
 /// The format version that this program writes, and the newest that it reads.
 inline constexpr int scene_format_version = 1;
 
-/// Name of the ad-hoc text property that holds, as JSON, the keys of a scene file about an instance
-/// that this program does not know. Saving writes them back to their places.
+/// Name of an ad-hoc text property. It holds the unknown keys of an instance in its scene file, as
+/// JSON. Saving writes them back to their places.
 inline constexpr std::string_view unknown_keys_property = "unknown_keys";
 
-/// `node` and everything below it as the text of a scene file. Throws Error for data that no file
-/// can hold: the root of the tree, NaN, a reference to a detached instance outside `node`, a name
-/// that is not UTF-8, more than 400 nested instances. A formula is written as its text and its
-/// value; if its text alone does not define the same formula, only the value is written and
-/// `warnings`, if given, gets a line.
+/// Returns the text of a scene file with `node` and everything below it. Throws Error for data that
+/// a file cannot contain: the root of the tree, NaN, a reference to a detached instance outside
+/// `node`, a name that is not UTF-8, more than 400 nested instances. A formula is written as its
+/// text and its value. If its text alone does not define the same formula, only the value is
+/// written, and a line is added to `warnings` (unless it is null).
 std::string scene_text(const Tree& tree, Handle node, std::vector<std::string>* warnings = nullptr);
 
 /// Writes `scene_text` to a file: into a temporary file beside it, which is read back, synchronized
@@ -84,21 +84,22 @@ void save_scene(const Tree& tree, Handle node, const std::filesystem::path& file
 /// Position of an instance in its scene file.
 struct SceneInstance {
     Handle instance{};
-    std::size_t parent = 0;  // index of its parent; for the topmost one, its own
-    std::size_t place = 0;   // index among its parent's children in the file
+    std::size_t parent = 0;  // index of the parent in the list; the topmost one has its own index
+    std::size_t place = 0;   // index among the children of the parent in the file
 };
 
-/// Builds the instances of a scene file below `parent` (null: detached) and returns the topmost
-/// one. Its name is `name`, or that in the file (numbered if `parent` has a child of that name).
-/// Names of properties that its class does not have, and other unknown keys, are kept and written
-/// back by saving; `warnings`, if given, gets a line for each such property; `instances` gets every
-/// instance, parents before children. Every instance emits `ready`, children before parents.
+/// Creates the instances of a scene file below `parent` (null: detached) and returns the topmost
+/// one. Its name is `name`, or the name in the file if `name` is empty (with a number if `parent`
+/// has a child of that name). Properties that the class does not have, and other unknown keys, are
+/// stored and written back by saving. For each such property, a line is added to `warnings` (unless
+/// it is null). `instances` (unless it is null) gets every instance, parents before children. Every
+/// instance emits `ready`, children before parents.
 ///
-/// The tree's compiler makes formulas (`Tree::compile_formulas_with`); without one a formula keeps
-/// its text and the value in the file.
+/// Formulas are compiled by the compiler of the tree (`Tree::compile_formulas_with`). Without a
+/// compiler, a formula keeps its text and its value in the file.
 ///
-/// Throws SceneError, FileError, or Error for an impossible `parent` or `name`; nothing has changed
-/// then.
+/// Throws SceneError, FileError, or Error for an invalid `parent` or `name`; then nothing has
+/// changed.
 Handle load_scene(Tree& tree, const std::filesystem::path& file, Handle parent,
                   std::string_view name = {}, std::vector<std::string>* warnings = nullptr,
                   std::vector<SceneInstance>* instances = nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// Saved values that do not fit the current declaration of their property.
+// Saved values whose property now has another type: they are converted, or replaced by the default.
 
 #include <cstddef>
 #include <map>
@@ -10,7 +10,8 @@
 
 namespace fettle::property {
 
-class Misfits {
+/// The saved values that could not be converted, for a report.
+class UnfitValues {
   public:
     void add(const Property& property, Value saved);
     /// One line for each property, sorted by name.
@@ -24,5 +25,9 @@ class Misfits {
     };
     std::map<std::string, OfProperty> all_;  // by class and name of the property
 };
+
+/// Converts a saved value to the current type of the property. If that is impossible, returns the
+/// default and adds the value to `unfit`.
+Value fit_saved_value(const Property& property, Value saved, UnfitValues& unfit);
 
 }  // namespace fettle::property
