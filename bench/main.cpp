@@ -146,6 +146,24 @@ void add_solvers(CLI::App& app, SolversOptions& options) {
         ->type_name("DIR");
 }
 
+void add_wild(CLI::App& app, WildOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("wild", "Random worlds, and the invariants that they violate");
+    command->add_option("--seed", options.seed, "Of the first world; the next has the next seed")
+        ->capture_default_str();
+    command->add_option("--count", options.count, "Worlds at most")
+        ->check(CLI::Range(1, 1000000000))
+        ->capture_default_str();
+    command->add_option("--seconds", options.seconds, "No world begins after this time");
+    command->add_option("--invariant", options.invariants, "Only this invariant (repeatable)")
+        ->type_name("NAME");
+    command->add_option("--engine", options.engines, "Try the worlds in this engine as well")
+        ->type_name("box2d");
+    command->add_option("--minimize", options.minimized, "Findings of each invariant to minimize")
+        ->capture_default_str();
+    add_json(*command, options.json);
+}
+
 bool has_table(const CLI::App& app, const std::string& name) {
     for (const CLI::App* each : app.get_subcommands({}))
         if (each->get_name() == name) return true;
@@ -182,6 +200,8 @@ int main(int argc, char** argv) {
     add_solvers(app, solvers);
     GrowthOptions growth;
     add_growth(app, growth);
+    WildOptions wild;
+    add_wild(app, wild);
     const std::string command = argc > 1 ? argv[1] : "";
     if (!command.empty() && command[0] != '-' && !has_table(app, command)) {
         std::cerr << "fettle-bench: \"" << command << "\" is no table; there are";
@@ -211,6 +231,7 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("shapes")) return run_shapes(shapes);
         if (app.got_subcommand("growth")) return run_growth(growth);
         if (app.got_subcommand("solvers")) return run_solvers(solvers);
+        if (app.got_subcommand("wild")) return run_wild(wild);
     } catch (const std::exception& error) {
         std::cerr << "fettle-bench: " << error.what() << "\n";
         return 2;

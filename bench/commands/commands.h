@@ -2,6 +2,7 @@
 // The subcommands of `fettle-bench`. Each returns an exit status: 0, or 1 if a check during the run
 // failed.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -89,5 +90,16 @@ struct SolversOptions {
     std::string plots;  // folder for the curves as SVG and as numbers
 };
 int run_solvers(const SolversOptions& options);
+
+struct WildOptions {
+    std::uint64_t seed = 1;
+    int count = 200;
+    double seconds = 0;                   // of wall time, after which no world begins; 0: no limit
+    std::vector<std::string> invariants;  // empty: all
+    std::vector<std::string> engines;     // engines the worlds run in besides Fettle
+    int minimized = 3;                    // findings of each invariant
+    bool json = false;
+};
+int run_wild(const WildOptions& options);
 
 }  // namespace fettle::bench

@@ -1,0 +1,97 @@
+#include "wild/survey.h"
+
+#include <algorithm>
+#include <map>
+
+#include "measure/timing.h"
+#include "wild/cpp_text.h"
+#include "wild/grammar.h"
+#include "wild/minimize.h"
+#include "wild/same_runs.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+bool has(const Trial& trial, const std::string& invariant) {
+    return std::ranges::count(trial.findings, invariant, &Finding::invariant) > 0;
+}
+
+class Surveyor {
+  public:
+    explicit Surveyor(const SurveyOptions& options)
+        : options_(options), watched_(invariants_named(options.invariants)) {
+        const auto& names = options.invariants;
+        compare_ = names.empty() || std::ranges::count(names, "same") > 0;
+    }
+
+    void look_at(std::uint64_t seed, Survey& survey) {
+        const WorldPlan plan = draw_world(seed, options_.size);
+        const Trial trial = try_in_fettle(plan, watched_, compare_);
+        ++survey.worlds;
+        survey.steps += trial.steps;
+        Trial peer;
+        const bool peer_ran = options_.box2d && try_in_peer(plan, peer);
+        survey.peer_worlds += peer_ran;
+        for (const Finding& finding : peer.findings) survey.peer_findings.push_back(finding);
+        for (const Finding& finding : trial.findings) {
+            Found found{seed, finding, peer_ran, peer_ran && !has(peer, finding.invariant), {}};
+            if (minimized_[finding.invariant]++ < options_.minimized)
+                found.minimized = minimize(plan, found.finding);
+            survey.found.push_back(std::move(found));
+        }
+    }
+
+  private:
+    bool try_in_peer(const WorldPlan& plan, Trial& trial) const {
+        if (!run_in_box2d(plan)) return false;
+        trial = try_plan(plan, run_in_box2d, watched_);
+        return true;
+    }
+
+    /// What is found in the smaller world takes the place of `finding`.
+    std::string minimize(const WorldPlan& plan, Finding& finding) const {
+        const std::string& name = finding.invariant;
+        std::vector<Invariant> one;
+        std::ranges::copy_if(watched_, std::back_inserter(one),
+                             [&](const Invariant& each) { return each.name == name; });
+        const auto trial = [&](const WorldPlan& candidate) {
+            return try_in_fettle(candidate, one, name == "same");
+        };
+        const WorldPlan small = minimized(
+            plan, [&](const WorldPlan& candidate) { return has(trial(candidate), name); });
+        for (const Finding& each : trial(small).findings)
+            if (each.invariant == name) finding = each;
+        return cpp_text(small);
+    }
+
+    const SurveyOptions& options_;
+    std::vector<Invariant> watched_;
+    bool compare_ = false;
+    std::map<std::string, int> minimized_;
+};
+
+}  // namespace
+
+Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare) {
+    Trial trial = try_plan(plan, run_in_fettle, watched);
+    if (compare && !has(trial, "throws")) {
+        if (auto finding = compare_runs(plan)) trial.findings.push_back(std::move(*finding));
+    }
+    return trial;
+}
+
+Survey survey(const SurveyOptions& options, const Tell& tell) {
+    const WallClock clock;
+    Survey survey;
+    Surveyor surveyor(options);
+    for (int i = 0; i < options.count; ++i) {
+        if (options.seconds > 0 && clock.elapsed_ms() > 1000 * options.seconds) break;
+        const std::uint64_t seed = options.seed + std::uint64_t(i);
+        if (tell) tell(seed, survey.found.size());
+        surveyor.look_at(seed, survey);
+    }
+    survey.seconds = clock.elapsed_ms() / 1000;
+    return survey;
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,48 @@
+#pragma once
+// Many worlds are drawn, tried and, where they fail, minimized.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wild/trial.h"
+
+namespace fettle::bench::wild {
+
+struct SurveyOptions {
+    std::uint64_t seed = 1;  // of the first world; the next has the next seed
+    int count = 200;
+    double seconds = 0;  // of wall time, after which no further world begins; 0: no limit
+    int size = 1;        // of `draw_world`
+    std::vector<std::string> invariants;  // empty: all
+    bool box2d = false;                   // whether worlds are tried in Box2D as well
+    int minimized = 3;                    // findings of each invariant that are minimized
+};
+
+struct Found {
+    std::uint64_t seed = 0;
+    Finding finding;
+    bool peer_ran = false;    // whether Box2D can represent the world
+    bool peer_holds = false;  // whether Box2D keeps the invariant in it
+    std::string minimized;    // C++; empty if it was not minimized
+};
+
+struct Survey {
+    int worlds = 0;
+    int peer_worlds = 0;
+    long long steps = 0;
+    double seconds = 0;
+    std::vector<Found> found;
+    std::vector<Finding> peer_findings;
+};
+
+/// Called before each world with its seed, and with the number of findings so far.
+using Tell = std::function<void(std::uint64_t seed, std::size_t found)>;
+Survey survey(const SurveyOptions& options, const Tell& tell = {});
+
+/// All that a plan violates in the library, of these invariants.
+Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare);
+
+}  // namespace fettle::bench::wild

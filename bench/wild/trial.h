@@ -1,0 +1,25 @@
+#pragma once
+// A plan is run once, and all that it violates is found.
+
+#include <vector>
+
+#include "wild/check.h"
+
+namespace fettle::bench::wild {
+
+using MakeWorld = std::function<std::unique_ptr<RunningWorld>(const WorldPlan&)>;
+
+struct Trial {
+    std::vector<Finding> findings;  // at most one for each invariant
+    long long steps = 0;
+};
+
+/// Exceptions are findings of the invariant `throws`. The run ends early if all invariants are
+/// violated. Throws nothing.
+Trial try_plan(const WorldPlan& plan, const MakeWorld& make, std::span<const Invariant> watched);
+
+/// The invariants with these names, of which `same` and `throws` stand in no table; all if there
+/// are no names. Throws std::invalid_argument for others.
+std::vector<Invariant> invariants_named(const std::vector<std::string>& names);
+
+}  // namespace fettle::bench::wild
