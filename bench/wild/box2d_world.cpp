@@ -1,6 +1,7 @@
-// A plan in Box2D 2.4, with 8 velocity and 3 position iterations, as its manual recommends. It has
-// no ellipses, fields, bounds, capsules or rolling resistance, and few of the joints: plans that
-// need them are refused, as are edits.
+// A plan in Box2D 2.4, with 8 velocity and 3 position iterations, as its manual recommends. Round
+// ends of capsules and rounded corners become polygons of eight vertices, as do ellipses. Plans
+// that need fields, rolling resistance of round shapes, belts, edits, or joints that it lacks are
+// refused.
 
 #include <box2d/box2d.h>
 
@@ -21,27 +22,40 @@ Vec2 vec(const b2Vec2& v) {
 }
 
 bool has_shape(const ShapePlan& shape) {
-    if (shape.def.surface_speed != 0 || shape.def.rolling_resistance != 0) return false;
-    if (const auto* box = std::get_if<Box>(&shape.geometry)) return box->rounding == 0;
+    if (shape.def.surface_speed != 0) return false;
     if (const auto* polygon = std::get_if<Polygon>(&shape.geometry))
-        return polygon->rounding == 0 && polygon->vertices.size() <= b2_maxPolygonVertices;
-    if (const auto* segment = std::get_if<Segment>(&shape.geometry)) return segment->rounding == 0;
-    return !std::holds_alternative<Ellipse>(shape.geometry);
+        return polygon->vertices.size() <= b2_maxPolygonVertices;
+    return shape.def.rolling_resistance == 0 || !std::holds_alternative<Circle>(shape.geometry);
 }
 
 bool has_joint(const JointPlan& joint) {
     for (const Setting& setting : joint.settings)
         if (setting.setter == "set_hertz" && joint.type != JointType::wheel) return false;
-    return joint.type == JointType::revolute || joint.type == JointType::weld ||
-           joint.type == JointType::prismatic || joint.type == JointType::wheel;
+    if (joint.type == JointType::distance && joint.number("set_max_length", 0) > 0) return false;
+    return joint.type == JointType::distance || joint.type == JointType::revolute ||
+           joint.type == JointType::weld || joint.type == JointType::prismatic ||
+           joint.type == JointType::wheel;
 }
 
 bool has_all(const WorldPlan& plan) {
-    if (plan.def.bounds || !plan.fields.empty() || !plan.edits.empty()) return false;
+    if (!plan.fields.empty() || !plan.edits.empty()) return false;
     for (const BodyPlan& body : plan.bodies)
         if (body.born > 0 || !std::ranges::all_of(body.shapes, has_shape)) return false;
     return std::ranges::all_of(
         plan.joints, [](const auto& joint) { return joint.born == 0 && has_joint(joint); });
+}
+
+/// A capsule with three edges at each end.
+std::vector<Vec2> stadium(const Segment& segment) {
+    const Vec2 way = segment.to - segment.from;
+    const float along = way.norm() < 1e-4f ? 0 : std::atan2(way.y(), way.x());
+    std::vector<Vec2> points;
+    for (int i = 0; i < 8; ++i) {
+        const float turn = along - b2_pi / 2 + b2_pi / 3 * float(i < 4 ? i : i - 1);
+        points.push_back((i < 4 ? segment.to : segment.from) +
+                         segment.rounding * Vec2(std::cos(turn), std::sin(turn)));
+    }
+    return points;
 }
 
 struct FixtureMaker {
@@ -79,12 +93,22 @@ struct FixtureMaker {
         make(geometry);
     }
     void operator()(const Segment& segment) const {
+        if (segment.rounding > 0) return make(stadium(segment));
         b2EdgeShape geometry;
         geometry.SetTwoSided(vec(segment.from), vec(segment.to));
         make(geometry);
     }
     void operator()(const Polygon& polygon) const { make(polygon.vertices); }
-    void operator()(const Ellipse&) const {}
+    void operator()(const Ellipse& ellipse) const {
+        std::vector<Vec2> points;
+        for (int i = 0; i < 8; ++i) {
+            const float turn = b2_pi / 4 * float(i);
+            points.push_back(
+                placed({ellipse.radius_x * std::cos(turn), ellipse.radius_y * std::sin(turn)},
+                       ellipse.center, ellipse.angle));
+        }
+        make(points);
+    }
     void operator()(const Concave& concave) const {
         World scratch;
         for (std::vector<Vec2> piece : scratch.create_shape(concave).pieces()) {
@@ -119,6 +143,7 @@ class Box2dWorld : public RunningWorld {
         world_.SetAllowSleeping(plan.def.sleeping);
         world_.SetContinuousPhysics(plan.def.continuous);
         ground_ = world_.CreateBody(&ground_def_);
+        if (plan.def.bounds) enclose(*plan.def.bounds);
         for (const BodyPlan& body : plan.bodies) bodies_.push_back(make(body));
         for (const JointPlan& joint : plan.joints) tie(joint);
     }
@@ -156,8 +181,13 @@ class Box2dWorld : public RunningWorld {
             if (!c->IsTouching() || a.IsSensor() || b.IsSensor()) continue;
             b2WorldManifold manifold;
             c->GetWorldManifold(&manifold);
-            const int first = index_of.at(a.GetBody()), second = index_of.at(b.GetBody());
+            const auto find = [&](const b2Fixture& fixture) {
+                const auto found = index_of.find(fixture.GetBody());
+                return found == index_of.end() ? the_world : found->second;
+            };
+            const int first = find(a), second = find(b);
             for (const auto& [of, other] : {std::pair(first, second), std::pair(second, first)}) {
+                if (of == the_world) continue;
                 BodyNow& body = bodies[std::size_t(of)];
                 body.touched.push_back(other);
                 for (int k = 0; k < c->GetManifold()->pointCount; ++k)
@@ -167,6 +197,14 @@ class Box2dWorld : public RunningWorld {
     }
 
   private:
+    void enclose(const Aabb& box) {
+        ShapeDef surface;
+        surface.friction = plan_.def.bounds_friction;
+        surface.restitution = plan_.def.bounds_restitution;
+        FixtureMaker{*ground_, surface}(Chain{
+            {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, true});
+    }
+
     b2Body* make(const BodyPlan& plan) {
         b2BodyDef def;
         def.type = plan.def.type == BodyType::static_body      ? b2_staticBody
@@ -216,6 +254,10 @@ class Box2dWorld : public RunningWorld {
             def.motorSpeed = plan.number("set_motor_speed", 0);
             def.maxMotorTorque = plan.number("set_max_motor_torque", 0);
             def.enableMotor = def.maxMotorTorque > 0;
+            world_.CreateJoint(&def);
+        } else if (plan.type == JointType::distance) {
+            auto def = between<b2DistanceJointDef>(plan);
+            def.length = def.minLength = def.maxLength = plan.number("set_length", 1);
             world_.CreateJoint(&def);
         } else if (plan.type == JointType::weld) {
             auto def = between<b2WeldJointDef>(plan);

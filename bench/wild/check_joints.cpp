@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "report/table.h"
 #include "wild/check.h"
@@ -40,8 +41,10 @@ class Joints : public Check {
             const float speed =
                 (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).norm();
             const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
-            const bool bad = gap->length > slack + share * size + speed * moment.dt ||
-                             gap->angle > angular_slack + spin * moment.dt;
+            // A contact that pushes apart what the joint holds together may win for as long.
+            const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b);
+            const bool bad = !pushed && (gap->length > slack + share * size + speed * moment.dt ||
+                                         gap->angle > angular_slack + spin * moment.dt);
             since_[i] = bad ? since_[i] + moment.dt : 0;
             if (since_[i] > settling_time)
                 return "joint " + std::to_string(i) + " is " + figure(1000 * gap->length) +
@@ -54,11 +57,41 @@ class Joints : public Check {
     void reset(const WorldPlan& plan) {
         since_.assign(plan.joints.size(), 0);
         left_out_.assign(plan.joints.size(), false);
+        leave_out_taut(plan);
         for (std::size_t i = 0; i < plan.joints.size(); ++i)
             for (const Edit& edit : plan.edits)
                 if (edit.target == Target::joint && edit.object == int(i) &&
                     (edit.setting.setter == "destroy" || edit.setting.setter == "set_enabled" ||
                      edit.setting.setter == "set_break_force"))
+                    left_out_[i] = true;
+    }
+
+    /// Joints of a group that is held at two places, or in a ring, may be unable to hold: a
+    /// straight bridge between two posts is stretched without bound by the smallest weight.
+    void leave_out_taut(const WorldPlan& plan) {
+        std::vector<int> group(plan.bodies.size());
+        std::iota(group.begin(), group.end(), 0);
+        std::vector<bool> held(plan.bodies.size()), taut(plan.bodies.size());
+        for (std::size_t i = 0; i < plan.bodies.size(); ++i) held[i] = is_fixed(plan.bodies[i]);
+        for (const JointPlan& joint : plan.joints) {
+            const auto group_of = [&](int body) {
+                return body == the_world ? the_world : group[std::size_t(body)];
+            };
+            const int a = group_of(joint.a), b = group_of(joint.b);
+            if (a == the_world && b == the_world) continue;
+            const bool holds_a = a == the_world || held[std::size_t(a)];
+            const bool holds_b = b == the_world || held[std::size_t(b)];
+            const auto one = std::size_t(a == the_world ? b : a);
+            taut[one] = taut[one] || a == b || (holds_a && holds_b);
+            held[one] = holds_a || holds_b;
+            if (a == the_world || b == the_world || a == b) continue;
+            taut[one] = taut[one] || taut[std::size_t(b)];
+            for (int& of : group)
+                if (of == b) of = a;
+        }
+        for (std::size_t i = 0; i < plan.joints.size(); ++i)
+            for (const int end : {plan.joints[i].a, plan.joints[i].b})
+                if (end != the_world && taut[std::size_t(group[std::size_t(end)])])
                     left_out_[i] = true;
     }
 
@@ -83,6 +116,9 @@ class Joints : public Check {
         }
     }
 
+    static bool is_pushed(const Moment& moment, int body) {
+        return body != the_world && moment.after[std::size_t(body)].deepest > 2 * slack;
+    }
     static float size_of(const WorldPlan& plan, const JointPlan& joint) {
         float size = 0;
         for (const int end : {joint.a, joint.b})

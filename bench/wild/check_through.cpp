@@ -98,11 +98,12 @@ class Border : public Check {
         left_out_.resize(moment.after.size(), false);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
-            if (moment.edited_bodies[i]) left_out_[i] = true;
+            // What begins outside has to come in first.
+            if (moment.edited_bodies[i] || (moment.plan.bodies[i].born == moment.step &&
+                                            is_outside(moment.before[i], *bounds)))
+                left_out_[i] = true;
             const bool out = body.exists && body.type == BodyType::dynamic_body && !left_out_[i] &&
-                             is_solid(moment.plan.bodies[i]) &&
-                             ((body.center - bounds->min).minCoeff() < 0 ||
-                              (bounds->max - body.center).minCoeff() < 0);
+                             is_solid(moment.plan.bodies[i]) && is_outside(body, *bounds);
             outside_[i] = out ? outside_[i] + moment.dt : 0;
             if (outside_[i] > push_time)
                 return "body " + std::to_string(i) + " is outside of the bounds, at " +
@@ -112,6 +113,10 @@ class Border : public Check {
     }
 
   private:
+    static bool is_outside(const BodyNow& body, const Aabb& bounds) {
+        return (body.center - bounds.min).minCoeff() < 0 ||
+               (bounds.max - body.center).minCoeff() < 0;
+    }
     /// The center of mass of one convex shape is in the shape.
     static bool is_solid(const BodyPlan& body) {
         return body.shapes.size() == 1 && !body.shapes[0].def.sensor &&

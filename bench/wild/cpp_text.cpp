@@ -328,7 +328,7 @@ std::string steps_text(const WorldPlan& plan) {
 }  // namespace
 
 std::string cpp_text(const WorldPlan& plan) {
-    std::string text = "World world(" + text_of(plan.def) + ");\n";
+    std::string text = "World world(WorldDef" + text_of(plan.def) + ");\n";
     text += "Body b[" + std::to_string(std::max<std::size_t>(plan.bodies.size(), 1)) + "];\n";
     for (std::size_t i = 0; i < plan.joints.size(); ++i)
         text += std::string(class_of(plan.joints[i].type)) + " j" + std::to_string(i) + ";\n";

@@ -47,7 +47,8 @@ void draw_rope(Sketch& sketch, float x) {
             last = next;
         }
     }
-    const int load = sketch.dynamic(end, Box{.width = 0.8f, .height = 0.8f});
+    const Vec2 below = end + step.normalized() * 0.45f;
+    const int load = sketch.dynamic(below, Box{.width = 0.7f, .height = 0.7f});
     sketch.joint(JointType::revolute, last, load, end);
 }
 

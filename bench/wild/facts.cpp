@@ -83,7 +83,8 @@ bool is_isolated(const WorldPlan& plan) {
 
 bool can_rest(const WorldPlan& plan) {
     if (is_driven(plan) || !plan.def.sleeping || plan.def.gravity != Vec2(0, -10)) return false;
-    if (!plan.edits.empty()) return false;
+    // Stacks tremble under `sequential` (docs/design/solvers.md).
+    if (!plan.edits.empty() || plan.def.solver == Solver::sequential) return false;
     for (const BodyPlan& body : plan.bodies) {
         if (is_fixed(body) ? !is_quiet_ground(body)
                            : !std::ranges::all_of(body.shapes, settles) || !body.def.can_sleep)

@@ -21,7 +21,7 @@ void draw_settings(Sketch& sketch, int size) {
     const float seconds = size == 0 ? 1.5f : sketch.calm ? 12.0f : random.number(2, 6);
     plan.steps = int(seconds / all * float(plan.lengths.size()));
     if (random.chance(0.15)) plan.def.substeps = random.one_of({2, 3, 6, 8});
-    if (random.chance(0.1)) plan.def.solver = random.one_of({Solver::sequential, Solver::direct});
+    if (random.chance(0.08)) plan.def.solver = random.one_of({Solver::sequential, Solver::direct});
     if (!sketch.calm && random.chance(0.1)) plan.def.sleeping = false;
 }
 

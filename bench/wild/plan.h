@@ -12,6 +12,7 @@
 namespace fettle::bench::wild {
 
 using namespace physics;
+using physics::Geometry;  // not that of the scenes
 
 struct ShapePlan {
     Geometry geometry;

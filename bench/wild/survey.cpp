@@ -4,7 +4,9 @@
 #include <map>
 
 #include "measure/timing.h"
+#include "report/table.h"
 #include "wild/cpp_text.h"
+#include "wild/facts.h"
 #include "wild/grammar.h"
 #include "wild/minimize.h"
 #include "wild/same_runs.h"
@@ -33,6 +35,16 @@ class Surveyor {
         const bool peer_ran = options_.box2d && try_in_peer(plan, peer);
         survey.peer_worlds += peer_ran;
         for (const Finding& finding : peer.findings) survey.peer_findings.push_back(finding);
+        // Figures of single worlds differ by chance: twice the time and a second are more than
+        // that.
+        if (peer_ran && can_rest(plan) && trial.awake > 2 * peer.awake + 1)
+            survey.found.push_back({seed,
+                                    {"slower to rest", plan.steps,
+                                     "awake for " + figure(trial.awake) + " s, in Box2D for " +
+                                         figure(peer.awake) + " s"},
+                                    true,
+                                    true,
+                                    {}});
         for (const Finding& finding : trial.findings) {
             Found found{seed, finding, peer_ran, peer_ran && !has(peer, finding.invariant), {}};
             if (minimized_[finding.invariant]++ < options_.minimized)

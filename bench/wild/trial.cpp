@@ -40,6 +40,11 @@ class WatchedRun {
         world.advance(dt);
         ++trial.steps;
         world.read(after_);
+        time_ += dt;
+        const auto is_awake = [](const BodyNow& body) {
+            return body.exists && body.awake && body.type == BodyType::dynamic_body;
+        };
+        if (std::ranges::any_of(after_, is_awake)) trial.awake = time_;
         const Moment moment{now_,           step,    dt,     edited,
                             edited_bodies_, before_, after_, world.fettle()};
         std::erase_if(watches_, [&](const Watch& watch) {
@@ -65,6 +70,7 @@ class WatchedRun {
     std::vector<Watch> watches_;
     std::vector<BodyNow> before_, after_;
     std::vector<bool> edited_bodies_;
+    double time_ = 0;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@ using MakeWorld = std::function<std::unique_ptr<RunningWorld>(const WorldPlan&)>
 struct Trial {
     std::vector<Finding> findings;  // at most one for each invariant
     long long steps = 0;
+    double awake = 0;  // the time until the last body fell asleep, s
 };
 
 /// Exceptions are findings of the invariant `throws`. The run ends early if all invariants are
