@@ -1,5 +1,6 @@
 // `fettle-bench wild`: random worlds, and the invariants that they violate.
 
+#include <sys/time.h>
 #include <unistd.h>
 #include <algorithm>
 #include <array>
@@ -23,14 +24,20 @@ using namespace wild;
 /// The seed of the world that runs, for the message of a crash.
 std::uint64_t running_seed = 0;
 
-/// A world that takes longer than this hangs, s. The slowest take some seconds to be minimized.
-constexpr unsigned longest = 300;
+/// A world that takes a processor longer than this hangs, s. To minimize what is found in it takes
+/// half a minute at most.
+constexpr long longest = 300;
+
+void limit_time(long seconds) {
+    const itimerval limit{{0, 0}, {seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+}
 
 /// Reports the world and ends: it calls only what a signal handler may call.
 extern "C" void report_crash(int signal) {
     std::array<char, 160> text{};
     char* at =
-        std::ranges::copy(std::string_view(signal == SIGALRM ? "\nhang" : "\ncrash"), text.data())
+        std::ranges::copy(std::string_view(signal == SIGPROF ? "\nhang" : "\ncrash"), text.data())
             .out;
     at = std::ranges::copy(std::string_view(": fettle-bench wild --count 1 --seed "), at).out;
     at = std::to_chars(at, text.data() + text.size() - 1, running_seed).ptr;
@@ -41,7 +48,7 @@ extern "C" void report_crash(int signal) {
 }
 
 void watch_for_crashes() {
-    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGALRM})
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGPROF})
         std::signal(signal, report_crash);
 }
 
@@ -99,26 +106,26 @@ void print_summary(bool box2d, const Survey& survey) {
     std::cout << table.text();
 }
 
-void print_found(const Survey& survey) {
-    for (const Found& found : survey.found) {
-        std::cout << "\nseed " << found.seed << ", " << found.finding.invariant << ": "
-                  << found.finding.what << " (step " << found.finding.step << ")"
-                  << (found.peer_holds ? "; Box2D holds" : "") << "\n"
-                  << found.minimized;
-    }
+void print(const Found& found) {
+    std::cout << "seed " << found.seed << ", " << found.finding.invariant << ": "
+              << found.finding.what << " (step " << found.finding.step << ")"
+              << (found.peer_holds ? "; Box2D holds" : "") << "\n"
+              << found.minimized << std::endl;
 }
 
-void print_json(const Survey& survey) {
-    for (const Found& found : survey.found)
-        std::cout << json_line({{"seed", static_cast<long long>(found.seed)},
-                                {"invariant", found.finding.invariant},
-                                {"step", static_cast<long long>(found.finding.step)},
-                                {"what", found.finding.what},
-                                {"box2d", !found.peer_ran    ? JsonField()
-                                          : found.peer_holds ? "holds"
-                                                             : "fails"},
-                                {"minimized", found.minimized}})
-                  << "\n";
+void print_json(const Found& found) {
+    std::cout << json_line({{"seed", static_cast<long long>(found.seed)},
+                            {"invariant", found.finding.invariant},
+                            {"step", static_cast<long long>(found.finding.step)},
+                            {"what", found.finding.what},
+                            {"box2d", !found.peer_ran    ? JsonField()
+                                      : found.peer_holds ? "holds"
+                                                         : "fails"},
+                            {"minimized", found.minimized}})
+              << std::endl;
+}
+
+void print_json_summary(const Survey& survey) {
     std::cout << json_line({{"worlds", static_cast<long long>(survey.worlds)},
                             {"steps", survey.steps},
                             {"seconds", survey.seconds},
@@ -140,22 +147,21 @@ int run_wild(const WildOptions& options) {
     Survey result;
     {
         Progress progress(options.count);
-        result = survey(wanted, [&](std::uint64_t seed, std::size_t found) {
+        const auto begins = [&](std::uint64_t seed, std::size_t found) {
             running_seed = seed;
-            alarm(longest);
+            limit_time(longest);
             if ((seed - wanted.seed) % 100 == 0)
                 progress.begin("seed " + std::to_string(seed) + ", " + std::to_string(found) +
                                " findings");
             progress.add(1);
-        });
-        alarm(0);
+        };
+        const auto finds = [&](const Found& found) {
+            options.json ? print_json(found) : print(found);
+        };
+        result = survey(wanted, {begins, finds});
+        limit_time(0);
     }
-    if (options.json) {
-        print_json(result);
-    } else {
-        print_summary(box2d, result);
-        print_found(result);
-    }
+    options.json ? print_json_summary(result) : print_summary(box2d, result);
     return result.found.empty() ? 0 : 1;
 }
 

@@ -74,9 +74,10 @@ void draw_level(Sketch& sketch, int size) {
     if (!sketch.calm && random.chance(0.15)) draw_fields(sketch);
 }
 
-/// So many boxes that a step is shared out to threads.
+/// So many boxes that a step is shared out to threads, which only the default solver does.
 void draw_heap(Sketch& sketch) {
     draw_ground(sketch);
+    sketch.plan.def.solver = Solver::soft_step;
     sketch.plan.steps = 60;
     for (int i = 0; i < 1000; ++i)
         sketch.dynamic({0.52f * float(i % 40 - 20), 0.3f + 0.52f * float(i / 40)},

@@ -8,13 +8,13 @@ namespace {
 
 class Minimizer {
   public:
-    Minimizer(WorldPlan plan, const Fails& fails, int tries)
-        : plan_(std::move(plan)), fails_(fails), tries_(tries) {}
+    Minimizer(WorldPlan plan, const Fails& fails, long long work)
+        : plan_(std::move(plan)), fails_(fails), work_(work) {}
 
     WorldPlan run() {
         cut_steps();
         // A removal may make another one possible that failed before.
-        for (bool smaller = true; smaller && tries_ > 0;) {
+        for (bool smaller = true; smaller && work_ > 0;) {
             smaller = remove_edits();
             smaller |= remove_bodies();
             smaller |= remove_joints();
@@ -31,7 +31,9 @@ class Minimizer {
 
   private:
     bool accept(WorldPlan candidate) {
-        if (tries_-- <= 0 || !fails_(candidate)) return false;
+        if (work_ <= 0) return false;
+        work_ -= static_cast<long long>(candidate.steps) * (int(candidate.bodies.size()) + 1);
+        if (!fails_(candidate)) return false;
         plan_ = std::move(candidate);
         return true;
     }
@@ -120,7 +122,7 @@ class Minimizer {
         restore(&WorldDef::bounds_restitution, def);
         if (plan_.lengths != std::vector{1.0f / 60})
             attempt([](WorldPlan& plan) { plan.lengths = {1.0f / 60}; });
-        for (std::size_t i = 0; i < plan_.bodies.size() && tries_ > 0; ++i) {
+        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i) {
             const auto body = [i](WorldPlan& plan) -> BodyDef& { return plan.bodies[i].def; };
             restore(&BodyDef::angle, body);
             restore(&BodyDef::velocity, body);
@@ -148,7 +150,7 @@ class Minimizer {
 
     /// Rounding goes, and unusual shapes become boxes of their size.
     void simplify_shapes() {
-        for (std::size_t i = 0; i < plan_.bodies.size() && tries_ > 0; ++i)
+        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i)
             for (std::size_t s = 0; s < plan_.bodies[i].shapes.size(); ++s) {
                 const auto replace = [&](const Geometry& by) {
                     return attempt(
@@ -186,7 +188,7 @@ class Minimizer {
             const float wanted = rounded(of(plan_));
             if (of(plan_) != wanted) attempt([&](WorldPlan& plan) { of(plan) = wanted; });
         };
-        for (std::size_t i = 0; i < plan_.bodies.size() && tries_ > 0; ++i) {
+        for (std::size_t i = 0; i < plan_.bodies.size() && work_ > 0; ++i) {
             change([&](WorldPlan& p) -> Vec2& { return p.bodies[i].def.position; });
             change([&](WorldPlan& p) -> Vec2& { return p.bodies[i].def.velocity; });
             change_number([&](WorldPlan& p) -> float& { return p.bodies[i].def.angle; });
@@ -206,13 +208,13 @@ class Minimizer {
 
     WorldPlan plan_;
     const Fails& fails_;
-    int tries_;
+    long long work_;
 };
 
 }  // namespace
 
-WorldPlan minimized(WorldPlan plan, const Fails& fails, int tries) {
-    return Minimizer(std::move(plan), fails, tries).run();
+WorldPlan minimized(WorldPlan plan, const Fails& fails, long long work) {
+    return Minimizer(std::move(plan), fails, work).run();
 }
 
 }  // namespace fettle::bench::wild

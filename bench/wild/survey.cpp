@@ -20,8 +20,8 @@ bool has(const Trial& trial, const std::string& invariant) {
 
 class Surveyor {
   public:
-    explicit Surveyor(const SurveyOptions& options)
-        : options_(options), watched_(invariants_named(options.invariants)) {
+    Surveyor(const SurveyOptions& options, const Listener& listener)
+        : options_(options), listener_(listener), watched_(invariants_named(options.invariants)) {
         const auto& names = options.invariants;
         compare_ = names.empty() || std::ranges::count(names, "same") > 0;
     }
@@ -38,18 +38,18 @@ class Surveyor {
         // Figures of single worlds differ by chance: twice the time and a second are more than
         // that.
         if (peer_ran && can_rest(plan) && trial.awake > 2 * peer.awake + 1)
-            survey.found.push_back({seed,
-                                    {"slower to rest", plan.steps,
-                                     "awake for " + figure(trial.awake) + " s, in Box2D for " +
-                                         figure(peer.awake) + " s"},
-                                    true,
-                                    true,
-                                    {}});
+            add(survey, {seed,
+                         {"slower to rest", plan.steps,
+                          "awake for " + figure(trial.awake) + " s, in Box2D for " +
+                              figure(peer.awake) + " s"},
+                         true,
+                         true,
+                         {}});
         for (const Finding& finding : trial.findings) {
             Found found{seed, finding, peer_ran, peer_ran && !has(peer, finding.invariant), {}};
             if (minimized_[finding.invariant]++ < options_.minimized)
                 found.minimized = minimize(plan, found.finding);
-            survey.found.push_back(std::move(found));
+            add(survey, std::move(found));
         }
     }
 
@@ -76,7 +76,13 @@ class Surveyor {
         return cpp_text(small);
     }
 
+    void add(Survey& survey, Found found) const {
+        if (listener_.finds) listener_.finds(found);
+        survey.found.push_back(std::move(found));
+    }
+
     const SurveyOptions& options_;
+    const Listener& listener_;
     std::vector<Invariant> watched_;
     bool compare_ = false;
     std::map<std::string, int> minimized_;
@@ -92,14 +98,14 @@ Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, b
     return trial;
 }
 
-Survey survey(const SurveyOptions& options, const Tell& tell) {
+Survey survey(const SurveyOptions& options, const Listener& listener) {
     const WallClock clock;
     Survey survey;
-    Surveyor surveyor(options);
+    Surveyor surveyor(options, listener);
     for (int i = 0; i < options.count; ++i) {
         if (options.seconds > 0 && clock.elapsed_ms() > 1000 * options.seconds) break;
         const std::uint64_t seed = options.seed + std::uint64_t(i);
-        if (tell) tell(seed, survey.found.size());
+        if (listener.begins) listener.begins(seed, survey.found.size());
         surveyor.look_at(seed, survey);
     }
     survey.seconds = clock.elapsed_ms() / 1000;

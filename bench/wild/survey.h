@@ -38,9 +38,11 @@ struct Survey {
     std::vector<Finding> peer_findings;
 };
 
-/// Called before each world with its seed, and with the number of findings so far.
-using Tell = std::function<void(std::uint64_t seed, std::size_t found)>;
-Survey survey(const SurveyOptions& options, const Tell& tell = {});
+struct Listener {
+    std::function<void(std::uint64_t seed, std::size_t found)> begins = {};  // before each world
+    std::function<void(const Found&)> finds = {};  // at once, so that a crash loses nothing
+};
+Survey survey(const SurveyOptions& options, const Listener& listener = {});
 
 /// All that a plan violates in the library, of these invariants.
 Trial try_in_fettle(const WorldPlan& plan, std::span<const Invariant> watched, bool compare);
