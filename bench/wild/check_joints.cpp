@@ -43,8 +43,10 @@ class Joints : public Check {
             const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
             // A contact that pushes apart what the joint holds together may win for as long.
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b);
-            const bool bad = !pushed && (gap->length > slack + share * size + speed * moment.dt ||
-                                         gap->angle > angular_slack + spin * moment.dt);
+            const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);
+            const bool bad =
+                !pushed && (gap->length > slack + share * size + speed * moment.dt + arc ||
+                            gap->angle > angular_slack + spin * moment.dt);
             since_[i] = bad ? since_[i] + moment.dt : 0;
             if (since_[i] > settling_time)
                 return "joint " + std::to_string(i) + " is " + figure(1000 * gap->length) +
@@ -127,6 +129,13 @@ class Joints : public Check {
     }
     static Vec2 velocity(const Moment& moment, int body, const Vec2& at) {
         return body == the_world ? Vec2(0, 0) : moment.after[std::size_t(body)].velocity_at(at);
+    }
+    /// A sub-step moves an anchor along a tangent, which leads it away from its circle.
+    static float beside_arc(const Moment& moment, int body, const Vec2& at) {
+        if (body == the_world) return 0;
+        const BodyNow& now = moment.after[std::size_t(body)];
+        const float turn = now.angular_velocity * moment.dt / float(moment.plan.def.substeps);
+        return (at - now.center).norm() * turn * turn;
     }
     static float rate(const Moment& moment, int body) {
         return body == the_world ? 0 : moment.after[std::size_t(body)].angular_velocity;

@@ -88,7 +88,10 @@ class Through : public Check {
     double time_ = 0;
 };
 
-/// The border of the world pushes back however deep a body is in it.
+/// The border of the world pushes back however deep a body is in it, and a thin one in a pile may
+/// sink in by half of it: only what is out for long is lost.
+constexpr double push_back_time = 1;  // s
+
 class Border : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
@@ -105,7 +108,7 @@ class Border : public Check {
             const bool out = body.exists && body.type == BodyType::dynamic_body && !left_out_[i] &&
                              is_solid(moment.plan.bodies[i]) && is_outside(body, *bounds);
             outside_[i] = out ? outside_[i] + moment.dt : 0;
-            if (outside_[i] > push_time)
+            if (outside_[i] > push_back_time)
                 return "body " + std::to_string(i) + " is outside of the bounds, at " +
                        figure(body.center.x()) + ", " + figure(body.center.y());
         }

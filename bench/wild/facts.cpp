@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "wild/fettle_world.h"
+#include "wild/gaps.h"
 #include "wild/outlines.h"
 
 namespace fettle::bench::wild {
@@ -46,11 +48,13 @@ bool is_quiet_ground(const BodyPlan& body) {
     return true;
 }
 
-/// Round shapes roll unless they resist. Capsules and ellipses rock for long on smooth ground.
+/// Round shapes roll unless they resist, and ellipses and nearly round polygons cannot resist.
 bool settles(const ShapePlan& shape) {
+    if (std::holds_alternative<Ellipse>(shape.geometry)) return false;
+    const auto* polygon = std::get_if<Polygon>(&shape.geometry);
+    if (polygon != nullptr && (polygon->vertices.size() > 6 || polygon->rounding > 0)) return false;
     const bool round = std::holds_alternative<Circle>(shape.geometry) ||
-                       std::holds_alternative<Segment>(shape.geometry) ||
-                       std::holds_alternative<Ellipse>(shape.geometry);
+                       std::holds_alternative<Segment>(shape.geometry);
     return shape.def.friction >= 0.3f && shape.def.restitution <= 0.3f &&
            (!round || shape.def.rolling_resistance >= 0.05f);
 }
@@ -137,6 +141,20 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
             return infinity;  // wind on a thin plate has no bound that is of use here
     }
     return speed + springs + pull * seconds;
+}
+
+float fault_at_start(const WorldPlan& plan) {
+    FettleWorld start(plan);
+    start.prepare(0);
+    start.advance(1e-6f);
+    std::vector<BodyNow> bodies;
+    start.read(bodies);
+    float fault = 0;
+    for (const BodyNow& body : bodies) fault += std::max(body.deepest - 0.01f, 0.0f);
+    for (const JointPlan& joint : plan.joints)
+        if (const auto gap = gap_of(joint, bodies); gap && joint.born == 0)
+            fault += std::max(gap->length - 0.01f, 0.0f) + std::max(gap->angle - 0.01f, 0.0f);
+    return fault;
 }
 
 float reach_of(const BodyPlan& body) {

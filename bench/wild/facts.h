@@ -20,6 +20,10 @@ bool can_rest(const WorldPlan& plan);
 /// A speed that nothing in this world has reason to exceed in its first `seconds`.
 float plausible_speed(const WorldPlan& plan, float seconds);
 
+/// How deep shapes overlap at the start and how far joints are apart, m and rad, without what is
+/// less than 1 cm: what a world does that begins like this says little.
+float fault_at_start(const WorldPlan& plan);
+
 /// Half of the largest extent of a body, from its origin, m.
 float reach_of(const BodyPlan& body);
 

@@ -88,12 +88,13 @@ class Minimizer {
         bool removed =
             remove([](const WorldPlan& plan) { return int(plan.fields.size()); },
                    [](WorldPlan& plan, int i) { plan.fields.erase(plan.fields.begin() + i); });
+        // A body without shapes would have a mass of its own, so the first shape stays.
         for (int body = 0; body < int(plan_.bodies.size()); ++body)
             removed |= remove(
                 [&](const WorldPlan& plan) {
-                    return int(plan.bodies[std::size_t(body)].shapes.size());
+                    return int(plan.bodies[std::size_t(body)].shapes.size()) - 1;
                 },
-                [&](WorldPlan& plan, int shape) { plan.remove_shape(body, shape); });
+                [&](WorldPlan& plan, int shape) { plan.remove_shape(body, shape + 1); });
         for (std::size_t joint = 0; joint < plan_.joints.size(); ++joint)
             removed |= remove(
                 [&](const WorldPlan& plan) { return int(plan.joints[joint].settings.size()); },

@@ -69,8 +69,10 @@ class Surveyor {
         const auto trial = [&](const WorldPlan& candidate) {
             return try_in_fettle(candidate, one, name == "same");
         };
-        const WorldPlan small = minimized(
-            plan, [&](const WorldPlan& candidate) { return has(trial(candidate), name); });
+        const float fault = fault_at_start(plan);
+        const WorldPlan small = minimized(plan, [&](const WorldPlan& candidate) {
+            return has(trial(candidate), name) && fault_at_start(candidate) <= fault;
+        });
         for (const Finding& each : trial(small).findings)
             if (each.invariant == name) finding = each;
         return cpp_text(small);
