@@ -85,6 +85,10 @@ class Momentum : public Check {
     std::optional<std::string> look(const Moment& moment) override {
         if (moment.step == 0) isolated_ = is_isolated(moment.plan);
         if (!isolated_) return {};
+        // What falls asleep loses what little it has.
+        for (const BodyNow& body : moment.after)
+            if (body.exists && !body.awake) isolated_ = false;
+        if (!isolated_) return {};
         if (moment.edited || moment.step == 0) begin(moment);
         double x = 0, y = 0, all = 0;
         sum(moment.after, x, y, all);

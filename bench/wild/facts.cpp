@@ -128,6 +128,8 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
         if (setter == "set_velocity") speed = std::max(speed, size);
         // The lightest bodies of the grammar have some grams.
         if (setter == "apply_impulse") return infinity;
+        // A joint pulls back what is put elsewhere.
+        if (setter == "set_position" && !plan.joints.empty()) return infinity;
         if (setter == "set_angular_velocity" || setter == "set_motor_speed")
             speed = std::max(speed, reach * size);
         if (setter == "set_surface_speed") speed = std::max(speed, size);
