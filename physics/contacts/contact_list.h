@@ -28,6 +28,12 @@ void set_touching(const Touching& touching, uint32_t contact, bool begins);
 /// Reports the touches of outlines that ended in this step without a touch of another part.
 void report_parted(const Touching& touching);
 
+/// Reports a shape that moved through a sensor within a step: the begin now, the end in `later`.
+void report_crossing(const Touching& touching, Events& later, uint32_t sensor, uint32_t visitor);
+
+/// True if two shapes, or parts of them, touch.
+bool touch(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
+
 /// True if one of the two shapes is a part of an outline.
 bool is_of_outline(const ObjectState& objects, const ContactRecord& contact);
 /// True for exactly one of the touching contacts of two shapes, however many of their parts touch.

@@ -111,6 +111,30 @@ void report_parted(const Touching& touching) {
     touching.parted->clear();
 }
 
+void report_crossing(const Touching& touching, Events& later, uint32_t sensor, uint32_t visitor) {
+    const ObjectState& objects = touching.objects;
+    const Columns& columns = touching.columns;
+    const SensorEvent event = {shape_id(objects, columns, sensor),
+                               shape_id(objects, columns, visitor),
+                               body_id(columns, objects.forms[sensor].body),
+                               body_id(columns, objects.forms[visitor].body)};
+    touching.events.sensor_begin.push_back(event);
+    later.sensor_end.push_back(event);
+}
+
+bool touch(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b) {
+    if (objects.shapes[shape_a].touching == 0 || objects.shapes[shape_b].touching == 0)
+        return false;
+    const BodyRecord& a = objects.bodies[objects.forms[shape_a].body];
+    const BodyRecord& b = objects.bodies[objects.forms[shape_b].body];
+    const BodyRecord& shorter = a.contact_count < b.contact_count ? a : b;
+    return objects.any_contact(shorter.first_contact, none, [&](uint32_t slot) {
+        const ContactRecord& c = objects.contacts[slot];
+        const uint32_t e = objects.named_shape(c.shape_a), f = objects.named_shape(c.shape_b);
+        return c.touching && ((e == shape_a && f == shape_b) || (e == shape_b && f == shape_a));
+    });
+}
+
 bool reports_for_pair(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     if (!is_of_outline(objects, c)) return true;

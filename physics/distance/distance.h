@@ -1,6 +1,7 @@
 #pragma once
 
 #include <collision/solid.h>
+#include <distance/motion.h>
 
 // Nearest points, distances, rays and sweeps. For two shapes, `offset` is the center of mass of b
 // minus that of a.
@@ -20,22 +21,18 @@ inline float squared_distance_to_edge(V2 a, V2 b, V2 p) {
 /// 0 when they overlap.
 float distance(const Convex& a, const Convex& b, V2 offset);
 
-/// A moving shape: start of its center of mass, translation and rotation. `end` is the shape with
-/// its rotation at the end of the motion.
+/// A moving shape.
 struct Sweep {
-    Solid end;
-    V2 start;
-    V2 shift;
-    float turn = 0.0f;
+    Solid shape;
+    Motion motion;
     float extent = 0.0f;  ///< farthest point from the center of mass
 };
 
-/// The fraction of the motion, 0 … 1, during which the shape keeps at least the distance `gap` from
-/// `obstacle` (with its center of mass at `center`), by conservative advancement. 1 if it never
-/// comes nearer, 0 if it starts nearer.
-float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap);
+/// The time, from `start` to 1, until which two shapes keep at least the distance `gap`, by
+/// conservative advancement. 1 if they never come nearer, `start` if they are nearer then.
+float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start = 0.0f);
 /// The same for a half-plane that is solid where normal·p <= depth.
-float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap);
+float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap, float start = 0.0f);
 
 /// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
 /// center of mass.

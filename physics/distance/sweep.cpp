@@ -50,22 +50,47 @@ struct Gap {
     V2 direction;
 };
 
+/// The shape of a sweep at any time.
+class Turning {
+  public:
+    explicit Turning(const Sweep& sweep) : sweep_(sweep), copy_(sweep.shape) {}
+
+    const Solid& at(float t) {
+        const Motion& m = sweep_.motion;
+        if (m.angle == 0.0f && m.turn == 0.0f) return sweep_.shape;
+        return copy_.by(rotation_of(m.rotation(t)));
+    }
+
+  private:
+    const Sweep& sweep_;
+    TurnedCopy copy_;
+};
+
+constexpr int most_rounds = 128;
+
 /// B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996, section 2.3: no
-/// point of the shape approaches the obstacle faster than the center of mass and the rotation
-/// together, so the shape cannot reach the obstacle before it has moved by the distance. `gap_at`
-/// measures the gap of a rotated copy of the shape with the center of mass at a point.
+/// point of a shape moves faster than its center of mass and its rotation together, so two shapes
+/// cannot meet before they have moved by their distance. `gap_at(t)` measures it.
 template <class GapAt>
-float advance(const Sweep& sweep, float gap, GapAt&& gap_at) {
-    const float spin = std::fabs(sweep.turn) * sweep.extent;
-    TurnedCopy copy(sweep.end);
-    float t = 0.0f;
-    for (int round = 0; round < 32; ++round) {
-        const Rotation back = rotation_of(double(sweep.turn) * double(t - 1.0f));
-        const Gap found = gap_at(copy.by(back), sweep.start + t * sweep.shift);
+float advance(const Sweep& a, const Sweep& b, float gap, float t, GapAt&& gap_at) {
+    for (int round = 0; round < most_rounds; ++round) {
+        const Gap found = gap_at(t);
         if (found.distance <= gap) return t;
-        const float speed = max(dot(sweep.shift, found.direction), 0.0f) + spin;
-        if (!(speed > 0.0f)) return 1.0f;
-        t += (found.distance - 0.5f * gap) / speed;
+        V2 velocity;
+        float spin = 0.0f, end = 1.0f;  // of both: until the first of them stops
+        if (a.motion.moves_after(t)) {
+            velocity = a.motion.velocity;
+            spin = std::fabs(a.motion.turn) * a.extent;
+            end = min(end, a.motion.until);
+        }
+        if (b.motion.moves_after(t)) {
+            velocity = velocity - b.motion.velocity;
+            spin += std::fabs(b.motion.turn) * b.extent;
+            end = min(end, b.motion.until);
+        }
+        const float speed = max(dot(velocity, found.direction), 0.0f) + spin;
+        const float way = found.distance - 0.5f * gap;
+        t = speed * (end - t) > way ? t + way / speed : end;
         if (t >= 1.0f) return 1.0f;
     }
     return t;
@@ -73,16 +98,21 @@ float advance(const Sweep& sweep, float gap, GapAt&& gap_at) {
 
 }  // namespace
 
-float time_of_impact(const Sweep& sweep, const Solid& obstacle, V2 center, float gap) {
-    return advance(sweep, gap, [&](const Solid& shape, V2 at) {
-        const Nearest found = nearest_points(shape, obstacle, center - at);
+float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start) {
+    Turning turning_a(a), turning_b(b);
+    return advance(a, b, gap, start, [&](float t) {
+        const Nearest found = nearest_points(turning_a.at(t), turning_b.at(t),
+                                             b.motion.center(t) - a.motion.center(t));
         return Gap{found.distance, found.normal};
     });
 }
 
-float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap) {
-    return advance(sweep, gap, [&](const Solid& shape, V2 at) {
-        return Gap{dot(normal, at) - reach(shape, -normal) - depth, -normal};
+float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap, float start) {
+    Turning turning(sweep);
+    const Sweep plane = {{}, standing({}), 0.0f};
+    return advance(sweep, plane, gap, start, [&](float t) {
+        const float reached = reach(turning.at(t), -normal);
+        return Gap{dot(normal, sweep.motion.center(t)) - reached - depth, -normal};
     });
 }
 

@@ -138,6 +138,7 @@ void destroy_body(const Editing& e, uint32_t body) {
         destroy_shape(e, objects.bodies[body].first_shape);
     if (objects.bodies[body].solver_index != 0) remove_awake(objects, e.active, body);
     leave_island(objects, body);
+    objects.kinematic_bodies -= objects.bodies[body].mobility == Mobility::kinematic;
     objects.body_slots.give_back(objects.bodies, body);
     e.columns.body_generations[body] = 0;
 }
@@ -151,6 +152,7 @@ uint32_t create_shape(const Editing& e, const ShapeDef& def, const Geometry& geo
 
     const uint32_t slot = new_shape(e);
     e.objects.shapes[slot].surface = def;
+    e.objects.sensors += def.sensor;
     set_form(e, slot, geometry, hull);
     return slot;
 }
@@ -242,6 +244,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     objects.pool.release(objects.forms[shape].begin, objects.shapes[shape].capacity);
     const bool part = objects.shapes[shape].owner != none;
     const bool listed = objects.shapes[shape].moved;
+    objects.sensors -= !part && objects.shapes[shape].surface.sensor;
     objects.shape_slots.give_back(objects.shapes, shape);
     objects.shape_slots.count += part;     // parts are not counted
     objects.shapes[shape].moved = listed;  // also for the next shape in the slot

@@ -141,6 +141,8 @@ void update_mobility(const Editing& e, uint32_t body) {
     wake_for_edit(e.activity, body);
     wake_touching(e.activity, body);
     destroy_contacts_of_body(e.contacts, body);
+    e.objects.kinematic_bodies -= record.mobility == Mobility::kinematic;
+    e.objects.kinematic_bodies += mobility == Mobility::kinematic;
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(e.objects, e.active, body);

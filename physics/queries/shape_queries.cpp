@@ -170,8 +170,8 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const V2 center = data.bodies[owner].center;
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
-            const Sweep sweep = {probe.form, probe.center, d, 0.0f, 0.0f};
-            const float t = time_of_impact(sweep, obstacle, center, gap);
+            const Sweep sweep = {probe.form, {.from = probe.center, .velocity = d}};
+            const float t = time_of_impact(sweep, {obstacle, standing(center)}, gap);
             if (t >= nearest) return;
             nearest = t;
             const Nearest touch =

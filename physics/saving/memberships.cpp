@@ -61,7 +61,7 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
 }
 
 Fault check_bodies(const WorldState& data) {
-    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0;
+    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0;
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         if (data.body_generations[body] == 0) {
@@ -71,6 +71,7 @@ Fault check_bodies(const WorldState& data) {
             continue;
         }
         live += body != 0;
+        kinematic += record.mobility == Mobility::kinematic;
         if ((record.mass_dirty || record.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
         if (record.solver_index != 0) {
@@ -85,7 +86,8 @@ Fault check_bodies(const WorldState& data) {
             if (record.island == none) return "body " + number(body) + " sleeps in no island";
         }
     }
-    if (live != data.body_slots.count) return std::string("the number of bodies is wrong");
+    if (live != data.body_slots.count || kinematic != data.kinematic_bodies)
+        return std::string("the number of bodies is wrong");
     if (awake != data.awake_bodies.size())
         return std::string("the list of awake bodies is too long");
     for (uint32_t i = 0; i < data.islands.size(); ++i)
@@ -96,7 +98,7 @@ Fault check_bodies(const WorldState& data) {
 }
 
 Fault check_shapes(const WorldState& data) {
-    uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0;
+    uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0, sensors = 0;
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         const ShapeRecord& record = data.shapes[shape];
         if (data.shape_generations[shape] == 0) {
@@ -106,6 +108,7 @@ Fault check_shapes(const WorldState& data) {
             continue;
         }
         live += record.owner == none;
+        sensors += record.owner == none && record.surface.sensor;
         on_bodies += data.forms[shape].body != none;
         if (record.geometry_dirty && !record.listed)
             return "shape " + number(shape) + " is out of date but not listed";
@@ -115,7 +118,8 @@ Fault check_shapes(const WorldState& data) {
         if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
             return "shape " + number(shape) + " is in a tree as another one";
     }
-    if (live != data.shape_slots.count) return std::string("the number of shapes is wrong");
+    if (live != data.shape_slots.count || sensors != data.sensors)
+        return std::string("the number of shapes is wrong");
     if (proxies != data.fixed_tree.size() + data.moving_tree.size())
         return std::string("a tree holds shapes that do not exist");
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {

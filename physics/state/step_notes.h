@@ -1,5 +1,6 @@
 #pragma once
 
+#include <distance/motion.h>
 #include <partition/strips.h>
 #include <state/records.h>
 
@@ -9,12 +10,26 @@
 
 namespace fettle::physics::detail {
 
-/// A body that moved far compared with its thickness in this step.
+/// A body whose motion in a step is swept: it moved far compared with its thickness, or it was
+/// moved by such a body.
 struct FastBody {
     uint32_t body = none;
-    V2 start;  ///< center of mass before the step
-    V2 shift;
-    float turn = 0.0f;
+    Motion motion;
+    bool meets_moving = false;  ///< moving bodies may stop it or carry it along
+};
+
+/// The motion of a body that commands its own motion.
+struct DrivenBody {
+    uint32_t body = none;
+    Motion motion;
+    float extent = 0.0f;
+};
+
+/// A shape moved through a sensor, or a part of the shape through a part of the sensor.
+struct Crossing {
+    uint32_t sensor = none, visitor = none;  ///< as the user sees them
+    uint32_t part_of_sensor = none, part_of_visitor = none;
+    bool overlapped = false;  ///< at the end of the step
 };
 
 /// Contacts that need more work after their manifolds: slots, in the order of the list.

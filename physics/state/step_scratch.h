@@ -53,9 +53,10 @@ struct BodyScratch {
     std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
     bool axes_locked = false;       ///< some awake body is locked along x or y
     bool driven = false;            ///< an awake body moves on its own
+    bool bullets = false;           ///< an awake body is a bullet
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.bounced, s.axes_locked, s.driven)
+                   s.locked, s.bounced, s.axes_locked, s.driven, s.bullets)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.
@@ -139,8 +140,12 @@ struct ScheduleScratch {
 struct FinishScratch {
     std::vector<FinishedPiece> finished;
     std::vector<FastBody> fast_bodies;
+    std::vector<DrivenBody> driven_bodies;         ///< those that are awake
+    std::vector<uint32_t> mover_of;                ///< by body: its index in a search for impacts
+    std::vector<std::vector<Crossing>> crossings;  ///< of sensors, by piece
 
-    FETTLE_SCRATCH(FinishScratch, s.finished, s.fast_bodies)
+    FETTLE_SCRATCH(FinishScratch, s.finished, s.fast_bodies, s.driven_bodies, s.mover_of,
+                   s.crossings)
 };
 
 struct StepScratch : PairScratch,

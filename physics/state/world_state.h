@@ -62,6 +62,7 @@ struct ObjectState {
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
     uint32_t dormant_joints = 0;
+    uint32_t kinematic_bodies = 0, sensors = 0;  ///< numbers of such bodies and shapes
 
     /// The shape that the user sees: the owner of a part, otherwise the shape itself.
     uint32_t named_shape(uint32_t slot) const {
@@ -138,8 +139,9 @@ struct ObjectState {
 
     static void members(auto& io, auto& s) {
         list_members<ObjectState>(
-            io, named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots),
-            named("shapes", s.shapes, s.forms, s.shape_slots), named("vertices", s.pool),
+            io,
+            named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots, s.kinematic_bodies),
+            named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors), named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.contact_slots),
             named("joints", s.joints, s.joint_slots, s.dormant_joints),
             named("fields", s.fields, s.field_slots));

@@ -22,8 +22,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     record.step_force = {};
     record.step_torque = 0.0f;
 
-    V2 shift = {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
-    const float turn = bounded(b.turn, 1e3f);
+    const V2 shift = shift_of(b);
+    const float turn = turn_of(b);
     record.center = record.center + shift;
     record.center = {bounded(record.center.x, greatest_coordinate),
                      bounded(record.center.y, greatest_coordinate)};
@@ -41,12 +41,10 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     state.position =
         to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
     finish_shapes(in, slot, q, piece);
-    // A slower body cannot move past the range of a speculative contact, nor with more than half of
-    // its thickness through a thin obstacle.
-    const float near = max(0.5f * record.thickness, speculative_margin);
-    if (settings.continuous && record.mobility == Mobility::dynamic &&
-        length(shift) + std::fabs(turn) * (record.extent - record.thickness) > near) {
-        stop_or_list(in, {slot, record.center - shift, shift, turn}, piece);
+    if (settings.continuous &&
+        length(shift) + std::fabs(turn) * (record.extent - record.thickness) >
+            near_motion(record)) {
+        stop_or_list(in, {slot, motion_to(record.center, shift, turn)}, piece);
     }
 
     const float speed =
@@ -56,7 +54,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
 }
 
 /// Updates the nodes above the leaves that were placed.
-void follow_placed(const FinishInput& in) {
+void follow_all_placed(const FinishInput& in) {
     const std::vector<FinishedPiece>& finished = in.scratch.finished;
     Tree& moving_tree = in.boxes.moving_tree;
     size_t placed = 0;
@@ -89,6 +87,13 @@ void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPie
     }
 }
 
+void follow_placed(const FinishInput& in, const FinishedPiece& piece) {
+    for (const int32_t leaf : piece.placed) in.boxes.moving_tree.follow(leaf);
+    std::vector<uint32_t>& moved = in.boxes.moved_shapes;
+    moved.insert(moved.end(), piece.moved.begin(), piece.moved.end());
+    in.statistics.moved_proxies += uint32_t(piece.placed.size());
+}
+
 uint32_t finish_bodies(const FinishInput& in, float dt) {
     const std::vector<uint32_t>& awake = in.active.awake_bodies;
     std::vector<FinishedPiece>& finished = in.scratch.finished;
@@ -96,6 +101,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
     finished.resize((count + bodies_of_piece - 1) / bodies_of_piece);
     // With callbacks, a fast body looks up its pairs, because they may be disabled.
     if (in.callbacks) end_pairs(in.list, in.pairs);
+    if (in.settings.continuous) list_driven_bodies(in);
     share_out(in.threads, uint32_t(1 + finished.size()), [&](uint32_t block) {
         if (block == 0) {
             end_pairs(in.list, in.pairs);
@@ -119,7 +125,7 @@ uint32_t finish_bodies(const FinishInput& in, float dt) {
         fast_bodies.insert(fast_bodies.end(), piece.fast.begin(), piece.fast.end());
         sleep_candidates += piece.sleep_candidates;
     }
-    follow_placed(in);
+    follow_all_placed(in);
     stop_fast_bodies(in);
     return sleep_candidates;
 }

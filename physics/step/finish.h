@@ -1,6 +1,8 @@
 #pragma once
 
 #include <contacts/contact_list.h>
+#include <sleep/sleep.h>
+#include <state/limits.h>
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 #include <threads/pool.h>
@@ -21,6 +23,8 @@ struct FinishInput {
     FinishScratch& scratch;
     PairScratch& pairs;  ///< contains the pairs that end
     ContactList list;
+    Activity activity;
+    Events& later;  ///< events of the next step
     UserFilter filter;
     bool callbacks;  ///< the user has callbacks that may disable contacts
     StepStatistics& statistics;
@@ -32,13 +36,37 @@ uint32_t finish_bodies(const FinishInput& input, float dt);
 
 // Parts of `finish_bodies`.
 
-/// Stops the bodies that have to wait until the others are finished.
-void stop_fast_bodies(const FinishInput& input);
+/// The motion of a body of the solver in this step.
+inline V2 shift_of(const SolverBody& b) {
+    return {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
+}
+inline float turn_of(const SolverBody& b) {
+    return bounded(b.turn, 1e3f);
+}
+/// A motion through the whole step, to a center of mass and the pose of the vertices.
+inline Motion motion_to(V2 center, V2 shift, float turn) {
+    return {.from = center - shift, .velocity = shift, .angle = -turn, .turn = turn};
+}
+/// A body that moves less cannot move past the range of a speculative contact, nor with more than
+/// half of its thickness through a thin obstacle.
+inline float near_motion(const BodyRecord& body) {
+    return max(0.5f * body.thickness, speculative_margin);
+}
+
 /// Places the shapes of a body, and gives new fat boxes to shapes that left theirs.
 void finish_shapes(const FinishInput& input, uint32_t body, Rotation q, FinishedPiece& piece);
-/// Processes a body that moved far compared with its thickness. Most bodies are stopped by fixed
-/// shapes only, so any thread may compute the result. A body waits if it may hit a bullet or if the
-/// user's filter must be called.
-void stop_or_list(const FinishInput& input, const FastBody& fast, FinishedPiece& piece);
+/// Updates the trees and lists after one body was placed.
+void follow_placed(const FinishInput& input, const FinishedPiece& piece);
+
+// continuous.cpp
+
+/// Lists the bodies that move on their own. Must be called before bodies are finished.
+void list_driven_bodies(const FinishInput& input);
+/// Processes a body that moved far compared with its thickness. Any thread may stop it at fixed
+/// shapes. It waits if it may meet moving bodies or sensors, or if the user's filter must be
+/// called.
+void stop_or_list(const FinishInput& input, FastBody fast, FinishedPiece& piece);
+/// Processes the bodies that had to wait until the others are finished.
+void stop_fast_bodies(const FinishInput& input);
 
 }  // namespace fettle::physics::detail

@@ -155,6 +155,7 @@ void Shape::set_sensor(bool sensor) {
         destroy_contacts_of_shape(data.contact_list(), id_.index);
     }
     record.surface.sensor = sensor;
+    data.sensors += sensor ? 1u : ~0u;  // ± 1, modulo 2³²
     share_surface(data, id_.index);
     if (form.body != none)
         data.for_each_solid(id_.index, [&](uint32_t solid) { mark_moved(data, data, solid); });

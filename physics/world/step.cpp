@@ -93,10 +93,10 @@ void WorldData::step(float dt) {
         report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);
     statistics.solve_ms = clock.lap();
 
-    sleep_candidates = finish_bodies(
-        {objects, columns, broad_phase, active, settings, body_scratch, *this, pair_scratch,
-         contact_list(), user_filter(), self.see_contacts(), statistics, threads},
-        dt);
+    sleep_candidates = finish_bodies({objects, columns, broad_phase, active, settings, body_scratch,
+                                      *this, pair_scratch, contact_list(), activity(), pending,
+                                      user_filter(), self.see_contacts(), statistics, threads},
+                                     dt);
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     statistics.finish_ms = clock.lap();

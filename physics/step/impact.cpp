@@ -1,0 +1,161 @@
+#include <collision/piece.h>
+#include <contacts/border.h>
+#include <distance/core.h>
+#include <distance/distance.h>
+#include <geometry/trigonometry.h>
+#include <state/limits.h>
+#include <step/impact.h>
+
+#include <span>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Distance from the obstacle at arrival, m; within the range of a speculative contact.
+constexpr float arrival_gap = 0.25f * speculative_margin;
+
+/// Depths of the cores of a shape, in inner radii. If the first core touches an obstacle already,
+/// the body may move on until the next core touches it. It would stand still otherwise.
+constexpr float core_depths[] = {0.5f, 0.75f};
+
+/// The least depth of a core, m. Resting contacts overlap by less.
+constexpr float least_depth = 0.25f * speculative_margin;
+
+/// The time of impact of a shape, or of a core of it, with one obstacle.
+class Impact {
+  public:
+    Impact(const FinishInput& in, uint32_t obstacle, const Motion& motion, float now)
+        : now_(now), is_border_(in.objects.forms[obstacle].kind == FormKind::border) {
+        if (is_border_) {
+            plane_ = border_plane(*in.settings.bounds, obstacle);
+            return;
+        }
+        const BodyRecord& body = in.objects.bodies[in.objects.forms[obstacle].body];
+        obstacle_ = {solid_of(in.objects, in.columns, obstacle), motion, body.extent};
+    }
+
+    float of(const Sweep& shape, float gap) const {
+        return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
+                          : time_of_impact(shape, obstacle_, gap, now_);
+    }
+    /// The same for a point that moves from `start` to `end`.
+    float of_point(V2 start, V2 end) const {
+        float fraction = 1.0f;
+        if (is_border_) {
+            const float before = dot(plane_.normal, start) - plane_.depth;
+            const float after = dot(plane_.normal, end) - plane_.depth;
+            if (before > 0.0f && after < 0.0f) fraction = before / (before - after);
+        } else {
+            const V2 from = from_obstacle(start, now_), to = from_obstacle(end, 1.0f);
+            fraction = min(cast_segment(obstacle_.shape, from, to - from).fraction, 1.0f);
+        }
+        return fraction < 1.0f ? now_ + fraction * (1.0f - now_) : 1.0f;
+    }
+    /// A segment of a chain stops nothing that comes from behind it.
+    bool is_from_behind(V2 start) const {
+        return !is_border_ && obstacle_.shape.kind == FormKind::piece &&
+               !Piece(obstacle_.shape).faces(from_obstacle(start, now_));
+    }
+
+  private:
+    /// A place at a time, in the frame of the obstacle.
+    V2 from_obstacle(V2 place, float t) const {
+        const V2 d = place - obstacle_.motion.center(t);
+        return unrotate(rotation_of(obstacle_.motion.rotation(t)), d);
+    }
+
+    float now_;
+    bool is_border_;
+    BorderPlane plane_;
+    Sweep obstacle_;
+};
+
+}  // namespace
+
+float time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t obstacle,
+                     const Motion& obstacle_motion, float now) {
+    const BodyRecord& body = in.objects.bodies[in.objects.forms[s].body];
+    const BodyState& state = in.columns.states[in.objects.forms[s].body];
+    const V2 centroid =
+        rotate({state.cosine, state.sine}, in.objects.shapes[s].centroid - body.local_center);
+    const auto place = [&](float t) {
+        return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid);
+    };
+    const Impact impact(in, obstacle, obstacle_motion, now);
+    if (impact.is_from_behind(place(now))) return 1.0f;
+    const Solid shape = solid_of(in.objects, in.columns, s);
+    const float inner = inner_radius(shape, centroid);
+    const float gap = min(arrival_gap, 0.05f * inner);
+    for (const float part : core_depths) {
+        const float depth = max(part * inner, least_depth);
+        if (depth >= inner) break;
+        const Core core(shape, centroid, depth);
+        const float entry = impact.of({core.solid(), motion, body.extent}, gap);
+        if (entry >= 1.0f) return 1.0f;
+        if (!(entry > now)) continue;
+        const float arrival = impact.of({shape, motion, body.extent}, arrival_gap);
+        // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
+        // the entry of the core.
+        return arrival > now ? min(arrival, entry) : entry;
+    }
+    // A thick body may have thin pieces.
+    if (shape.kind == FormKind::piece && inner < least_depth) return 1.0f;
+    return impact.of_point(place(now), place(1.0f));
+}
+
+bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
+    if (in.objects.shapes[shape].surface.sensor || in.objects.shapes[other].surface.sensor ||
+        !may_collide(in.objects, in.filter, shape, other))
+        return false;
+    // Without callbacks nothing is read, because pairs may be ending at the same time
+    // (`finish_bodies`).
+    if (!in.callbacks) return true;
+    const uint32_t contact = in.boxes.pairs.find(shape, other);
+    return contact == PairSet::absent || !in.objects.contacts[contact].disabled;
+}
+
+Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now) {
+    const BodyRecord& body = in.objects.bodies[in.objects.forms[shape].body];
+    const Box4& box = in.boxes.boxes[shape];
+    const V2 start = motion.center(now) - body.center, end = motion.center(1.0f) - body.center;
+    const Box4 path = unite({box.low + start, box.high + start}, {box.low + end, box.high + end});
+    // No point is farther than the chord from where it would be without the rotation.
+    const double rotation =
+        std::max(std::fabs(motion.rotation(now)), std::fabs(motion.rotation(1.0f)));
+    return grow(path, float(std::min(rotation, 2.0)) * body.extent + speculative_margin);
+}
+
+float time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                float now) {
+    const std::vector<ShapeRecord>& shapes = in.objects.shapes;
+    float limit = 1.0f;
+    for (uint32_t s = in.objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
+        if (shapes[s].surface.sensor || !in.objects.is_solid(s)) continue;
+        const Box4 swept = swept_box(in, s, motion, now);
+        const auto meet = [&](uint32_t other) {
+            if (!may_meet(in, s, other)) return;
+            const V2 center = in.objects.bodies[in.objects.forms[other].body].center;
+            limit = min(limit, time_of_impact(in, s, motion, other, standing(center), now));
+        };
+        in.boxes.fixed_tree.query(swept, meet);
+        for (uint32_t side = 0; in.settings.bounds && side < 4; ++side)
+            if (overlap(swept, in.boxes.fat_boxes[side])) meet(side);
+    }
+    return limit;
+}
+
+void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
+                   FinishedPiece& piece) {
+    BodyRecord& record = in.objects.bodies[body];
+    BodyState& state = in.columns.states[body];
+    record.center = bounded(motion.center(1.0f), greatest_coordinate);
+    state.angle = bounded(state.angle + float(motion.rotation(1.0f)), greatest_coordinate);
+    const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
+    state.cosine = q.c;
+    state.sine = q.s;
+    state.position =
+        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
+    finish_shapes(in, body, q, piece);
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <step/finish.h>
+
+// Impacts on the way. A body that moved far compared with its thickness may have passed through a
+// thin obstacle. The core of a shape is the part that is deeper than half of its inner radius. If
+// the core met an obstacle on the way, the body must not go beyond the point where the shape itself
+// arrived. Only the core counts, so that bodies that slide over a floor of many pieces are not
+// stopped at every seam.
+
+namespace fettle::physics::detail {
+
+/// The time, from `now` to 1, until which `shape` may follow its motion without passing through
+/// `obstacle`; 1: all the time.
+float time_of_impact(const FinishInput& in, uint32_t shape, const Motion& motion, uint32_t obstacle,
+                     const Motion& obstacle_motion, float now);
+
+/// The same for all fixed obstacles together.
+float time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                float now);
+
+/// A box around the shape on its way from `now` to 1.
+Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);
+
+/// False if the two shapes do not collide, or if a callback disabled their contact.
+bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
+
+/// Moves the body from the pose of its vertices to where its motion ends.
+void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
+                   FinishedPiece& piece);
+
+// moving_impacts.cpp
+
+/// Stops bullets where they meet other moving bodies, and lets bodies be carried along by what
+/// moves on its own.
+void meet_moving_bodies(const FinishInput& in);
+
+// sensor_crossings.cpp
+
+/// Reports the sensors that fast bodies moved through within the step.
+void report_crossings(const FinishInput& in);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,269 @@
+#include <geometry/trigonometry.h>
+#include <state/limits.h>
+#include <step/impact.h>
+
+#include <algorithm>
+
+// Impacts of moving bodies with each other: of bullets with all bodies, and of bodies that move on
+// their own with dynamic bodies. The impacts are processed in the order of time. Each changes the
+// motions of two bodies for the rest of the step; then the impacts of these bodies are computed
+// again. No impact changes a velocity: the next step finds contacts.
+// - Two dynamic bodies stop. One that is neither fast nor a bullet goes on, and the other one keeps
+//   its place beside it.
+// - A body that moves on its own does not stop. It carries the other body along, and what that body
+//   meets. A fixed obstacle holds what is carried: then the driven body passes through it.
+
+namespace fettle::physics::detail {
+namespace {
+
+struct Mover {
+    uint32_t body = none;
+    Motion motion;
+    Motion whole;           ///< without the impacts
+    Box4 box;               ///< around all shapes, on the way that is left
+    uint32_t place = none;  ///< in the list of fast bodies
+    uint32_t version = 0;
+    uint32_t carrier = none;  ///< the body that carries it along
+    bool driven = false;
+    bool stops = false;  ///< at other dynamic bodies
+    bool held = false;   ///< by a fixed obstacle
+    bool changed = false;
+};
+
+struct Meeting {
+    float time;
+    uint32_t a, b;  ///< bodies
+    uint32_t version_a, version_b;
+
+    /// The earliest one is first in a heap.
+    bool operator<(const Meeting& other) const {
+        if (time != other.time) return time > other.time;
+        return a != other.a ? a > other.a : b > other.b;
+    }
+};
+
+class MovingImpacts {
+  public:
+    explicit MovingImpacts(const FinishInput& in) : in_(in), mover_of_(in.scratch.mover_of) {
+        mover_of_.resize(in.objects.bodies.size(), none);
+    }
+    ~MovingImpacts() {
+        for (const Mover& mover : movers_) mover_of_[mover.body] = none;
+    }
+    MovingImpacts(const MovingImpacts&) = delete;
+    MovingImpacts& operator=(const MovingImpacts&) = delete;
+
+    void run() {
+        const std::vector<FastBody>& fast = in_.scratch.fast_bodies;
+        for (size_t i = 0; i < fast.size(); ++i) {
+            if (!fast[i].meets_moving) continue;
+            Mover& mover = add(fast[i].body, fast[i].motion);
+            mover.place = uint32_t(i);
+            mover.stops = !mover.driven;
+        }
+        const size_t count = movers_.size();
+        for (size_t i = 0; i < count; ++i) look_around(i, 0.0f, true);
+        while (!queue_.empty()) {
+            std::pop_heap(queue_.begin(), queue_.end());
+            const Meeting next = queue_.back();
+            queue_.pop_back();
+            if (next.version_a == version_of(next.a) && next.version_b == version_of(next.b))
+                meet(mover(next.a), mover(next.b), next.time);
+        }
+        place_changed();
+    }
+
+  private:
+    const BodyRecord& record(uint32_t body) const { return in_.objects.bodies[body]; }
+    uint32_t version_of(uint32_t body) const {
+        return mover_of_[body] == none ? 0 : movers_[mover_of_[body]].version;
+    }
+    Motion motion_of(uint32_t body) const {
+        if (mover_of_[body] != none) return movers_[mover_of_[body]].motion;
+        const uint32_t index = record(body).solver_index;
+        if (index == 0 || index >= in_.bodies.solver_bodies.size())
+            return standing(record(body).center);
+        const SolverBody& b = in_.bodies.solver_bodies[index];
+        return motion_to(record(body).center, shift_of(b), turn_of(b));
+    }
+    Mover& add(uint32_t body, const Motion& motion) {
+        mover_of_[body] = uint32_t(movers_.size());
+        Mover& mover = movers_.emplace_back();
+        mover.body = body;
+        mover.motion = mover.whole = motion;
+        mover.stops = record(body).bullet;
+        mover.driven = record(body).mobility == Mobility::kinematic;
+        mover.box = swept_boxes(mover, 0.0f);
+        return mover;
+    }
+    size_t mover(uint32_t body) {
+        if (mover_of_[body] == none) add(body, motion_of(body));
+        return mover_of_[body];
+    }
+    Box4 swept_boxes(const Mover& mover, float now) const {
+        Box4 all = no_box;
+        for_each_shape(mover.body,
+                       [&](uint32_t s) { all = unite(all, swept_box(in_, s, mover.motion, now)); });
+        return all;
+    }
+    void for_each_shape(uint32_t body, auto&& visit) const {
+        for (uint32_t s = record(body).first_shape; s != none; s = in_.objects.shapes[s].next)
+            if (in_.objects.is_solid(s) && !in_.objects.shapes[s].surface.sensor) visit(s);
+    }
+
+    /// True if the motions of the two bodies are compared.
+    bool are_compared(const Mover& mover, uint32_t other) const {
+        if (other == mover.body) return false;
+        const BodyRecord &a = record(mover.body), &b = record(other);
+        if (a.mobility == Mobility::kinematic || b.mobility == Mobility::kinematic)
+            return a.mobility != b.mobility;
+        const uint32_t index = mover_of_[other];
+        return a.bullet || b.bullet || mover.carrier != none ||
+               (index != none && movers_[index].carrier != none);
+    }
+
+    /// Finds what the body meets from `now` on. `first`: all bodies are looked at in turn.
+    void look_around(size_t i, float now, bool first) {
+        const Mover mover = movers_[i];
+        // A fast body that is no bullet is found by the bullets.
+        const bool seeks = mover.driven || record(mover.body).bullet || mover.carrier != none;
+        if (!seeks && in_.objects.kinematic_bodies == 0) return;
+        for_each_shape(mover.body, [&](uint32_t s) {
+            in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
+                const uint32_t body = in_.objects.forms[other].body;
+                if (mover_of_[body] == none && are_compared(mover, body))
+                    compare(mover, s, other, now);
+            });
+        });
+        if (!seeks) return;
+        for (size_t k = 0; k < movers_.size(); ++k) {
+            const Mover& other = movers_[k];
+            // Of two bodies that seek each other, the first one finds the second one.
+            if (first && k < i && (other.driven || record(other.body).bullet)) continue;
+            if (!overlap(mover.box, other.box) || !are_compared(mover, other.body)) continue;
+            for_each_shape(mover.body, [&](uint32_t s) {
+                for_each_shape(other.body, [&](uint32_t o) {
+                    if (overlap(swept_box(in_, s, mover.motion, now),
+                                swept_box(in_, o, other.motion, now)))
+                        compare(mover, s, o, now);
+                });
+            });
+        }
+    }
+
+    void compare(const Mover& mover, uint32_t shape, uint32_t other, float now) {
+        const uint32_t body = in_.objects.forms[other].body;
+        if (!may_meet(in_, shape, other)) return;
+        const Motion motion = motion_of(body);
+        // The core is that of the body that can be moved.
+        const float time = mover.driven
+                               ? time_of_impact(in_, other, motion, shape, mover.motion, now)
+                               : time_of_impact(in_, shape, mover.motion, other, motion, now);
+        if (time >= 1.0f) return;
+        queue_.push_back({time, mover.body, body, mover.version, version_of(body)});
+        std::push_heap(queue_.begin(), queue_.end());
+    }
+
+    void meet(size_t i, size_t k, float now) {
+        const auto rank = [&](size_t m) {
+            return movers_[m].driven ? 2 : is_driven_along(m) ? 1 : 0;
+        };
+        if (rank(k) > rank(i)) std::swap(i, k);
+        const Mover first = movers_[i], second = movers_[k];
+        if (rank(i) == 0 || first.held) {
+            for (const auto& [stopped, other] : {std::pair(i, k), std::pair(k, i)}) {
+                if (!movers_[stopped].stops) continue;
+                if (movers_[other].stops || movers_[stopped].carrier != none)
+                    stop(stopped, now, false);
+                else
+                    carry(stopped, movers_[other].body, now);
+            }
+            return;
+        }
+        const uint32_t carrier = first.driven ? first.body : first.carrier;
+        if (second.held) {
+            if (!first.driven) stop(i, now, true);
+        } else if (rank(k) == 0) {
+            carry(k, carrier, now);
+        } else if (second.carrier != carrier) {
+            stop(k, now, true);  // it is between two driven bodies
+        }
+    }
+    /// True if a driven body carries it, itself or with another one.
+    bool is_driven_along(size_t i) const {
+        const uint32_t carrier = movers_[i].carrier;
+        return carrier != none && record(carrier).mobility == Mobility::kinematic;
+    }
+
+    void change(size_t i, const Motion& motion, float now) {
+        Mover& mover = movers_[i];
+        mover.motion = motion;
+        mover.changed = true;
+        ++mover.version;
+        mover.box = swept_boxes(mover, now);
+        look_around(i, now, false);
+    }
+    void stop(size_t i, float now, bool held) {
+        movers_[i].held |= held;
+        const Motion& motion = movers_[i].motion;
+        if (motion.moves_after(now))
+            change(i, standing(motion.center(now), float(motion.rotation(now))), now);
+    }
+    /// The body is carried along as if it were fixed to the carrier.
+    void carry(size_t i, uint32_t carrier, float now) {
+        const Motion driver = motion_of(carrier);
+        const Motion& before = movers_[i].motion;
+        const float left = 1.0f - now;
+        Motion motion;
+        motion.since = now;
+        motion.from = before.center(now);
+        motion.angle = float(before.rotation(now));
+        const double turn = driver.rotation(1.0f) - driver.rotation(now);
+        const V2 end =
+            driver.center(1.0f) + rotate(rotation_of(turn), motion.from - driver.center(now));
+        motion.velocity = (1.0f / left) * (end - motion.from);
+        motion.turn = float(turn) / left;
+        motion.until = time_of_impact_with_fixed(in_, movers_[i].body, motion, now);
+        movers_[i].held = motion.until < 1.0f;
+        movers_[i].carrier = carrier;
+        change(i, motion, now);
+    }
+
+    void place_changed() {
+        FinishedPiece& piece = in_.scratch.finished.front();
+        std::vector<FastBody>& fast = in_.scratch.fast_bodies;
+        for (Mover& mover : movers_) {
+            if (!mover.changed) continue;
+            wake_body(in_.activity, mover.body);
+            piece.clear();
+            follow_motion(in_, mover.body, mover.motion, piece);
+            follow_placed(in_, piece);
+            // For the sensors on the way.
+            if (mover.place == none) {
+                mover.place = uint32_t(fast.size());
+                fast.push_back({mover.body, mover.motion});
+            }
+            const double turn = mover.motion.rotation(1.0f) - mover.whole.rotation(0.0f);
+            Motion& motion = fast[mover.place].motion;
+            motion = {};
+            motion.from = mover.whole.center(0.0f);
+            motion.velocity = mover.motion.center(1.0f) - motion.from;
+            motion.turn = float(turn);
+            motion.angle = -motion.turn;
+        }
+    }
+
+    const FinishInput& in_;
+    std::vector<uint32_t>& mover_of_;
+    std::vector<Mover> movers_;
+    std::vector<Meeting> queue_;
+};
+
+}  // namespace
+
+void meet_moving_bodies(const FinishInput& in) {
+    const auto meets = [](const FastBody& fast) { return fast.meets_moving; };
+    if (std::ranges::any_of(in.scratch.fast_bodies, meets)) MovingImpacts(in).run();
+}
+
+}  // namespace fettle::physics::detail

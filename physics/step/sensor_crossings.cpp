@@ -1,0 +1,138 @@
+#include <contacts/narrow_phase.h>
+#include <distance/distance.h>
+#include <step/impact.h>
+
+#include <algorithm>
+#include <tuple>
+
+// Sensors that fast bodies move through between two steps, and fast sensors that move past bodies.
+// Contacts report only what overlaps at the beginning of a step.
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Number of fast bodies in a task of a thread.
+constexpr size_t bodies_at_a_time = 16;
+/// A sensor notices what comes as near as this part of the smaller body.
+constexpr float crossing_gap = 1e-4f;
+
+class Search {
+  public:
+    Search(const FinishInput& in, std::vector<Crossing>& found) : in_(in), found_(found) {}
+
+    void look_around(size_t place) {
+        const FastBody& fast = in_.scratch.fast_bodies[place];
+        for_each_shape(fast.body, [&](uint32_t s) {
+            const Box4 swept = swept_box(in_, s, fast.motion, 0.0f);
+            const auto look = [&](uint32_t other) {
+                const uint32_t body = in_.objects.forms[other].body;
+                if (is_sensor(s) == is_sensor(other) || in_.scratch.mover_of[body] != none) return;
+                compare(s, fast.motion, other, standing(in_.objects.bodies[body].center));
+            };
+            in_.boxes.fixed_tree.query(swept, look);
+            in_.boxes.moving_tree.query(swept, look);
+            if (is_sensor(s)) compare_with_fast(s, fast, swept);
+        });
+    }
+
+  private:
+    bool is_sensor(uint32_t shape) const { return in_.objects.shapes[shape].surface.sensor; }
+    void for_each_shape(uint32_t body, auto&& visit) const {
+        for (uint32_t s = in_.objects.bodies[body].first_shape; s != none;
+             s = in_.objects.shapes[s].next)
+            if (in_.objects.is_solid(s)) visit(s);
+    }
+    /// A fast body may be far from where it met the sensor, so that it is not found in the tree.
+    void compare_with_fast(uint32_t sensor, const FastBody& fast, const Box4& swept) {
+        for (const FastBody& other : in_.scratch.fast_bodies) {
+            for_each_shape(other.body, [&](uint32_t o) {
+                if (!is_sensor(o) && overlap(swept, swept_box(in_, o, other.motion, 0.0f)))
+                    compare(sensor, fast.motion, o, other.motion);
+            });
+        }
+    }
+    void compare(uint32_t s, const Motion& motion, uint32_t other, const Motion& other_motion) {
+        const ObjectState& objects = in_.objects;
+        const uint32_t body = objects.forms[s].body, other_body = objects.forms[other].body;
+        if (!filters_agree(objects, s, other) || joint_forbids_contact(objects, body, other_body))
+            return;
+        const BodyRecord &a = objects.bodies[body], &b = objects.bodies[other_body];
+        const Solid shape = solid_of(objects, in_.columns, s);
+        const Solid other_shape = solid_of(objects, in_.columns, other);
+        const Sweep sweep = {shape, motion, a.extent};
+        const Sweep other_sweep = {other_shape, other_motion, b.extent};
+        const float gap = crossing_gap * min(a.extent, b.extent);
+        float time = time_of_impact(sweep, other_sweep, gap);
+        if (time == 0.0f) {
+            // If they overlap at first, their contact decided. If not, they may part at once.
+            if (time_of_impact(sweep, other_sweep, 0.0f) == 0.0f) return;
+            time = time_of_impact(sweep, other_sweep, gap, 0.01f);
+        }
+        if (time >= 1.0f) return;
+        const uint32_t sensor = is_sensor(s) ? s : other, visitor = is_sensor(s) ? other : s;
+        found_.push_back({objects.named_shape(sensor), objects.named_shape(visitor), sensor,
+                          visitor, overlap_at_end(s, shape, other, other_shape, gap)});
+    }
+    /// True if the contact of the two shapes will report them in the next step.
+    bool overlap_at_end(uint32_t s, const Solid& shape, uint32_t other, const Solid& other_shape,
+                        float gap) const {
+        const ObjectState& objects = in_.objects;
+        const uint32_t body = objects.forms[s].body, other_body = objects.forms[other].body;
+        if (shape.kind != FormKind::piece && other_shape.kind != FormKind::piece) {
+            const V2 apart = objects.bodies[other_body].center - objects.bodies[body].center;
+            return nearest_points(shape, other_shape, apart).distance <= gap;
+        }
+        ContactRecord contact;
+        contact.shape_a = s;
+        contact.shape_b = other;
+        contact.body_a = body;
+        contact.body_b = other_body;
+        Manifold manifold;
+        collide_unusual(objects, in_.columns, in_.settings, contact, 0.0f, false, manifold);
+        return manifold.count > 0;
+    }
+
+    const FinishInput& in_;
+    std::vector<Crossing>& found_;
+};
+
+}  // namespace
+
+void report_crossings(const FinishInput& in) {
+    const std::vector<FastBody>& fast = in.scratch.fast_bodies;
+    std::vector<std::vector<Crossing>>& pieces = in.scratch.crossings;
+    std::vector<uint32_t>& mover_of = in.scratch.mover_of;
+    mover_of.resize(in.objects.bodies.size(), none);
+    for (size_t i = 0; i < fast.size(); ++i) mover_of[fast[i].body] = uint32_t(i);
+    pieces.resize((fast.size() + bodies_at_a_time - 1) / bodies_at_a_time);
+    share_out_range(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
+        std::vector<Crossing>& found = pieces[begin / bodies_at_a_time];
+        found.clear();
+        Search search(in, found);
+        for (size_t i = begin; i < end; ++i) search.look_around(i);
+    });
+    for (const FastBody& body : fast) mover_of[body.body] = none;
+
+    std::vector<Crossing> all;
+    for (const std::vector<Crossing>& found : pieces)
+        all.insert(all.end(), found.begin(), found.end());
+    const auto key = [](const Crossing& c) {
+        return std::tuple(c.sensor, c.visitor, c.part_of_sensor, c.part_of_visitor);
+    };
+    std::ranges::sort(all, {}, key);
+    for (auto begin = all.begin(); begin != all.end();) {
+        const auto end = std::find_if(begin, all.end(), [&](const Crossing& c) {
+            return c.sensor != begin->sensor || c.visitor != begin->visitor;
+        });
+        const auto agrees = [&](const Crossing& c) {
+            return in.filter(c.part_of_sensor, c.part_of_visitor);
+        };
+        if (!touch(in.objects, begin->sensor, begin->visitor) &&
+            std::none_of(begin, end, [](const Crossing& c) { return c.overlapped; }) &&
+            std::any_of(begin, end, agrees))
+            report_crossing(in.list.touching, in.later, begin->sensor, begin->visitor);
+        begin = end;
+    }
+}
+
+}  // namespace fettle::physics::detail
