@@ -18,11 +18,12 @@ struct FastBody {
     bool meets_moving = false;  ///< moving bodies may stop it or carry it along
 };
 
-/// The motion of a body that commands its own motion.
+/// The motion of a body that commands its own motion, and its boxes on the way: `boxes` of them,
+/// after those of the bodies listed before it.
 struct DrivenBody {
     uint32_t body = none;
     Motion motion;
-    float extent = 0.0f;
+    uint32_t first_box = 0, boxes = 0;
 };
 
 /// A shape moved through a sensor, or a part of the shape through a part of the sensor.

@@ -141,11 +141,12 @@ struct FinishScratch {
     std::vector<FinishedPiece> finished;
     std::vector<FastBody> fast_bodies;
     std::vector<DrivenBody> driven_bodies;         ///< those that are awake
+    std::vector<Box4> driven_boxes;                ///< of their shapes, on their way
     std::vector<uint32_t> mover_of;                ///< by body: its index in a search for impacts
     std::vector<std::vector<Crossing>> crossings;  ///< of sensors, by piece
 
-    FETTLE_SCRATCH(FinishScratch, s.finished, s.fast_bodies, s.driven_bodies, s.mover_of,
-                   s.crossings)
+    FETTLE_SCRATCH(FinishScratch, s.finished, s.fast_bodies, s.driven_bodies, s.driven_boxes,
+                   s.mover_of, s.crossings)
 };
 
 struct StepScratch : PairScratch,

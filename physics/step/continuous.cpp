@@ -10,6 +10,9 @@
 namespace fettle::physics::detail {
 namespace {
 
+/// Boxes of a driven body are in groups, each after a box around the group.
+constexpr uint32_t boxes_of_group = 8;
+
 /// Puts the body back to where a fixed shape stopped it. It keeps its velocity, and the next step
 /// finds an ordinary contact.
 void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) {
@@ -22,14 +25,49 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
 
 /// True if the body moves far compared with its thickness, seen from a body that moves on its own,
 /// and may reach it.
-bool is_fast_beside(const BodyRecord& body, const Motion& motion, const DrivenBody& driven) {
+bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion& motion,
+                    const DrivenBody& driven) {
     const V2 apart = body.center - driven.motion.center(1.0f);
     const V2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
     const float way = length(shift) +
                       std::fabs(motion.turn - driven.motion.turn) * (body.extent - body.thickness);
-    return way > near_motion(body) &&
-           length(apart) < body.extent + driven.extent + length(motion.velocity) +
-                               length(driven.motion.velocity) + speculative_margin;
+    if (!(way > near_motion(body))) return false;
+    const V2 start = motion.center(0.0f), end = motion.center(1.0f);
+    const Box4 path = grow(unite({start, start}, {end, end}), body.extent + speculative_margin);
+    const Box4* const boxes = in.scratch.driven_boxes.data() + driven.first_box;
+    for (uint32_t i = 0; i < driven.boxes; i += 1 + boxes_of_group) {
+        if (!overlap(path, boxes[i])) continue;
+        const uint32_t last = std::min(i + 1 + boxes_of_group, driven.boxes);
+        for (uint32_t k = i + 1; k < last; ++k)
+            if (overlap(path, boxes[k])) return true;
+    }
+    return false;
+}
+
+void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b) {
+    const BodyRecord& record = in.objects.bodies[body];
+    const V2 shift = shift_of(b);
+    const float turn = turn_of(b);
+    const float chord = min(std::fabs(turn), 2.0f) * record.extent;
+    DrivenBody driven;
+    driven.body = body;
+    driven.motion = motion_to(record.center + shift, shift, turn);
+    std::vector<Box4>& boxes = in.scratch.driven_boxes;
+    driven.first_box = uint32_t(boxes.size());
+    for (uint32_t s = record.first_shape; s != none; s = in.objects.shapes[s].next) {
+        if (!in.objects.is_solid(s) || in.objects.shapes[s].surface.sensor) continue;
+        if (driven.boxes % (1 + boxes_of_group) == 0) {
+            boxes.push_back(no_box);
+            ++driven.boxes;
+        }
+        const Box4& box = in.boxes.boxes[s];
+        boxes.push_back(grow(unite(box, {box.low + shift, box.high + shift}), chord));
+        ++driven.boxes;
+        Box4& around = boxes[driven.first_box +
+                             (driven.boxes - 1) / (1 + boxes_of_group) * (1 + boxes_of_group)];
+        around = unite(around, boxes.back());
+    }
+    in.scratch.driven_bodies.push_back(driven);
 }
 
 /// True if the motion must be compared with those of moving bodies.
@@ -39,14 +77,19 @@ bool may_meet_moving(const FinishInput& in, const FastBody& fast) {
     if (in.bodies.bullets || record.mobility == Mobility::kinematic) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
     return std::ranges::any_of(driven, [&](const DrivenBody& other) {
-        return is_fast_beside(record, fast.motion, other);
+        return is_fast_beside(in, record, fast.motion, other);
     });
 }
 
 }  // namespace
 
-void stop_or_list(const FinishInput& in, FastBody fast, FinishedPiece& piece) {
-    const bool dynamic = in.objects.bodies[fast.body].mobility == Mobility::dynamic;
+void stop_or_list(const FinishInput& in, uint32_t body, V2 shift, float turn,
+                  FinishedPiece& piece) {
+    const BodyRecord& record = in.objects.bodies[body];
+    FastBody fast;
+    fast.body = body;
+    fast.motion = motion_to(record.center, shift, turn);
+    const bool dynamic = record.mobility == Mobility::dynamic;
     if (dynamic && !in.filter) stop_at_fixed(in, fast, piece);
     fast.meets_moving = may_meet_moving(in, fast);
     if (in.filter || fast.meets_moving || in.objects.sensors > 0) piece.fast.push_back(fast);
@@ -54,16 +97,14 @@ void stop_or_list(const FinishInput& in, FastBody fast, FinishedPiece& piece) {
 
 void list_driven_bodies(const FinishInput& in) {
     in.scratch.driven_bodies.clear();
+    in.scratch.driven_boxes.clear();
     if (!in.bodies.driven) return;
     for (size_t i = 0; i < in.active.awake_bodies.size(); ++i) {
         const SolverBody& b = in.bodies.solver_bodies[i + 1];
         if (b.inverse_mass > 0.0f) continue;
         const uint32_t slot = in.active.awake_bodies[i];
-        const BodyRecord& record = in.objects.bodies[slot];
-        if (record.mobility != Mobility::kinematic) continue;
-        const V2 shift = shift_of(b);
-        in.scratch.driven_bodies.push_back(
-            {slot, motion_to(record.center + shift, shift, turn_of(b)), record.extent});
+        if (in.objects.bodies[slot].mobility != Mobility::kinematic) continue;
+        list_driven_body(in, slot, b);
     }
 }
 

@@ -44,7 +44,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     if (settings.continuous &&
         length(shift) + std::fabs(turn) * (record.extent - record.thickness) >
             near_motion(record)) {
-        stop_or_list(in, {slot, motion_to(record.center, shift, turn)}, piece);
+        stop_or_list(in, slot, shift, turn, piece);
     }
 
     const float speed =

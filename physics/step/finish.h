@@ -65,7 +65,8 @@ void list_driven_bodies(const FinishInput& input);
 /// Processes a body that moved far compared with its thickness. Any thread may stop it at fixed
 /// shapes. It waits if it may meet moving bodies or sensors, or if the user's filter must be
 /// called.
-void stop_or_list(const FinishInput& input, FastBody fast, FinishedPiece& piece);
+void stop_or_list(const FinishInput& input, uint32_t body, V2 shift, float turn,
+                  FinishedPiece& piece);
 /// Processes the bodies that had to wait until the others are finished.
 void stop_fast_bodies(const FinishInput& input);
 
