@@ -1,7 +1,7 @@
 #pragma once
 
 #include <collision/solid.h>
-#include <distance/motion.h>
+#include <geometry/motion.h>
 
 // Nearest points, distances, rays and sweeps. For two shapes, `offset` is the center of mass of b
 // minus that of a.

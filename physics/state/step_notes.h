@@ -1,6 +1,6 @@
 #pragma once
 
-#include <distance/motion.h>
+#include <geometry/motion.h>
 #include <partition/strips.h>
 #include <state/records.h>
 

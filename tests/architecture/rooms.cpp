@@ -63,7 +63,7 @@ const std::vector<DividedPart>& divided_parts() {
                "schedule"}},
              {"step",
               {"geometry", "threads", "broad_phase", "collision", "distance", "constraints",
-               "state", "contacts", "schedule"}},
+               "state", "sleep", "contacts", "schedule"}},
              {"world",
               {"geometry", "threads", "broad_phase", "collision", "wide", "state", "sleep",
                "contacts", "edits", "schedule", "solver", "step", "checks"}},
