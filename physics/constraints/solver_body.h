@@ -20,6 +20,12 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 32);
 
+/// Square of the radius of gyration of a body, m²; a large number for one that does not rotate.
+inline float gyration_of(const SolverBody& b) {
+    return b.inverse_mass > 0.0f && b.inverse_inertia > 0.0f ? b.inverse_mass / b.inverse_inertia
+                                                             : 1e30f;
+}
+
 /// The effect of gravity, forces and damping on a body in one sub-step: v ← (v + change) · keep.
 struct alignas(16) SolverForce {
     V2 change;

@@ -61,9 +61,20 @@ void write_softness(const ContactStiffness& stiffness, Wide impulse, const Bodie
             fixed ? splat(stiffness.loaded(true).*part) : splat(stiffness.loaded(false).*part);
         return u + t * (v - u);
     };
-    store(c.bias_rate + at, between(&Softness::bias_rate));
-    store(c.mass_scale + at, between(&Softness::mass_scale));
-    store(c.impulse_keep + at, splat(1.0f) - between(&Softness::impulse_scale));
+    const auto gyration = [](const Bodies& body) {
+        return (body.mass > Wide{}) & (body.inertia > Wide{}) ? body.mass / body.inertia
+                                                              : splat(1e30f);
+    };
+    constexpr float least_rate = ContactStiffness::least_rate;
+    const Wide size = lesser(
+        splat(ContactStiffness::large_gyration) * lesser(gyration(a), gyration(b)), splat(1.0f));
+    const Wide yields = size * size;
+    const Wide impulse_scale = between(&Softness::impulse_scale);
+    store(c.bias_rate + at,
+          (splat(least_rate) + splat(1.0f - least_rate) * yields) * between(&Softness::bias_rate));
+    store(c.mass_scale + at,
+          between(&Softness::mass_scale) + (splat(1.0f) - yields) * impulse_scale);
+    store(c.impulse_keep + at, splat(1.0f) - yields * impulse_scale);
 }
 
 inline auto part_of(Manifold* const* manifolds, size_t at) {

@@ -168,7 +168,8 @@ void prepare_serial(const ObjectState& objects, const Columns& columns, const Bo
             }
             prepare_constraint(record, a, b, ratio, c);
             c.soft = stiffness.of(c.fixed, c.points[0].normal_impulse + c.points[1].normal_impulse,
-                                  max(a.inverse_mass, b.inverse_mass));
+                                  max(a.inverse_mass, b.inverse_mass),
+                                  min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
             scratch.serial_notes[i] =
                 uint8_t((record.special ? needs_extra : 0) | (corner ? needs_extra | passes : 0) |

@@ -10,6 +10,9 @@ namespace {
 /// Number of bodies in a task of a thread.
 constexpr size_t bodies_of_piece = 64;
 
+/// A body of this extent or more falls asleep at the sleep speed of the world, m.
+constexpr float usual_extent = 0.07f;
+
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
     const uint32_t slot = in.active.awake_bodies[place];
     const WorldDef& settings = in.settings;
@@ -49,7 +52,9 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
 
     const float speed =
         max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
-    record.sleep_time = speed < settings.sleep_speed ? record.sleep_time + dt : 0.0f;
+    // A small body that moves through its own size in the delay is not at rest.
+    const float size = min(record.extent / usual_extent, 1.0f);
+    record.sleep_time = speed < settings.sleep_speed * size * size ? record.sleep_time + dt : 0.0f;
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }
 
