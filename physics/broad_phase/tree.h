@@ -125,6 +125,8 @@ class Tree {
         uint32_t item() const { return uint32_t(right); }
     };
     static_assert(sizeof(Node) == 32);
+    /// A walk opens a bucket whose perimeter is this many times that of the other node.
+    static constexpr float sparse_bucket = 4.0f;
 
     /// A subtree that does not change while the nodes above it are built again: in most cases a
     /// leaf.
@@ -297,7 +299,9 @@ void Tree::pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBuck
     }
 }
 
-/// Pushes the pairs below a pair that is neither two leaves nor two buckets.
+/// Pushes the pairs below a pair that is neither two leaves nor two buckets: opens the larger node.
+/// A bucket stays whole, since it is compared fastest as a whole, unless it is much larger than the
+/// other node: then its leaves are far apart, and few of them are near that node.
 template <typename Push>
 void Tree::open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const {
     const auto [a, b] = pair;
@@ -310,8 +314,11 @@ void Tree::open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, 
         if (has_moved(nodes_[size_t(u.left)])) push(NodePair{u.left, u.left});
         if (has_moved(nodes_[size_t(u.right)])) push(NodePair{u.right, u.right});
         push_pair(u.left, u.right);
-    } else if (v.is_leaf() || (bucket_b && !u.is_leaf()) ||
-               (!u.is_leaf() && !bucket_a && perimeter(u.box) >= perimeter(v.box))) {
+        return;
+    }
+    const float size_a = perimeter(u.box) * (bucket_a ? 1.0f / sparse_bucket : 1.0f);
+    const float size_b = perimeter(v.box) * (bucket_b ? 1.0f / sparse_bucket : 1.0f);
+    if (v.is_leaf() || (!u.is_leaf() && size_a >= size_b)) {
         push_pair(u.left, b);
         push_pair(u.right, b);
     } else {

@@ -219,7 +219,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     // ended pairs can wait until the bodies are finished.
     for (const CollidedPiece& piece : collided)
         for (const uint32_t slot : piece.over) remove_awake_contact(in.objects, in.active, slot);
-    if (!in.boxes.moved_shapes.empty()) std::ranges::fill(in.scratch.relocated, uint8_t{0});
+    for (const uint32_t shape : in.boxes.moved_shapes) in.scratch.relocated[shape] = 0;
     in.boxes.moved_shapes.clear();
 }
 

@@ -83,6 +83,28 @@ void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t sha
     broad_phase.moved_shapes.push_back(shape);
 }
 
+void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseState& broad_phase,
+                     uint32_t shape) {
+    const uint32_t body = objects.forms[shape].body;
+    const Tree& moving_tree = broad_phase.moving_tree;
+    if (objects.bodies[body].mobility != Mobility::fixed ||
+        objects.shapes[shape].outline <= moving_tree.size()) {
+        objects.for_each_solid(shape,
+                               [&](uint32_t solid) { mark_moved(objects, broad_phase, solid); });
+        return;
+    }
+    // A long outline that does not move: fewer shapes can be paired with its parts than it has
+    // parts.
+    const BodyState& state = columns.states[body];
+    Box4 box = no_box;
+    for (const V2 point : objects.outline_of(shape)) {
+        const V2 place = to_v2(state.position) + rotate({state.cosine, state.sine}, point);
+        box = unite(box, {place, place});
+    }
+    moving_tree.query(grow(box, speculative_margin),
+                      [&](uint32_t other) { mark_moved(objects, broad_phase, other); });
+}
+
 void refilter(const Editing& e, const UserFilter& filter, uint32_t shape) {
     ObjectState& objects = e.objects;
     const uint32_t body = objects.forms[shape].body;
@@ -95,8 +117,7 @@ void refilter(const Editing& e, const UserFilter& filter, uint32_t shape) {
         if (c.sensor != sensor || !may_collide(objects, filter, c.shape_a, c.shape_b))
             destroy_contact(e.contacts, contact);
     });
-    objects.for_each_solid(shape,
-                           [&](uint32_t solid) { mark_moved(objects, e.broad_phase, solid); });
+    mark_refiltered(objects, e.columns, e.broad_phase, shape);
 }
 
 void remove_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape) {
@@ -268,6 +289,8 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         cx = record.given_center.x;
         cy = record.given_center.y;
     }
+    // Only bodies that move need their size, and a static body may have many shapes.
+    const bool is_static = record.type == BodyType::static_body;
     double inertia = 0.0;
     float extent = 0.0f, thickness = infinity;
     for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
@@ -276,7 +299,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         if (shape.owner == none)
             inertia += double(shape.surface.density) *
                        (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
-        if (!objects.is_solid(s)) continue;
+        if (is_static || !objects.is_solid(s)) continue;
         const ShapeForm& form = objects.forms[s];
         float inner = infinity;
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
@@ -305,7 +328,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
 
     const BodyState& state = e.columns.states[body];
-    const V2 old_center = record.center;
+    const V2 old_center = record.center, old_local_center = record.local_center;
     record.mass = float(mass);
     record.inertia = float(inertia);
     record.extent = extent;
@@ -315,7 +338,9 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     // The motion of the body does not change, but its velocity refers to another point now.
     const V2 drift = cross(state.angular_velocity, record.center - old_center);
     e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
-    mark_placement(objects, e.active, body);
+    if (!is_static || record.local_center.x != old_local_center.x ||
+        record.local_center.y != old_local_center.y)
+        mark_placement(objects, e.active, body);
     update_mobility(e, body);
     const bool moves = record.mobility == Mobility::dynamic;
     record.inverse_mass =

@@ -30,6 +30,9 @@ void mark_placement(ObjectState& objects, ActiveLists& active, uint32_t body);
 /// Must be called when an edit moved the shape or changed which shapes it collides with: all its
 /// pairs are searched again.
 void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shape);
+/// Must be called when an edit changed which shapes the shape collides with, but did not move it.
+void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseState& broad_phase,
+                     uint32_t shape);
 
 void refresh(const Editing& editing);
 void refresh_shape(const Editing& editing, uint32_t shape);

@@ -45,7 +45,8 @@ struct PairScratch {
 /// fixed body.
 struct BodyScratch {
     std::vector<SolverBody> solver_bodies;
-    /// By body slot. Compact, because every contact reads it, unlike the records.
+    /// By body slot. Compact, because every contact reads it, unlike the records. Between steps all
+    /// are fixed, so that a step writes only those of the awake bodies.
     std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
     std::vector<uint8_t> gathered;  ///< results of the pieces of the list of awake bodies

@@ -43,7 +43,10 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     const Rotation q = {state.cosine, state.sine};
     state.position =
         to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
-    finish_shapes(in, slot, q, piece);
+    // A platform may stand still for long and have many shapes.
+    const bool stands =
+        record.mobility != Mobility::dynamic && shift.x == 0.0f && shift.y == 0.0f && turn == 0.0f;
+    if (!stands) finish_shapes(in, slot, q, piece);
     if (settings.continuous &&
         length(shift) + std::fabs(turn) * (record.extent - record.thickness) >
             near_motion(record)) {

@@ -57,7 +57,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     bodies.solver_bodies.resize(count + 1);
     bodies.solver_forces.resize(count + 1);
     bodies.solver_bodies[0] = {};
-    bodies.solver_ends.assign(records.size(), {});
+    bodies.solver_ends.resize(records.size());
     bodies.gathered.resize((count + gathered_at_a_time - 1) / gathered_at_a_time);
     share_out_range(threads, count, gathered_at_a_time, [&](size_t begin, size_t end) {
         uint8_t found = 0;
@@ -93,6 +93,10 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
             (record.locked_x || record.locked_y || record.locked_rotation))
             bodies.locked.push_back(uint32_t(i + 1));
     }
+}
+
+void forget_ends(const ActiveLists& active, BodyScratch& bodies) {
+    for (const uint32_t body : active.awake_bodies) bodies.solver_ends[body] = {};
 }
 
 }  // namespace fettle::physics::detail

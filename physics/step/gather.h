@@ -15,6 +15,9 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
                    const WorldDef& settings, const Strips& strips, float h, BodyScratch& bodies,
                    Hubs& hubs, ThreadPool* threads);
 
+/// Must be called when no later stage of the step needs the ends of the bodies.
+void forget_ends(const ActiveLists& active, BodyScratch& bodies);
+
 // Fields of force: once per step they add to the forces of the sub-steps on the awake bodies. A
 // resistance never removes more velocity in a step than there is, so that dense air is stable.
 

@@ -81,10 +81,12 @@ struct MemoryRelease {
 }  // namespace
 
 /// Releases scratch data if the awake bodies are fewer than a quarter of the bodies, or of the
-/// moved shapes, for which it has room.
+/// moved shapes, for which it has room. Little memory is kept: a few bodies of many shapes would
+/// release it again and again, and arrays by slot are as long as the world is large.
 void WorldData::trim() {
+    constexpr size_t little = 1024;
     const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
-    if ((awake_bodies.size() + 1) * 4 > once) return;
+    if (once <= little + 4 * awake_bodies.size()) return;
     MemoryRelease release;
     StepScratch::scratch(release, part<StepScratch>(*this));
     event_members(release, pending);

@@ -157,8 +157,7 @@ void Shape::set_sensor(bool sensor) {
     record.surface.sensor = sensor;
     data.sensors += sensor ? 1u : ~0u;  // ± 1, modulo 2³²
     share_surface(data, id_.index);
-    if (form.body != none)
-        data.for_each_solid(id_.index, [&](uint32_t solid) { mark_moved(data, data, solid); });
+    if (form.body != none) mark_refiltered(data, data, data, id_.index);
 }
 
 void Shape::set_hit_events(bool enabled) {

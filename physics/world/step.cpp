@@ -99,6 +99,7 @@ void WorldData::step(float dt) {
                                      dt);
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
+    forget_ends(active, body_scratch);
     statistics.finish_ms = clock.lap();
     ++steps;
     sleep_resting_islands(activity(), settings, sleep_candidates, steps);
