@@ -1,8 +1,10 @@
+#include <contacts/crowds.h>
 #include <contacts/pairs.h>
 #include <wide/kernels.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <numeric>
 
@@ -22,34 +24,33 @@ struct PairSearch {
     FindOverlaps overlaps;
     ThreadPool* threads;
 
+    std::atomic_ref<uint32_t> finds_of(uint32_t decider) const {
+        return std::atomic_ref<uint32_t>(scratch.finds[decider]);
+    }
+    /// True if the pairs of the shape need no list: it chooses them by itself.
+    bool is_crowded(uint32_t decider) const {
+        return objects.shapes[decider].crowded ||
+               finds_of(decider).load(std::memory_order_relaxed) > most_decided;
+    }
+
     /// Adds the pair if it is new: the fat boxes overlap, and one of them has moved.
     void look_at_pair(uint32_t shape, uint32_t other, std::vector<uint64_t>& found) const {
         if (overlap(boxes.paired_boxes[shape], boxes.paired_boxes[other]))
             return;  // decided in an earlier search
+        const uint32_t decider = decider_of(objects, shape, other);
+        if (decider != none && is_crowded(decider)) return;
         if (!filters_agree(objects, shape, other) ||
             joint_forbids_contact(objects, objects.forms[shape].body, objects.forms[other].body) ||
             boxes.pairs.find(shape, other) != PairSet::absent)
             return;
+        if (decider != none) finds_of(decider).fetch_add(1, std::memory_order_relaxed);
         found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
-    }
-
-    /// Runs `look(piece, found)` for every piece, each with a list of its own.
-    void look_in_pieces(size_t count, auto&& look) {
-        if (scratch.found_pairs.size() < count) scratch.found_pairs.resize(count);
-        share_out(threads, uint32_t(count), [&](uint32_t piece) {
-            scratch.found_pairs[piece].clear();
-            look(piece, scratch.found_pairs[piece]);
-        });
-        for (size_t piece = 0; piece < count; ++piece) {
-            const std::vector<uint64_t>& found = scratch.found_pairs[piece];
-            scratch.new_pairs.insert(scratch.new_pairs.end(), found.begin(), found.end());
-        }
     }
 
     /// Queries the trees for each shape that has moved.
     void look_around_moved() {
         const size_t count = (boxes.moved_shapes.size() + shapes_at_a_time - 1) / shapes_at_a_time;
-        look_in_pieces(count, [&](size_t piece, std::vector<uint64_t>& found) {
+        look_in_pieces(scratch, count, threads, [&](size_t piece, std::vector<uint64_t>& found) {
             const size_t begin = piece * shapes_at_a_time;
             const size_t end = std::min(begin + shapes_at_a_time, boxes.moved_shapes.size());
             for (size_t i = begin; i < end; ++i) {
@@ -78,13 +79,14 @@ struct PairSearch {
         // The first parts are the largest, so they are distributed evenly to the threads.
         const size_t hands = threads != nullptr ? size_t(threads->at_a_time()) : 1;
         const size_t each = (scratch.parts_of_walk.size() + hands - 1) / hands;
-        look_in_pieces(each * hands, [&](size_t piece, std::vector<uint64_t>& found) {
-            const size_t part = piece / each + piece % each * hands;
-            if (part >= scratch.parts_of_walk.size()) return;
-            const Tree& other = part < own ? boxes.moving_tree : boxes.fixed_tree;
-            const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
-            boxes.moving_tree.pairs(other, scratch.parts_of_walk[part], overlaps, look);
-        });
+        look_in_pieces(
+            scratch, each * hands, threads, [&](size_t piece, std::vector<uint64_t>& found) {
+                const size_t part = piece / each + piece % each * hands;
+                if (part >= scratch.parts_of_walk.size()) return;
+                const Tree& other = part < own ? boxes.moving_tree : boxes.fixed_tree;
+                const auto look = [&](uint32_t a, uint32_t b) { look_at_pair(a, b, found); };
+                boxes.moving_tree.pairs(other, scratch.parts_of_walk[part], overlaps, look);
+            });
     }
 
     /// Adds pairs with the border, which is in no tree.
@@ -153,11 +155,12 @@ void create_contacts(const ContactList& list, const WorldDef& settings,
     }
 }
 
-void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
-                PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
-                ThreadPool* threads) {
+void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
+                const WorldDef& settings, uint64_t step, PairScratch& scratch,
+                const UserFilter& filter, FindOverlaps overlaps, ThreadPool* threads) {
     const std::vector<uint32_t>& moved = boxes.moved_shapes;
     scratch.relocated.resize(objects.shapes.size(), 0);
+    scratch.finds.resize(objects.shapes.size(), 0);
     scratch.new_pairs.clear();
     if (moved.empty()) return;
     boxes.moving_tree.settle(threads, boxes.paired_boxes);
@@ -167,7 +170,9 @@ void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseSt
         search.look_around_moved();
     else
         search.walk_trees();
-    if (border) search.look_at_border();
+    if (settings.bounds) search.look_at_border();
+    remove_crowded_pairs(objects, scratch);
+    choose_crowded_pairs(objects, columns, boxes, settings, step, scratch, threads);
     order_pairs(scratch.new_pairs, scratch.spare_pairs, objects.shapes.size(), filter);
     for (const uint32_t shape : moved) scratch.relocated[shape] = 1;
     boxes.moving_tree.rest();

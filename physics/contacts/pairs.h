@@ -10,10 +10,10 @@
 
 namespace fettle::physics::detail {
 
-/// Writes `scratch.new_pairs` and `scratch.relocated`. `border`: the world has a border.
-void find_pairs(const ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
-                PairScratch& scratch, bool border, const UserFilter& filter, FindOverlaps overlaps,
-                ThreadPool* threads);
+/// Writes `scratch.new_pairs` and `scratch.relocated`, and marks crowded shapes.
+void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& boxes,
+                const WorldDef& settings, uint64_t step, PairScratch& scratch,
+                const UserFilter& filter, FindOverlaps overlaps, ThreadPool* threads);
 
 /// May run while other contacts are collided.
 void create_contacts(const ContactList& list, const WorldDef& settings,

@@ -245,6 +245,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     const bool part = objects.shapes[shape].owner != none;
     const bool listed = objects.shapes[shape].moved;
     objects.sensors -= !part && objects.shapes[shape].surface.sensor;
+    objects.set_crowded(shape, false);
     objects.shape_slots.give_back(objects.shapes, shape);
     objects.shape_slots.count += part;     // parts are not counted
     objects.shapes[shape].moved = listed;  // also for the next shape in the slot

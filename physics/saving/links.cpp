@@ -195,7 +195,7 @@ void check_shapes(const WorldState& w, Findings& findings) {
                 optional_index(shape.next, n) && shape.type <= ShapeType::border &&
                 shape.tree <= Mobility::dynamic &&
                 are_bools(shape.surface.sensor, shape.surface.hit_events, shape.geometry_dirty,
-                          shape.moved, shape.listed, shape.closed),
+                          shape.moved, shape.listed, shape.closed, shape.crowded),
             "a shape");
         const bool border = shape.type == ShapeType::border;
         const uint64_t taken = std::max<uint64_t>(

@@ -98,7 +98,7 @@ Fault check_bodies(const WorldState& data) {
 }
 
 Fault check_shapes(const WorldState& data) {
-    uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0, sensors = 0;
+    uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0, sensors = 0, crowded = 0;
     for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
         const ShapeRecord& record = data.shapes[shape];
         if (data.shape_generations[shape] == 0) {
@@ -109,6 +109,7 @@ Fault check_shapes(const WorldState& data) {
         }
         live += record.owner == none;
         sensors += record.owner == none && record.surface.sensor;
+        crowded += record.crowded;
         on_bodies += data.forms[shape].body != none;
         if (record.geometry_dirty && !record.listed)
             return "shape " + number(shape) + " is out of date but not listed";
@@ -133,6 +134,7 @@ Fault check_shapes(const WorldState& data) {
         if (data.bodies[body].last_shape != previous)
             return "body " + number(body) + " has a broken list of shapes";
     }
+    if (crowded != data.crowded_shapes) return std::string("the number of crowded shapes is wrong");
     if (listed != on_bodies) return std::string("a shape is not listed in its body");
     if (!lists_the_marked(data.moved_shapes, data.shapes.size(),
                           [&](uint32_t shape) { return data.shapes[shape].moved; }))

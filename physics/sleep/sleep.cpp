@@ -48,6 +48,12 @@ void wake_sleeping(const Activity& activity, uint32_t body) {
         add_awake(objects, active, member);
         activity.events.woke.push_back(body_id(columns, member));
     }
+    // Near crowded shapes that sleep, pairs may be missing: the woken shapes look for them.
+    for (uint32_t member : members) {
+        uint32_t shape = objects.crowded_shapes > 0 ? objects.bodies[member].first_shape : none;
+        for (; shape != none; shape = objects.shapes[shape].next)
+            if (objects.is_solid(shape)) objects.set_crowded(shape, true);
+    }
     std::vector<uint32_t> woken;
     for (uint32_t member : members) {
         objects.for_each_contact(member, [&](uint32_t contact) {

@@ -33,12 +33,15 @@ struct PairScratch {
     std::vector<uint64_t> new_pairs;                 ///< upper << 32 | lower
     std::vector<uint64_t> spare_pairs;               ///< memory for sorting them
     std::vector<std::vector<uint64_t>> found_pairs;  ///< by piece
+    std::vector<uint32_t> finds;                     ///< by shape: new pairs that it decides about
+    std::vector<uint32_t> crowded;                   ///< crowded shapes that moved
+    std::vector<uint8_t> still_crowded;              ///< of these shapes
     std::vector<Tree::NodePair> parts_of_walk;
     std::vector<CollidedPiece> collided;
     std::vector<ContactRecord> parted;  ///< last touches of parts of outlines that ended
 
-    FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs,
-                   s.parts_of_walk, s.collided, s.parted)
+    FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs, s.finds,
+                   s.crowded, s.still_crowded, s.parts_of_walk, s.collided, s.parted)
 };
 
 /// The bodies of the solver. Their index is the index in the list of awake bodies plus 1; 0 is the

@@ -63,6 +63,7 @@ struct ObjectState {
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
     uint32_t dormant_joints = 0;
     uint32_t kinematic_bodies = 0, sensors = 0;  ///< numbers of such bodies and shapes
+    uint32_t crowded_shapes = 0;
 
     /// The shape that the user sees: the owner of a part, otherwise the shape itself.
     uint32_t named_shape(uint32_t slot) const {
@@ -89,6 +90,11 @@ struct ObjectState {
             visit(part);
             part = next;
         }
+    }
+
+    void set_crowded(uint32_t shape, bool crowded) {
+        crowded_shapes += uint32_t{crowded} - uint32_t{shapes[shape].crowded};
+        shapes[shape].crowded = crowded;
     }
 
     ListEdge& contact_edge(uint32_t edge) { return contact_links[edge >> 1].edges[edge & 1]; }
@@ -141,7 +147,8 @@ struct ObjectState {
         list_members<ObjectState>(
             io,
             named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots, s.kinematic_bodies),
-            named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors), named("vertices", s.pool),
+            named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
+            named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.contact_slots),
             named("joints", s.joints, s.joint_slots, s.dormant_joints),
             named("fields", s.fields, s.field_slots));

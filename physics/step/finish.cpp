@@ -85,7 +85,8 @@ void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPie
     for (uint32_t s = objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
         if (!objects.is_solid(s)) continue;
         place_shape(objects, boxes, s, q);
-        if (contains(fat_boxes[s], grow(boxes[s], speculative_margin))) continue;
+        if (!shapes[s].crowded && contains(fat_boxes[s], grow(boxes[s], speculative_margin)))
+            continue;
         fat_boxes[s] = grow(boxes[s], fat_margin(boxes[s]));
         in.boxes.moving_tree.place(shapes[s].proxy, fat_boxes[s]);
         piece.placed.push_back(shapes[s].proxy);

@@ -80,13 +80,13 @@ struct MemoryRelease {
 
 }  // namespace
 
-/// Releases scratch data if the awake bodies are fewer than a quarter of the bodies, or of the
-/// moved shapes, for which it has room. Little memory is kept: a few bodies of many shapes would
-/// release it again and again, and arrays by slot are as long as the world is large.
+/// Releases scratch data if the awake bodies are fewer than a quarter of the bodies for which it
+/// has room. The moved shapes count only when all bodies sleep: one body may have many shapes, and
+/// it would release the data again and again.
 void WorldData::trim() {
-    constexpr size_t little = 1024;
-    const size_t once = std::max(solver_bodies.capacity(), moved_shapes.capacity());
-    if (once <= little + 4 * awake_bodies.size()) return;
+    const size_t listed = awake_bodies.empty() ? moved_shapes.capacity() : 0;
+    const size_t once = std::max(solver_bodies.capacity(), listed);
+    if ((awake_bodies.size() + 1) * 4 > once) return;
     MemoryRelease release;
     StepScratch::scratch(release, part<StepScratch>(*this));
     event_members(release, pending);

@@ -62,8 +62,8 @@ void WorldData::step(float dt) {
 
     begin_step();
     statistics.edits_ms = clock.lap();
-    find_pairs(objects, columns, broad_phase, pair_scratch, settings.bounds.has_value(),
-               user_filter(), kernels.overlaps, threads);
+    find_pairs(objects, columns, broad_phase, settings, steps, pair_scratch, user_filter(),
+               kernels.overlaps, threads);
     wake_jointed(activity());
     statistics.pairs_ms = clock.lap();
     narrow_phase({objects, columns, broad_phase, active, settings, pair_scratch, contact_list(),
@@ -81,9 +81,11 @@ void WorldData::step(float dt) {
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
     prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
-    solve({settings, objects, active, strips, body_scratch, joint_scratch, contact_scratch,
-           schedule, threads},
-          joint_step, stiffness, kernels, statistics);
+    const SolverInput solver_input = {settings,        objects,      active,
+                                      strips,          body_scratch, joint_scratch,
+                                      contact_scratch, schedule,     threads};
+    solve(solver_input, joint_step, stiffness, kernels, statistics);
+    if (groups) limit_pushes(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, joint_scratch, joint_step, threads);
