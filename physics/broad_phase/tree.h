@@ -316,9 +316,10 @@ void Tree::open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, 
         push_pair(u.left, u.right);
         return;
     }
-    const float size_a = perimeter(u.box) * (bucket_a ? 1.0f / sparse_bucket : 1.0f);
-    const float size_b = perimeter(v.box) * (bucket_b ? 1.0f / sparse_bucket : 1.0f);
-    if (v.is_leaf() || (!u.is_leaf() && size_a >= size_b)) {
+    const float size_a = perimeter(u.box), size_b = perimeter(v.box);
+    const bool whole_a = bucket_a && (this == &other || size_a < sparse_bucket * size_b);
+    if (v.is_leaf() || (bucket_b && !u.is_leaf()) ||
+        (!u.is_leaf() && !whole_a && size_a >= size_b)) {
         push_pair(u.left, b);
         push_pair(u.right, b);
     } else {

@@ -26,7 +26,7 @@ constexpr int end_of_colors(bool both_move) {
 constexpr size_t least_for_blocks = 4000;
 
 /// An overlap deeper than this is pushed apart at full speed, m.
-constexpr float deep_overlap = 0.005f;
+constexpr float deep_overlap = 0.03f;
 
 bool overlaps_deeply(const Manifold& m) {
     return m.points[0].separation < -deep_overlap ||

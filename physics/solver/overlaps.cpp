@@ -29,16 +29,21 @@ struct OverlapLimits {
                         state.angular_velocity + substeps * force.turn_change, record);
     }
 
-    /// The greatest speed that the body can get from forces, from what it touches, and from joints.
-    float greatest_speed_of(uint32_t body) const {
+    /// The greatest speed that the body can get from forces, from what it touches, and from joints;
+    /// or less, but then at least `enough`.
+    float greatest_speed_of(uint32_t body, float enough) const {
         const ObjectState& objects = input.objects;
         float most = max(free_speed_of(body), input.settings.push_speed);
-        objects.for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count == 0 || c.sensor) return;
-            const float speed = free_speed_of(objects.other_body(contact, body));
-            most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
-        });
+        if (most >= enough) return most;
+        const bool found =
+            objects.any_contact(objects.bodies[body].first_contact, none, [&](uint32_t contact) {
+                const ContactRecord& c = objects.contacts[contact];
+                if (c.manifold.count == 0 || c.sensor) return false;
+                const float speed = free_speed_of(objects.other_body(contact, body));
+                most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
+                return most >= enough;
+            });
+        if (found) return most;
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             most = max(most, free_speed_of(objects.joints[joint].bodies[side ^ 1]));
         });
@@ -50,7 +55,7 @@ struct OverlapLimits {
         const uint32_t index = input.objects.bodies[body].solver_index;
         SolverBody& b = input.bodies.solver_bodies[index];
         const float speed = speed_of(b.velocity, b.angular_velocity, input.objects.bodies[body]);
-        const float most = greatest_speed_of(body);
+        const float most = greatest_speed_of(body, speed);
         if (speed <= most) return false;
         b.velocity = (most / speed) * b.velocity;
         b.angular_velocity *= most / speed;
