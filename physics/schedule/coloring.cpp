@@ -25,8 +25,8 @@ constexpr int end_of_colors(bool both_move) {
 /// Worlds with fewer contacts have one block: all their contacts fit into the cache.
 constexpr size_t least_for_blocks = 4000;
 
-/// An overlap deeper than this is pushed apart at full speed, m.
-constexpr float deep_overlap = 0.03f;
+/// The speeds of bodies that overlap deeper than this are limited: see solver/overlaps.cpp, m.
+constexpr float deep_overlap = 0.08f;
 
 bool overlaps_deeply(const Manifold& m) {
     return m.points[0].separation < -deep_overlap ||
