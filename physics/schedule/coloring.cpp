@@ -26,7 +26,7 @@ constexpr int end_of_colors(bool both_move) {
 constexpr size_t least_for_blocks = 4000;
 
 /// The speeds of bodies that overlap deeper than this are limited: see solver/overlaps.cpp, m.
-constexpr float deep_overlap = 0.08f;
+constexpr float deep_overlap = 0.1f;
 
 bool overlaps_deeply(const Manifold& m) {
     return m.points[0].separation < -deep_overlap ||
