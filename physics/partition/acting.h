@@ -46,14 +46,11 @@ struct ActingContact {
     StripNode node = 1;
     uint8_t hub = 0;        ///< index + 1 of the hub whose copy it acts on; 0: no copy
     bool serially = false;  ///< solved one at a time
-    uint8_t tells = 0;      ///< what it reports or is, as bits
+    uint8_t tells = 0;      ///< what it reports, as bits: `is_touching`, `of_hits`
 
-    enum Tells : uint8_t { is_touching = 1, of_hits = 2, is_overlap = 4 };
+    enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
     bool touching() const { return (tells & is_touching) != 0; }
     bool hit_events() const { return (tells & of_hits) != 0; }
-
-    /// Two bodies that move overlap deeply.
-    bool overlaps() const { return (tells & is_overlap) != 0; }
 
     uint32_t a() const { return end_a.index(); }
     uint32_t b() const { return end_b.index(); }
@@ -71,7 +68,6 @@ struct ActingPiece {
     uint32_t begin = 0;
     NodeRanges nodes;           ///< from `begin` on
     uint32_t serially = 0;      ///< number of contacts that are solved one at a time
-    bool overlaps = false;      ///< one of them is a deep overlap
     bool links_blocks = false;  ///< one of them links two blocks of an earlier step
 
     uint32_t count() const { return nodes.size(); }

@@ -25,14 +25,6 @@ constexpr int end_of_colors(bool both_move) {
 /// Worlds with fewer contacts have one block: all their contacts fit into the cache.
 constexpr size_t least_for_blocks = 4000;
 
-/// The speeds of bodies that overlap deeper than this are limited: see solver/overlaps.cpp, m.
-constexpr float deep_overlap = 0.1f;
-
-bool overlaps_deeply(const Manifold& m) {
-    return m.points[0].separation < -deep_overlap ||
-           (m.count > 1 && m.points[1].separation < -deep_overlap);
-}
-
 /// Number of contacts in a task of a thread.
 constexpr size_t piece_length = 256;
 
@@ -301,17 +293,14 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             const bool serially = !groups || record.special || record.curved ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
-            const bool overlaps = a.moves() && b.moves() && overlaps_deeply(record.manifold);
             const auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
-                                       (record.hit_events ? ActingContact::of_hits : 0) |
-                                       (overlaps ? ActingContact::is_overlap : 0));
+                                       (record.hit_events ? ActingContact::of_hits : 0));
             ActingContact& c = *last++;
             c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, tells};
             if (any_hubs && (a.is_hub() || b.is_hub()))
                 schedule.hubs.settle(c, bodies.solver_bodies);
             nodes |= 1u << c.node;
             piece.serially += c.serially;
-            piece.overlaps |= overlaps;
             if (blocks_stay && c.both_move())
                 piece.links_blocks |= blocks.block_of(c.a()) != blocks.block_of(c.b());
         }

@@ -28,9 +28,6 @@ struct SolverInput {
 void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
            const WideKernels& kernels, StepStatistics& statistics);
 
-/// Must be called after `solve_softly`: limits the speeds of bodies that were pushed apart.
-void limit_pushes(const SolverInput& input, const Columns& columns);
-
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);
 void solve_sequentially(const SolverInput& input, const JointStep& joint_step);
