@@ -60,9 +60,17 @@ struct Limits {
     Limits in_order() const { return {min(lower, upper), upper}; }
 };
 
+/// True if a velocity has the direction of a speed that a motor was given. The share is small: what
+/// accelerates slowly moves, too.
+inline bool follows(float velocity, float speed) {
+    return velocity * speed > 0.01f * speed * speed;
+}
+
 struct Motor {
     float speed = 0.0f;
     float greatest = 0.0f;  ///< N or N m; in a step, an impulse
+
+    bool moves_bodies(float velocity) const { return greatest > 0.0f && follows(velocity, speed); }
 };
 
 struct LimitImpulses {
@@ -142,8 +150,19 @@ struct Coordinate {
         if (!driven) impulses.motor = 0.0f;
         if (!limited) impulses.limits = {};
     }
-    bool acts() const { return springy || driven || limited; }
+    /// The motor acts in the relax pass only, like the friction of contacts: in the biased pass it
+    /// would work against the correction of positions.
+    bool acts_biased() const { return springy || limited; }
     bool acts_relaxed() const { return driven || limited; }
+
+    /// Speed of the motor: not beyond a limit. If the motor were as fast there, the limit would
+    /// have to hold its whole force, and would yield.
+    float motor_speed(float position, float inverse_h) const {
+        return clamp(motor.speed, min((limits.lower - position) * inverse_h, 0.0f),
+                     max((limits.upper - position) * inverse_h, 0.0f));
+    }
+    /// True if the motor moves the bodies, and neither a limit nor an obstacle stops it.
+    bool moves_bodies(float velocity) const { return driven && motor.moves_bodies(velocity); }
 
     /// `velocity()` and `push(impulse)` are the functions of the coordinate.
     template <bool biased, class Velocity, class Push>
@@ -155,13 +174,19 @@ struct Coordinate {
             impulses.spring += change;
             push(change);
         }
-        if (driven) push(push_motor(impulses.motor, mass, velocity(), motor.speed, motor.greatest));
+        if (!biased && driven) {
+            const float speed = motor_speed(position, step.inverse_h);
+            push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest));
+        }
         solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push);
     }
     void write_rows(CoordinateImpulses& impulses, float mass, float position,
                     const Jacobian& jacobian, RowWriter& rows) const {
         if (springy) rows.spring(jacobian, spring, mass, position - target, impulses.spring);
-        if (driven) rows.motor(jacobian, motor.speed, motor.greatest, impulses.motor);
+        if (driven) {
+            const float speed = motor_speed(position, 1.0f / float(rows.h()));
+            rows.motor(jacobian, speed, motor.greatest, impulses.motor);
+        }
         write_limits(limits, impulses.limits, position, jacobian, rows);
     }
 };

@@ -40,9 +40,8 @@ class JointFunctions {
     static void begin(JointRecord& joint) { joint.settings.become(Settings()); }
     static void check(const JointRecord& joint) { joint.settings.as<Settings>().check(); }
 
-    static bool prepare(const JointSource& source, JointArray& array, const JointStep& step,
+    static void prepare(const JointSource& source, JointArray& array, const JointStep& step,
                         JointRange range) {
-        bool heavy = false;
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
@@ -52,32 +51,19 @@ class JointFunctions {
             const SolverBody &a = source.bodies.solver_bodies[c.ends.a],
                              &b = source.bodies.solver_bodies[c.ends.b];
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
-            heavy |= bears_heavy_load(a, b);
         }
-        return heavy;
-    }
-
-    /// A joint yields by load / (m·ω²), where m is the mass of its light body: with the usual
-    /// stiffness, a heavy body would stretch light links on which it hangs. Twice the stiffness is
-    /// stable only if the sweeps over the joints converge better: four sweeps instead of one.
-    static bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
-        constexpr float most = 10.0f;  // ratio of the masses
-        if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
-        return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
     }
 
     /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a
     /// body is not written: the joint gets a copy.
-    template <bool backwards = false, typename Act>
+    template <typename Act>
     static void for_each(JointArray& array, std::span<SolverBody> bodies, JointRange range,
                          Act&& act) {
         const auto still = [](const SolverBody& body) {
             return body.inverse_mass == 0.0f && body.inverse_inertia == 0.0f;
         };
-        const size_t count = range.end - range.begin;
-        for (size_t i = 0; i < count; ++i) {
-            const size_t at = backwards ? range.end - 1 - i : range.begin + i;
-            Constraint& c = array.as<Constraint>()[at];
+        for (size_t i = range.begin; i < range.end; ++i) {
+            Constraint& c = array.as<Constraint>()[i];
             SolverBody *a = &bodies[c.ends.a], *b = &bodies[c.ends.b];
             SolverBody copy;
             if (still(*a))
@@ -104,7 +90,7 @@ class JointFunctions {
     }
     static void relax(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
-        for_each<true>(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
+        for_each(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
             if constexpr (has_one_pass)
                 c.template pass<false>(a, b, step);
             else
@@ -123,10 +109,13 @@ class JointFunctions {
         }
     }
 
-    static void store(const JointArray& array, ObjectState& objects, const JointStep& step,
-                      JointRange range) {
+    static void store(JointArray& array, std::span<const SolverBody> bodies, ObjectState& objects,
+                      const JointStep& step, JointRange range) {
         for (size_t i = range.begin; i < range.end; ++i) {
             const Constraint& c = array.as<Constraint>()[i];
+            array.drives[i] = 0;
+            if constexpr (requires { &Constraint::moves_bodies; })
+                array.drives[i] = c.moves_bodies(bodies[c.ends.a], bodies[c.ends.b]);
             JointRecord& joint = objects.joints[array.joints[i]];
             const auto [push, twist] = c.load();
             // The next step begins with these impulses, so an overflow would never disappear.

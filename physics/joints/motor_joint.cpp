@@ -106,6 +106,13 @@ struct MotorConstraint {
                      impulses.force);
     }
     JointLoad load() const { return {impulses.force, impulses.torque}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        const V2 wanted = turned(speed, a.turn);
+        return (greatest_force > 0.0f &&
+                follows(dot(wanted, ends.velocity(a, b)), dot(wanted, wanted))) ||
+               (greatest_torque > 0.0f &&
+                follows(b.angular_velocity - a.angular_velocity, turn_speed));
+    }
 
   private:
     void drive(SolverBody& a, SolverBody& b, bool springs) {

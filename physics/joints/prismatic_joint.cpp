@@ -61,6 +61,9 @@ struct PrismaticConstraint {
         rows.hold(Jacobian::turning(ends), ends.angle_now(a, b) - reference, impulses.angle);
     }
     JointLoad load() const { return {rail.force(impulses.rail), impulses.angle}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return rail.moves_bodies(a, b);
+    }
 
   private:
     template <bool biased>

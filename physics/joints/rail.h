@@ -64,7 +64,7 @@ struct Rail {
     template <bool biased>
     void solve_along(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                      const JointStep& step) const {
-        if (!(biased ? coordinate.acts() : coordinate.acts_relaxed())) return;
+        if (!(biased ? coordinate.acts_biased() : coordinate.acts_relaxed())) return;
         coordinate.solve<biased>(
             impulses.along, along.mass, translation, step, [&] { return along.velocity(a, b); },
             [&](float p) { along.push(ends, a, b, p); });
@@ -79,6 +79,9 @@ struct Rail {
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
         coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);
         rows.hold(across.jacobian(ends), offset, impulses.across);
+    }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return coordinate.moves_bodies(along.velocity(a, b));
     }
     V2 force(const RailImpulses& impulses) const {
         return impulses.along.sum() * along.direction + impulses.across * across.direction;
@@ -110,6 +113,9 @@ struct SlotConstraint {
         rail.write_rows(impulses.rail, ends, rows);
     }
     JointLoad load() const { return {rail.force(impulses.rail), 0.0f}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return rail.moves_bodies(a, b);
+    }
 };
 
 }  // namespace fettle::physics::detail

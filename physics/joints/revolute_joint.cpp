@@ -57,7 +57,7 @@ struct RevoluteConstraint {
         detail::twist(a, b, load().twist);
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (angle.acts()) solve_angle<true>(a, b, step);
+        if (angle.acts_biased()) solve_angle<true>(a, b, step);
         // The bodies have not moved since the last relax pass, or since the start of the step.
         const Softness& soft = step.rigid;
         const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
@@ -77,6 +77,9 @@ struct RevoluteConstraint {
         rows.hold_point(ends, ends.gap(a, b), impulses.point);
     }
     JointLoad load() const { return {impulses.point, impulses.angle.sum()}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return angle.moves_bodies(b.angular_velocity - a.angular_velocity);
+    }
 
   private:
     template <bool biased>

@@ -50,7 +50,7 @@ struct WheelConstraint {
     }
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (driven) {
+        if (!biased && driven) {
             const float velocity = b.angular_velocity - a.angular_velocity;
             detail::twist(
                 a, b,
@@ -67,6 +67,9 @@ struct WheelConstraint {
         rail.write_rows(impulses.rail, ends, rows);
     }
     JointLoad load() const { return {rail.force(impulses.rail), impulses.motor}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return driven && motor.moves_bodies(b.angular_velocity - a.angular_velocity);
+    }
 };
 
 constinit const JointKind wheel_joint = JointFunctions<WheelConstraint>::kind("wheel");

@@ -3,6 +3,7 @@
 #include <sleep/sleep.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fettle::physics::detail {
@@ -210,8 +211,29 @@ void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const Bo
     }
 }
 
-void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
-                           uint64_t step) {
+namespace {
+
+/// True if the two surfaces of a contact move past each other no faster than half of their given
+/// speed. What an obstacle holds back slides on the belt and may rest.
+bool carried_by_belt(const ObjectState& objects, const Columns& columns,
+                     const ContactRecord& contact) {
+    if (contact.surface_speed == 0.0f) return false;
+    const V2 t = right_perp(contact.manifold.normal);
+    const ManifoldPoint& point = contact.manifold.points[0];
+    const auto along = [&](uint32_t body, V2 anchor) {
+        if (objects.bodies[body].solver_index == 0) return 0.0f;
+        const BodyState& state = columns.states[body];
+        return dot(t, to_v2(state.velocity) + cross(state.angular_velocity, anchor));
+    };
+    const float slip = along(contact.body_b, point.anchor_b) -
+                       along(contact.body_a, point.anchor_a) + contact.surface_speed;
+    return std::fabs(slip) < 0.5f * std::fabs(contact.surface_speed);
+}
+
+}  // namespace
+
+void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
+                           const WorldDef& settings, uint32_t candidates, uint64_t step) {
     ObjectState& objects = activity.objects;
     Columns& columns = activity.columns;
     ActiveLists& active = activity.active;
@@ -222,7 +244,20 @@ void sleep_resting_islands(const Activity& activity, const WorldDef& settings, u
     std::vector<uint8_t> restless(count, 0);
     for (size_t i = 0; i < count; ++i) {
         const BodyRecord& record = objects.bodies[active.awake_bodies[i]];
-        restless[i] = !record.can_sleep || record.sleep_time < settings.sleep_delay;
+        restless[i] = !record.can_sleep || record.sleep_time < settings.sleep_delay ||
+                      (record.mobility != Mobility::dynamic &&
+                       in_motion(objects, columns, active.awake_bodies[i]));
+    }
+    const auto disturb = [&](uint32_t body) {
+        const BodyRecord& record = objects.bodies[body];
+        if (record.solver_index != 0 && record.mobility == Mobility::dynamic)
+            restless[record.solver_index - 1] = 1;
+    };
+    for (const JointArray& array : joints.joint_arrays) {
+        for (size_t i = 0; i < array.joints.size(); ++i) {
+            if (array.drives[i] != 0)
+                for (const uint32_t body : objects.joints[array.joints[i]].bodies) disturb(body);
+        }
     }
     auto link = [&](uint32_t body_a, uint32_t body_b) {
         const uint32_t a = objects.bodies[body_a].solver_index,
@@ -239,7 +274,11 @@ void sleep_resting_islands(const Activity& activity, const WorldDef& settings, u
     };
     for (uint32_t slot : active.awake_contacts) {
         const ContactRecord& c = objects.contacts[slot];
-        if (c.manifold.count > 0 && !c.sensor && !c.disabled) link(c.body_a, c.body_b);
+        if (c.manifold.count == 0 || c.sensor || c.disabled) continue;
+        link(c.body_a, c.body_b);
+        if (!carried_by_belt(objects, columns, c)) continue;
+        disturb(c.body_a);
+        disturb(c.body_b);
     }
     for (const auto& list : active.awake_joints) {
         for (uint32_t joint : list)

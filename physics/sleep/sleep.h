@@ -41,8 +41,10 @@ void compact_awake(ObjectState& objects, ActiveLists& active);
 /// Puts the body to sleep with all bodies that it touches or is joined to.
 void put_group_to_sleep(const Activity& activity, uint32_t body);
 /// `candidates`: number of bodies that have rested long enough.
-void sleep_resting_islands(const Activity& activity, const WorldDef& settings, uint32_t candidates,
-                           uint64_t step);
+/// What moves on its own does not rest, however slow it is: a body with a velocity of its own, a
+/// body that a motor moves, and a body that a belt carries.
+void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
+                           const WorldDef& settings, uint32_t candidates, uint64_t step);
 /// For solvers that correct positions without velocities: a body that was pushed farther than `way`
 /// (m) in the step is not at rest.
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,

@@ -72,9 +72,9 @@ class DirectSolver {
     void write(DirectPass pass) {
         RowWriter writer(rows_, scales_, h_, pass);
         follow_curved_contacts(input_);
-        for (size_t type = 0; type < joint_type_count; ++type)
-            joint_kind(JointType(type))
-                .write_rows(input_.joints.joint_arrays[type], bodies_, writer);
+        for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i)
+            joint_kind(JointScratch::type_of(i))
+                .write_rows(input_.joints.joint_arrays[i], bodies_, writer);
         for (ContactConstraint& c : constraints_) {
             write_rows(writer, c, c.extra != 0 ? &extras_[c.extra - 1] : nullptr, bodies_[c.a],
                        bodies_[c.b], input_.settings.push_speed,
@@ -153,7 +153,7 @@ void solve_directly(const SolverInput& input, const JointStep& joint_step,
         integrate_positions(blocks.bodies_of(blocks[0]), input.bodies.solver_bodies, h);
         solver.pass(DirectPass::relaxed);
         zero_locked(input);
-        strain_joints(input.objects, input.joints);
+        strain_joints(input.joints);
     }
     if (!solver.anything_bounces()) return;
     solver.pass(DirectPass::bounced);

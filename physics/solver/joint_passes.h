@@ -56,13 +56,13 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
-/// Runs a pass over the joints of some nodes; repeats it by the number of sweeps of the step.
+/// Runs a pass over the joints of some nodes; several times over those that bear heavy loads.
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes);
 
 /// Called after each sub-step: adds up the loads of the joints that can break.
-void strain_joints(const ObjectState& objects, JointScratch& joints);
-void store_joints(ObjectState& objects, const JointScratch& joints, const JointStep& step,
-                  ThreadPool* threads);
+void strain_joints(JointScratch& joints);
+void store_joints(ObjectState& objects, const BodyScratch& bodies, JointScratch& joints,
+                  const JointStep& step, ThreadPool* threads);
 
 }  // namespace fettle::physics::detail

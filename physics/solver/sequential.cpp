@@ -192,7 +192,7 @@ void solve_sequentially(const SolverInput& input, const JointStep& joint_step) {
         pass.remove_overlaps();
         pass_joints(&JointKind::relax, input.joints, bodies, joint_step, all);
         zero_locked(input);
-        strain_joints(input.objects, input.joints);
+        strain_joints(input.joints);
     }
 }
 

@@ -308,7 +308,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         move_bodies.run();
         (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();
         zero_locked(input);
-        strain_joints(input.objects, input.joints);
+        strain_joints(input.joints);
     }
     if (!contacts.extras.empty()) {
         first.restitute(block);

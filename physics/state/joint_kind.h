@@ -31,22 +31,19 @@ struct JointKind {
     /// Throws std::invalid_argument for settings that a setter refuses.
     void (*check)(const JointRecord& joint);
 
-    /// Writes constraints from the records of the joints. True if one of them bears a heavy load.
-    bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
+    /// Writes constraints from the records of the joints.
+    void (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                           JointRange range);
-    Pass warm_start, solve;
-    /// From the last joint to the first: `solve` carries impulses down a chain, `relax` carries
-    /// them up.
-    Pass relax;
+    Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     /// Writes the rows of all joints, at the current poses of their bodies. The conditions of
     /// `solve` and `relax` are all written at once.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);
-    /// Writes impulses back to the records.
-    void (*store)(const JointArray& array, ObjectState& objects, const JointStep& step,
-                  JointRange range);
+    /// Writes impulses back to the records, and notes which motors move their bodies.
+    void (*store)(JointArray& array, std::span<const SolverBody> bodies, ObjectState& objects,
+                  const JointStep& step, JointRange range);
 };
 
 using JointPass = JointKind::Pass JointKind::*;

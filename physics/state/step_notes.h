@@ -72,7 +72,8 @@ struct Reordering {
 /// Load of a joint that can break in this step, summed over the sub-steps.
 struct Strain {
     uint32_t joint = none;
-    uint32_t index = 0;  ///< place in the constraints of its type
+    uint32_t array = 0;  ///< index of its array
+    uint32_t index = 0;  ///< place in the constraints of that array
     V2 force;
     float torque = 0.0f;
 };

@@ -68,6 +68,7 @@ struct JointArray {
     std::vector<uint32_t> joints;  ///< slots
     NodeRanges nodes;
     std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
+    std::vector<uint8_t> drives;         ///< 1: the motor of the joint moves its bodies
 
     template <class Constraint>
     Constraint* as() {
@@ -79,15 +80,17 @@ struct JointArray {
         return const_cast<JointArray*>(this)->as<Constraint>();
     }
 
-    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints)
+    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives)
 };
 
 struct JointScratch {
     JointShare joint_share;
-    std::array<JointArray, joint_type_count> joint_arrays;  ///< by type
-    std::vector<uint8_t> joint_notes;
+    /// By type; then, by type again, the joints of the components that bear heavy loads.
+    std::array<JointArray, 2 * joint_type_count> joint_arrays;
+    std::vector<uint8_t> joint_notes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
+    static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
     size_t acting_joints() const {
         size_t count = 0;
         for (const JointArray& array : joint_arrays) count += array.joints.size();

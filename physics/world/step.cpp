@@ -86,7 +86,7 @@ void WorldData::step(float dt) {
           joint_step, stiffness, kernels, statistics);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
-    store_joints(objects, joint_scratch, joint_step, threads);
+    store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
     break_joints(editing(), joint_scratch, joint_step.inverse_h / float(settings.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
     if (settings.persist_events)
@@ -102,7 +102,7 @@ void WorldData::step(float dt) {
     forget_ends(active, body_scratch);
     statistics.finish_ms = clock.lap();
     ++steps;
-    sleep_resting_islands(activity(), settings, sleep_candidates, steps);
+    sleep_resting_islands(activity(), joint_scratch, settings, sleep_candidates, steps);
     statistics.sleep_ms = clock.lap();
     statistics.total_ms = total.lap();
     end_step();
