@@ -21,6 +21,10 @@ namespace {
 /// Without gravity in the world, loads are measured with this gravity, m/s².
 constexpr float usual_gravity = 10.0f;
 
+/// The impulses of a resting load grow with the length of a step, but not those of a blow, which may
+/// be among them. So they grow by no more than this when the step grows.
+constexpr float greatest_growth = 2.0f;
+
 class StageClock {
   public:
     /// Milliseconds since the last call.
@@ -56,7 +60,7 @@ void WorldData::step(float dt) {
     const WideKernels& kernels = wide_kernels(most_lanes);
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const float h = dt / float(settings.substeps);
-    const float ratio = last_substep > 0.0f ? h / last_substep : 1.0f;
+    const float ratio = last_substep > 0.0f ? min(h / last_substep, greatest_growth) : 1.0f;
     const ContactStiffness stiffness = stiffness_of(settings, h);
     StageClock total, clock;
 
