@@ -1,4 +1,5 @@
 #include <solver/contact_solver.h>
+#include <solver/joint_response.h>
 
 #include <cmath>
 
@@ -226,18 +227,46 @@ void ContactSolver::relax() {
 
 namespace {
 
+/// The velocity along the normal that a unit impulse at point i causes at point k, between two
+/// bodies and with the joints on them.
+struct PointResponse {
+    float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
+    JointResponse::Answer answers[2];
+    bool jointed = false;
+
+    PointResponse(const ContactConstraint& c, JointResponse* joints)
+        : of_first(inverse_or_zero(c.points[0].normal_mass)),
+          of_second(inverse_or_zero(c.points[1].normal_mass)),
+          between(c.coupling_normal) {
+        jointed = joints != nullptr && joints->acts_on(c.a, c.b);
+        if (!jointed) return;
+        for (int k = 0; k < c.count; ++k) {
+            const ConstraintPoint& p = c.points[k];
+            answers[k] = joints->answer(
+                Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b));
+        }
+        // What joints hold completely keeps a trace of mobility, so that nothing is divided by 0.
+        constexpr float least = 1e-5f;
+        of_first = max(of_first - float(answers[0].less(answers[0])), least * of_first);
+        if (c.count < 2) return;
+        of_second = max(of_second - float(answers[1].less(answers[1])), least * of_second);
+        between -= float(answers[0].less(answers[1]));
+    }
+};
+
 /// The impulses that reverse the velocities v1, v2 of the points of a contact, times `share`.
 struct Bounce {
     float impulses[2] = {};
 
-    Bounce(const ContactConstraint& c, const float (&v)[2], const bool (&meets)[2], float share) {
-        for (int k = 0; k < 2; ++k)
-            if (meets[k]) impulses[k] = -c.points[k].normal_mass * (1.0f + share) * v[k];
+    Bounce(const PointResponse& response, const float (&v)[2], const bool (&meets)[2],
+           float share) {
+        const float k11 = response.of_first, k22 = response.of_second, k12 = response.between;
+        if (meets[0]) impulses[0] = -(1.0f + share) * v[0] / k11;
+        if (meets[1]) impulses[1] = -(1.0f + share) * v[1] / k22;
         if (!meets[0] || !meets[1]) return;
         // Solves both points together. Solved one after the other, the first would make the body
         // spin.
-        const float k11 = 1.0f / c.points[0].normal_mass, k22 = 1.0f / c.points[1].normal_mass;
-        const float k12 = c.coupling_normal, determinant = k11 * k22 - k12 * k12;
+        const float determinant = k11 * k22 - k12 * k12;
         if (!(determinant > 1e-4f * k11 * k22)) {
             for (float& impulse : impulses) impulse *= 0.5f;
             return;
@@ -256,7 +285,17 @@ struct Bounce {
 
 }  // namespace
 
-bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
+bool ContactSolver::may_bounce() const {
+    for (const ContactExtra& extra : extras)
+        if (extra.restitution > 0.0f &&
+            min(extra.approach[0], extra.approach[1]) < -restitution_threshold)
+            return true;
+    return false;
+}
+
+bool ContactSolver::bounce(int substeps, uint8_t pass, std::span<uint8_t> changed,
+                           JointResponse* joints) {
+    const float dt = float(substeps) / inverse_h;
     bool any = false;
     for (const ContactConstraint& c : constraints) {
         // Neither body has changed since the last pass.
@@ -264,19 +303,29 @@ bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
         SolvedPair pair(c, bodies[c.a], bodies[c.b]);
+        const SolverForce &fa = forces[c.a], &fb = forces[c.b];
         float v[2] = {};
         bool meets[2] = {};
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            v[k] = dot(c.normal, pair.vb - pair.va) +
-                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
-            extra.approach[k] = v[k];  // after the impulses of other contacts
-            meets[k] = v[k] < -restitution_threshold && p.separation + dt * v[k] < 0.0f &&
+            const float velocity = dot(c.normal, pair.vb - pair.va) +
+                                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
+            // Forces change it by this much in a sub-step.
+            const float change =
+                dot(c.normal, fb.change - fa.change) +
+                (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
+            extra.approach[k] = velocity;  // after the impulses of other contacts
+            const float mean = velocity + 0.5f * float(substeps + 1) * change;
+            meets[k] = velocity < -restitution_threshold && p.separation + dt * mean < 0.0f &&
                        p.normal_mass > 0.0f;
+            // Velocities are those half a sub-step before their positions. Without this term, every
+            // bounce would lose the work of the forces in a sub-step.
+            v[k] = velocity + 0.5f * change;
         }
         if (!meets[0] && !meets[1]) continue;
         any = true;
-        const Bounce bounce(c, v, meets, extra.restitution);
+        const PointResponse response(c, joints);
+        const Bounce bounce(response, v, meets, extra.restitution);
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
             const float impulse = bounce.impulses[k];
@@ -285,9 +334,16 @@ bool ContactSolver::bounce(float dt, uint8_t pass, std::span<uint8_t> changed) {
             extra.total[k] += impulse;
         }
         pair.store(bodies[c.a], bodies[c.b]);
-        for (const uint32_t body : {c.a, c.b})
+        const auto note = [&](uint32_t body) {
             if (bodies[body].inverse_mass != 0.0f || bodies[body].inverse_inertia != 0.0f)
                 changed[body] = pass;
+        };
+        note(c.a);
+        note(c.b);
+        if (!response.jointed) continue;
+        for (int k = 0; k < c.count; ++k)
+            if (bounce.impulses[k] != 0.0f)
+                joints->apply(response.answers[k], double(bounce.impulses[k]), bodies, note);
     }
     return any;
 }

@@ -7,8 +7,11 @@
 
 namespace fettle::physics::detail {
 
+class JointResponse;
+
 struct ContactSolver {
     std::span<SolverBody> bodies;
+    std::span<const SolverForce> forces;
     std::span<ContactConstraint> constraints;
     std::span<ContactExtra> extras;
     std::span<const RollingContact> rolling;
@@ -20,8 +23,11 @@ struct ContactSolver {
     /// enough within `dt` (s) get their restitution times that speed as separation speed, pair by
     /// pair and pass after pass (`pass` = 1, 2, …). Returns false when no pair approaches any more.
     /// So a blow passes through a row of bodies in one step without loss. `changed`, by body: the
-    /// last pass that changed it; 0 at the start.
-    bool bounce(float dt, uint8_t pass, std::span<uint8_t> changed);
+    /// last pass that changed it; 0 at the start. `joints`: they take part in the blow; may be
+    /// null.
+    bool bounce(int substeps, uint8_t pass, std::span<uint8_t> changed, JointResponse* joints);
+    /// True if some contact that bounces approaches fast enough.
+    bool may_bounce() const;
     /// Maximum length of the row of bodies that a blow passes through in a step.
     static constexpr uint8_t most_passes = 32;
     void warm_start();

@@ -1,5 +1,6 @@
 #include <solver/contact_solver.h>
 #include <solver/joint_passes.h>
+#include <solver/joint_response.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 #include <state/limits.h>
@@ -243,16 +244,27 @@ struct alignas(line_size) FirstBlock {
         step.store_section(section, wide);
     }
     void bounce(const SolverBlock& block) const {
+        if (!serial.may_bounce()) return;
         step.bodies.bounced.assign(step.bodies.solver_bodies.size(), 0);
+        const int substeps = step.input.settings.substeps;
+        if (step.input.joints.acting_joints() > 0) {
+            // A blow that goes through joints may reach bodies of any strip.
+            JointResponse joints;
+            joints.read(step.input, step.h);
+            ContactSolver all = serial;
+            for (uint8_t pass = 1; pass <= ContactSolver::most_passes; ++pass)
+                if (!all.bounce(substeps, pass, step.bodies.bounced, &joints)) return;
+            return;
+        }
         std::atomic<bool> any = true;
         for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
             any = false;
-            step.section_loop(block,
-                              [&](uint32_t, const StripNodes& nodes) {
-                                  const float dt = step.h * float(step.input.settings.substeps);
-                                  if (serial_of(nodes).bounce(dt, pass, step.bodies.bounced))
-                                      any = true;
-                              })
+            step.section_loop(
+                    block,
+                    [&](uint32_t, const StripNodes& nodes) {
+                        if (serial_of(nodes).bounce(substeps, pass, step.bodies.bounced, nullptr))
+                            any = true;
+                    })
                 .run();
         }
     }
@@ -269,6 +281,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     const SolverBlock& block = step.schedule.blocks[0];
     FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}};
     first.serial.bodies = step.bodies.solver_bodies;
+    first.serial.forces = step.bodies.solver_forces;
     first.serial.constraints = step.contacts.constraints;
     first.serial.extras = step.contacts.extras;
     first.serial.rolling = contacts.rolling_contacts;
