@@ -46,9 +46,11 @@ struct ActingContact {
     StripNode node = 1;
     uint8_t hub = 0;        ///< index + 1 of the hub whose copy it acts on; 0: no copy
     bool serially = false;  ///< solved one at a time
-    uint8_t tells = 0;      ///< what it reports, as bits: `is_touching`, `of_hits`
+    uint8_t tells = 0;      ///< bits of `Tells`
 
-    enum Tells : uint8_t { is_touching = 1, of_hits = 2 };
+    /// Reports: it touches, it tells hits. Bounces: it may bounce; it will, if nothing is between.
+    enum Tells : uint8_t { is_touching = 1, of_hits = 2, of_bounces = 4, meets = 8 };
+    bool bounces() const { return (tells & of_bounces) != 0; }
     bool touching() const { return (tells & is_touching) != 0; }
     bool hit_events() const { return (tells & of_hits) != 0; }
 
@@ -69,6 +71,7 @@ struct ActingPiece {
     NodeRanges nodes;           ///< from `begin` on
     uint32_t serially = 0;      ///< number of contacts that are solved one at a time
     bool links_blocks = false;  ///< one of them links two blocks of an earlier step
+    bool meets = false;         ///< shapes that bounce approach fast
 
     uint32_t count() const { return nodes.size(); }
     uint32_t end() const { return begin + count(); }

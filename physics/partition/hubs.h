@@ -38,7 +38,7 @@ class Hubs {
     void add(uint32_t body, float inverse_mass_at_rim, std::vector<SolverBody>& bodies);
 
     /// Called before a contact with a hub is colored: finds its node, and whether it acts on a
-    /// copy.
+    /// copy. A contact that may bounce acts on the hub itself.
     void settle(ActingContact& contact, std::span<const SolverBody> bodies) const;
     /// Called when the contact is colored: chooses the copies in turn.
     void choose_copy(ActingContact& contact);

@@ -1,3 +1,4 @@
+#include <partition/union_find.h>
 #include <schedule/schedule.h>
 #include <schedule/serial_criteria.h>
 #include <state/limits.h>
@@ -263,12 +264,69 @@ struct Coloring {
     }
 };
 
+/// True if some point of the contact approaches faster than `threshold`.
+bool approaches(const ContactRecord& record, const SolverBody& a, const SolverBody& b,
+                float threshold) {
+    const V2 n = record.manifold.normal;
+    for (int k = 0; k < record.manifold.count; ++k) {
+        const ManifoldPoint& point = record.manifold.points[k];
+        const float velocity = dot(n, b.velocity - a.velocity) +
+                               cross(point.anchor_b, n) * b.angular_velocity -
+                               cross(point.anchor_a, n) * a.angular_velocity;
+        if (velocity < -threshold) return true;
+    }
+    return false;
+}
+
+/// Contacts that bounce are solved one at a time, but only where a blow can arrive in this step: in
+/// the heaps (connected by contacts that bounce, and by joints) in which two shapes approach fast.
+void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
+                     const BodyScratch& bodies, ContactScratch& scratch) {
+    UnionFind heaps;
+    heaps.reset(bodies.solver_bodies.size());
+    const auto for_each = [&](auto&& visit) {
+        for (ActingPiece& piece : scratch.acting_pieces)
+            for (uint32_t i = piece.begin; i < piece.end(); ++i)
+                if (scratch.acting[i].bounces()) visit(scratch.acting[i], piece);
+    };
+    const auto index = [&](uint32_t body) { return bodies.solver_ends[body].index(); };
+    const auto bodies_of = [&](const ActingContact& c) {
+        const ContactRecord& record = objects.contacts[c.slot];
+        return std::pair(index(record.body_a), index(record.body_b));
+    };
+    for_each([&](const ActingContact& c, const ActingPiece&) {
+        const auto [a, b] = bodies_of(c);
+        if (c.both_move()) heaps.unite(a, b);
+    });
+    for (const auto& list : active.awake_joints) {
+        for (const uint32_t joint : list) {
+            const auto [a, b] = objects.joints[joint].bodies;
+            const SolverEnd end_a = bodies.solver_ends[a], end_b = bodies.solver_ends[b];
+            if (end_a.moves() && end_b.moves()) heaps.unite(end_a.index(), end_b.index());
+        }
+    }
+    std::vector<bool> hit(bodies.solver_bodies.size());
+    const auto heap_of = [&](const ActingContact& c) {
+        const auto [a, b] = bodies_of(c);
+        return heaps.find(c.moves_a() ? a : b);
+    };
+    for_each([&](const ActingContact& c, const ActingPiece&) {
+        if ((c.tells & ActingContact::meets) != 0) hit[heap_of(c)] = true;
+    });
+    for_each([&](ActingContact& c, ActingPiece& piece) {
+        if (c.serially || !hit[heap_of(c)]) return;
+        c.serially = true;
+        ++piece.serially;
+    });
+}
+
 }  // namespace
 
 /// The list has gaps only between the pieces of different threads.
 void find_acting(const ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
-                 const ScheduleScratch& schedule, ContactScratch& scratch, bool groups, float dt,
-                 ThreadPool* threads) {
+                 const WorldDef& settings, const ScheduleScratch& schedule, ContactScratch& scratch,
+                 float dt, ThreadPool* threads) {
+    const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const std::vector<uint32_t>& awake = active.awake_contacts;
     const std::vector<ContactRecord>& contacts = objects.contacts;
     const SolverBlocks& blocks = schedule.blocks;
@@ -290,11 +348,19 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
-            const bool serially = !groups || record.special || record.curved ||
+            const bool serially = !groups || record.curved || record.rolling_resistance != 0.0f ||
+                                  record.surface_speed != 0.0f ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
-            const auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
-                                       (record.hit_events ? ActingContact::of_hits : 0));
+            auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
+                                 (record.hit_events ? ActingContact::of_hits : 0));
+            if (record.restitution > 0.0f) {
+                const bool meets =
+                    approaches(record, bodies.solver_bodies[a.index()],
+                               bodies.solver_bodies[b.index()], settings.restitution_threshold);
+                tells |= ActingContact::of_bounces | (meets ? ActingContact::meets : 0);
+                piece.meets |= meets;
+            }
             ActingContact& c = *last++;
             c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, tells};
             if (any_hubs && (a.is_hub() || b.is_hub()))
@@ -307,6 +373,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         order_by_node({&acting[begin], last}, nodes, piece.nodes);
         scratch.acting_pieces[begin / piece_length] = piece;
     });
+    if (std::ranges::any_of(scratch.acting_pieces, &ActingPiece::meets))
+        choose_bouncing(objects, active, bodies, scratch);
 }
 
 void color_contacts(const ActiveLists& active, const BodyScratch& bodies, const Strips& strips,

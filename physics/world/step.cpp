@@ -21,8 +21,8 @@ namespace {
 /// Without gravity in the world, loads are measured with this gravity, m/s².
 constexpr float usual_gravity = 10.0f;
 
-/// The impulses of a resting load grow with the length of a step, but not those of a blow, which may
-/// be among them. So they grow by no more than this when the step grows.
+/// The impulses of a resting load grow with the length of a step, but not those of a blow, which
+/// may be among them. So they grow by no more than this when the step grows.
 constexpr float greatest_growth = 2.0f;
 
 class StageClock {
@@ -81,7 +81,7 @@ void WorldData::step(float dt) {
                  solver_forces);
     const JointStep joint_step =
         prepare_joints(objects, columns, active, body_scratch, joint_scratch, h, ratio, threads);
-    find_acting(objects, active, body_scratch, schedule, contact_scratch, groups, dt, threads);
+    find_acting(objects, active, body_scratch, settings, schedule, contact_scratch, dt, threads);
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
     prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
