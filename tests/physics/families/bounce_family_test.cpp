@@ -1,0 +1,166 @@
+// Bounces through joints, bounces under gravity, heaps of what can bounce, and steps of any length:
+// no energy is lost where none may be lost, and none comes from nowhere. FETTLE_SEEDS=n: n worlds
+// of each family.
+
+#include <fettle/physics/physics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+#include "catch.h"
+
+namespace bounce_family_test {
+
+using namespace fettle::physics;
+
+namespace {
+
+struct Random {
+    std::mt19937 engine;
+    float operator()(float low, float high) {
+        return low + (high - low) * float(engine()) / 4294967296.0f;
+    }
+};
+
+unsigned seeds_or(unsigned usual) {
+    const char* const wanted = std::getenv("FETTLE_SEEDS");
+    return wanted == nullptr ? usual : unsigned(std::stoul(wanted));
+}
+
+const ShapeDef elastic = {.friction = 0, .restitution = 1};
+
+double energy(const std::vector<Body>& bodies) {
+    double sum = 0.0;
+    for (const Body& body : bodies)
+        sum += 0.5 * double(body.mass() * body.velocity().squaredNorm() +
+                            body.inertia() * body.angular_velocity() * body.angular_velocity()) +
+               10.0 * double(body.mass() * body.position().y());
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("bodies that joints hold together bounce like one body") {
+    double worst = 1.0;
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.sleeping = false});
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 100, .height = 2, .center = {0, -1}}, elastic);
+        const int count = int(random(2, 6));
+        const float drop = random(1, 5);
+        std::vector<Body> bodies;
+        for (int i = 0; i < count; ++i) {
+            const float lean = seed % 2 ? 0.05f * float(i) : 0.0f;
+            bodies.push_back(
+                world.create_body({.position = {lean, drop + 0.5f + 1.1f * float(i)}}));
+            bodies.back().add(Circle{},
+                              {.density = random(0.1f, 5), .friction = 0, .restitution = 1});
+            if (i == 0) continue;
+            const Vec2 between =
+                0.5f * (bodies[size_t(i)].position() - bodies[size_t(i) - 1].position());
+            world.create_weld_joint({.body_a = bodies[size_t(i) - 1].id(),
+                                     .body_b = bodies.back().id(),
+                                     .anchor_a = between,
+                                     .anchor_b = -between});
+        }
+        const double before = energy(bodies);
+        for (int i = 0; i < 150; ++i) world.step(1.0f / 60);
+        worst = std::min(worst, energy(bodies) / before);
+    }
+    std::printf("welded towers keep %.3f of their energy\n", worst);
+    CHECK(worst > 0.9);
+}
+
+TEST_CASE("a ball bounces for a minute as high as it fell") {
+    for (unsigned seed = 0; seed < seeds_or(20); ++seed) {
+        Random random{std::mt19937(seed)};
+        const float height = random(1, 6), radius = random(0.3f, 1);
+        World world({.substeps = 2 + int(seed % 5), .sleeping = false});
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 100, .height = 2, .center = {0, -1}}, elastic);
+        Body ball = world.create_body({.position = {0, height + radius}});
+        ball.add(Circle{radius}, elastic);
+        float top = 0.0f;
+        for (int i = 0; i < 3600; ++i) {
+            world.step(1.0f / 60);
+            if (i > 3300) top = std::max(top, ball.position().y() - radius);
+        }
+        INFO("seed " << seed << ", from " << height << " m");
+        CHECK(top == Approx(height).epsilon(0.01));
+    }
+}
+
+TEST_CASE("a cradle on pins keeps its energy") {
+    double worst = 1.0;
+    for (unsigned seed = 0; seed < seeds_or(10); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.sleeping = false});
+        const int count = int(random(2, 8));
+        const float length = random(1.5f, 3), swing = -random(0.4f, 1);
+        std::vector<Body> balls;
+        for (int i = 0; i < count; ++i) {
+            const float angle = i == 0 ? swing : 0.0f;
+            const Vec2 pivot(float(i), 0);
+            balls.push_back(world.create_body(
+                {.position = pivot + length * Vec2(std::sin(angle), -std::cos(angle)),
+                 .angle = angle}));
+            balls.back().add(Circle{}, elastic);
+            world.create_revolute_joint(
+                {.body_b = balls.back().id(), .anchor_a = pivot, .anchor_b = {0, length}});
+        }
+        double weight = 0.0;
+        for (const Body& ball : balls) weight += 10.0 * double(ball.mass());
+        const double lowest = -weight * double(length), before = energy(balls) - lowest;
+        for (int i = 0; i < 1200; ++i) world.step(1.0f / 60);
+        worst = std::min(worst, (energy(balls) - lowest) / before);
+    }
+    std::printf("cradles on pins keep %.3f of their energy\n", worst);
+    CHECK(worst > 0.95);
+}
+
+TEST_CASE("steps of any length put no speed into a heap") {
+    float worst = 0.0f;
+    for (unsigned seed = 0; seed < seeds_or(12); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 40});
+        for (const float x : {-8.0f, 8.0f})
+            ground.add(Box{.width = 1, .height = 40, .center = {x, 20}});
+        std::vector<Body> bodies;
+        for (int i = 0; i < 50; ++i) {
+            bodies.push_back(world.create_body(
+                {.position = {1.1f * float(i % 10) - 5, 1.5f + 1.1f * float(i / 10)},
+                 .angle = random(-1, 1)}));
+            if (i % 2 == 0)
+                bodies.back().add(Circle{0.4f});
+            else
+                bodies.back().add(Box{.width = 0.8f, .height = 0.6f});
+        }
+        const auto fastest = [&] {
+            float most = 0.0f;
+            for (const Body& body : bodies) most = std::max(most, body.velocity().norm());
+            return most;
+        };
+        for (int i = 0; i < int(random(20, 60)); ++i) world.step(1.0f / 60);
+        const float before = fastest();
+        float time = 0.0f, most = 0.0f;
+        for (int i = 0; i < 150; ++i) {
+            float dt = seed % 2 == 0 && i > 5 ? 1.0f / 60 : 1e-6f;
+            if (seed % 2 == 1) dt = std::exp(random(std::log(1e-8f), std::log(0.1f)));
+            world.step(dt);
+            time += dt;
+            most = std::max(most, fastest() / (before + 10 * time));
+        }
+        worst = std::max(worst, most);
+    }
+    std::printf("after steps of any length: %.2f of the speed of a free fall\n", double(worst));
+    CHECK(worst < 1.2f);
+}
+
+}  // namespace bounce_family_test

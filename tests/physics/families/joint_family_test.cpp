@@ -1,0 +1,225 @@
+// Joints with limits, motors and loads: ragdolls come to rest, motors stop at limits, what moves
+// slowly on its own stays awake, and nothing elsewhere in the world changes how a net hangs.
+// FETTLE_SEEDS=n: n worlds of each family.
+
+#include <fettle/physics/physics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+#include "catch.h"
+
+namespace joint_family_test {
+
+using namespace fettle::physics;
+
+namespace {
+
+struct Random {
+    std::mt19937 engine;
+    float operator()(float low, float high) {
+        return low + (high - low) * float(engine()) / 4294967296.0f;
+    }
+};
+
+unsigned seeds_or(unsigned usual) {
+    const char* const wanted = std::getenv("FETTLE_SEEDS");
+    return wanted == nullptr ? usual : unsigned(std::stoul(wanted));
+}
+
+struct Bone {
+    Body body;
+    float half, angle;
+};
+
+/// A tree of bones of different sizes, with limits and friction in every joint.
+void add_ragdoll(World& world, Vec2 at, Random& random, int group, std::vector<Body>& bodies) {
+    std::vector<Bone> bones;
+    const int count = int(random(6, 16));
+    for (int i = 0; i < count; ++i) {
+        const float half = random(0.08f, 0.25f);
+        float angle = random(-3.14f, 3.14f), end = 0.0f;
+        Vec2 place = at;
+        const Bone* const parent = i == 0 ? nullptr : &bones[size_t(std::max(0, i - 5))];
+        if (parent != nullptr) {
+            end = parent == &bones[0] && random(0, 1) < 0.5f ? -1.0f : 1.0f;
+            angle = parent->angle + random(-1.2f, 1.2f) + (end < 0.0f ? 3.14159f : 0.0f);
+            const auto along = [](float turn) { return Vec2(std::cos(turn), std::sin(turn)); };
+            place = parent->body.position() + end * parent->half * along(parent->angle) +
+                    half * along(angle);
+        }
+        Body body = world.create_body({.position = place, .angle = angle});
+        body.add(Segment{{-half, 0}, {half, 0}, random(0.04f, 0.1f)},
+                 {.friction = 0.4f, .group = -group});
+        if (parent != nullptr) {
+            RevoluteJoint joint = world.create_revolute_joint({.body_a = parent->body.id(),
+                                                               .body_b = body.id(),
+                                                               .anchor_a = {end * parent->half, 0},
+                                                               .anchor_b = {-half, 0}});
+            joint.set_lower_angle(-0.5f);
+            joint.set_upper_angle(0.5f);
+            joint.set_max_motor_torque(random(0.1f, 5));
+        }
+        bones.push_back({body, half, angle});
+        bodies.push_back(body);
+    }
+}
+
+/// Time until all bodies sleep, s; `limit` if they never do.
+float time_to_rest(int ragdolls, unsigned seed, float limit) {
+    Random random{std::mt19937(seed)};
+    World world;
+    Body ground = world.create_body({.type = BodyType::static_body});
+    if (seed % 2 == 0) {
+        ground.add(Box{.width = 60, .height = 2, .center = {0, -1}});
+    } else {
+        Chain chain;
+        for (int i = -30; i <= 30; ++i) chain.points.emplace_back(float(i), random(-0.1f, 0.1f));
+        ground.add(chain);
+    }
+    std::vector<Body> bodies;
+    for (int i = 0; i < ragdolls; ++i)
+        add_ragdoll(world, {3.0f * float(i % 5) - 6, 1 + random(0, 3) + 4.0f * float(i / 5)},
+                    random, i + 1, bodies);
+    for (float time = 0.0f; time < limit; time += 1.0f / 60) {
+        world.step(1.0f / 60);
+        if (std::ranges::none_of(bodies, &Body::awake)) return time;
+    }
+    return limit;
+}
+
+}  // namespace
+
+TEST_CASE("ragdolls with limits and friction come to rest") {
+    std::vector<float> times;
+    unsigned never = 0;
+    const unsigned seeds = seeds_or(50);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        times.push_back(time_to_rest(1, seed, 12));
+        never += times.back() >= 12;
+    }
+    std::ranges::sort(times);
+    std::printf("ragdolls: half rest after %.2f s, nine of ten after %.2f s, %u of %u never\n",
+                double(times[times.size() / 2]), double(times[times.size() * 9 / 10]), never,
+                seeds);
+    CHECK(times[times.size() / 2] < 3);
+    CHECK(times[times.size() * 9 / 10] < 6);
+    CHECK(never <= 1 + seeds / 40);
+}
+
+TEST_CASE("a motor stops at the limit of its own joint") {
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        const Solver solver = seed % 3 == 0 ? Solver::direct : Solver::soft_step;
+        World world({.gravity = {0, random(-10, 0)}, .solver = solver});
+        const float limit = random(0.2f, 1), speed = random(0.1f, 5);
+        const float strength = std::pow(10.0f, random(2, 6));
+        Body body = world.create_body({});
+        body.add(Box{.width = random(0.2f, 2)});
+        float end = 0.0f;
+        if (seed % 2 == 0) {
+            auto joint = world.create_prismatic_joint({.body_b = body.id()});
+            joint.set_axis({1, 0});
+            joint.set_upper_translation(limit);
+            joint.set_motor_speed(speed);
+            joint.set_max_motor_force(strength);
+            for (int i = 0; i < 900; ++i) world.step(1.0f / 60);
+            end = joint.translation();
+        } else {
+            auto joint = world.create_revolute_joint({.body_b = body.id()});
+            joint.set_lower_angle(-limit);
+            joint.set_motor_speed(-speed);
+            joint.set_max_motor_torque(strength);
+            for (int i = 0; i < 900; ++i) world.step(1.0f / 60);
+            end = -joint.angle();
+        }
+        INFO("seed " << seed << ", strength " << strength);
+        CHECK(end == Approx(limit).margin(0.005));
+    }
+}
+
+TEST_CASE("what moves slowly on its own stays awake") {
+    for (unsigned seed = 0; seed < seeds_or(20); ++seed) {
+        Random random{std::mt19937(seed)};
+        const float speed = random(0.002f, 0.04f);
+        World world;
+        Body lift = world.create_body({.type = BodyType::kinematic_body, .velocity = {0, speed}});
+        lift.add(Box{});
+        Body passenger = world.create_body({.position = {0, 1}});
+        passenger.add(Box{});
+        Body dial = world.create_body({.position = {5, 0}});
+        dial.add(Box{.width = 2, .height = 0.2f});
+        auto motor = world.create_revolute_joint({.body_b = dial.id(), .anchor_a = {5, 0}});
+        motor.set_motor_speed(speed);
+        motor.set_max_motor_torque(1000);
+        Body belt = world.create_body({.type = BodyType::static_body, .position = {20, 0}});
+        belt.add(Box{.width = 10}, {.surface_speed = -speed});
+        Body parcel = world.create_body({.position = {20, 1}});
+        parcel.add(Box{});
+        for (int i = 0; i < 600; ++i) world.step(1.0f / 60);
+        INFO("seed " << seed << ", speed " << speed);
+        CHECK(lift.position().y() == Approx(10 * speed).epsilon(0.02));
+        CHECK(passenger.position().y() == Approx(1 + 10 * speed).margin(0.01));
+        CHECK(dial.angle() == Approx(10 * speed).epsilon(0.02));
+        CHECK(parcel.position().x() == Approx(20 + 10 * speed).margin(0.1 * double(speed)));
+    }
+}
+
+TEST_CASE("a motor that an obstacle or a limit stops lets its body sleep") {
+    World world;
+    Body arm = world.create_body({});
+    arm.add(Box{.width = 2, .height = 0.2f});
+    auto joint = world.create_revolute_joint({.body_b = arm.id()});
+    joint.set_upper_angle(0.5f);
+    joint.set_motor_speed(1);
+    joint.set_max_motor_torque(1000);
+    for (int i = 0; i < 300; ++i) world.step(1.0f / 60);
+    CHECK_FALSE(arm.awake());
+    CHECK(joint.angle() == Approx(0.5).margin(0.005));
+}
+
+TEST_CASE("a heavy load elsewhere does not change a net") {
+    for (unsigned seed = 0; seed < seeds_or(5); ++seed) {
+        std::vector<Vec2> places[2];
+        for (const bool heavy : {false, true}) {
+            World world({.sleeping = false});
+            std::vector<Body> nodes;
+            const int width = 4 + int(seed);
+            const auto tie = [&](size_t a, size_t b, Vec2 anchor) {
+                world.create_revolute_joint({.body_a = nodes[a].id(),
+                                             .body_b = nodes[b].id(),
+                                             .anchor_a = anchor,
+                                             .anchor_b = -anchor});
+            };
+            for (int i = 0; i < width * width; ++i) {
+                const int x = i % width, y = i / width;
+                nodes.push_back(world.create_body({.position = {float(x), -float(y)}}));
+                nodes.back().add(Circle{0.4f}, {.group = -1});
+                if (x > 0) tie(size_t(i) - 1, size_t(i), {0.5f, 0});
+                if (y > 0) tie(size_t(i - width), size_t(i), {0, -0.5f});
+            }
+            world.create_revolute_joint({.body_b = nodes[0].id()});
+            if (heavy) {
+                Body light = world.create_body({.position = {1000, 0}});
+                Body load = world.create_body({.position = {1001, 0}});
+                light.add(Circle{0.2f});
+                load.add(Circle{});
+                load.set_mass((11 + float(seed)) * light.mass());
+                world.create_revolute_joint({.body_b = light.id(), .anchor_a = {1000, 0}});
+                world.create_revolute_joint({.body_a = light.id(),
+                                             .body_b = load.id(),
+                                             .anchor_a = {0.5f, 0},
+                                             .anchor_b = {-0.5f, 0}});
+            }
+            for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
+            for (const Body& node : nodes) places[heavy].push_back(node.position());
+        }
+        CHECK(places[0] == places[1]);
+    }
+}
+
+}  // namespace joint_family_test
