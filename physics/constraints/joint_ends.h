@@ -19,7 +19,6 @@ struct JointStep {
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
     Softness rigid;              ///< softness of rigid rows
-    Softness rigid_under_load;   ///< of joints that bear heavy loads
 };
 
 /// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =

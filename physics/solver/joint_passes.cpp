@@ -15,23 +15,38 @@ constexpr size_t joints_at_a_time = 128;
 
 /// Notes about an awake joint before it is prepared: its node, and these bits; 0 if it does not
 /// act.
-enum JointNote : uint8_t { loaded = 0x40, can_break = 0x80, node_bits = 0x3f };
-static_assert(2 * most_strips <= loaded);
+enum JointNote : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
+static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads <= 4);
 
-/// Number of sweeps in each pass over the joints of components that bear heavy loads.
-constexpr int heavy_sweeps = 4;
+/// How joints under a load are solved. A joint yields by load / (m·ω²), where m is the mass of its
+/// light body: with the usual stiffness, a heavy body would stretch light links on which it hangs.
+/// More stiffness is stable only if more sweeps over the joints converge better.
+struct LoadSettings {
+    float ratio;  ///< the load is heavier than the lighter body by more than this
+    float hertz;  ///< stiffness
+    float share;  ///< of the rate of sub-steps: the greatest stiffness
+    int sweeps;   ///< in each pass
+};
+constexpr LoadSettings settings_of_load[JointScratch::loads] = {
+    {0.0f, 60.0f, 0.25f, 1}, {10.0f, 120.0f, 0.5f, 4}, {100.0f, 240.0f, 1.0f, 16}};
+
+Softness softness_of(size_t load, float h) {
+    const LoadSettings& settings = settings_of_load[load];
+    return make_softness(min(settings.hertz, settings.share / h), 2.0f, h);
+}
 
 bool moves(const SolverBody& body) {
     return body.inverse_mass > 0.0f || body.inverse_inertia > 0.0f;
 }
 
-/// A joint yields by load / (m·ω²), where m is the mass of its light body: with the usual
-/// stiffness, a heavy body would stretch light links on which it hangs. Twice the stiffness is
-/// stable only if the sweeps over the joints converge better: four sweeps instead of one.
-bool bears_heavy_load(const SolverBody& a, const SolverBody& b) {
-    constexpr float most = 10.0f;  // ratio of the masses
-    if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return false;
-    return a.inverse_mass > most * b.inverse_mass || b.inverse_mass > most * a.inverse_mass;
+/// Index of the load that a joint bears.
+uint8_t load_between(const SolverBody& a, const SolverBody& b) {
+    if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return 0;
+    const float lighter = max(a.inverse_mass, b.inverse_mass);
+    const float heavier = min(a.inverse_mass, b.inverse_mass);
+    uint8_t load = JointScratch::loads - 1;
+    while (lighter <= settings_of_load[load].ratio * heavier) --load;
+    return load;
 }
 
 struct JointLists {
@@ -64,9 +79,9 @@ struct JointLists {
                         b = bodies.solver_ends[joint.bodies[1]];
         const StripNode node =
             above_both((a.index() != 0 ? a : b).strip(), (b.index() != 0 ? b : a).strip());
-        const bool heavy =
-            bears_heavy_load(bodies.solver_bodies[a.index()], bodies.solver_bodies[b.index()]);
-        return uint8_t(std::max<StripNode>(node, 1) | (heavy ? loaded : 0) |
+        const uint8_t load =
+            load_between(bodies.solver_bodies[a.index()], bodies.solver_bodies[b.index()]);
+        return uint8_t(std::max<StripNode>(node, 1) | load * one_load |
                        (joint.breakable() ? can_break : 0));
     }
     /// Returns true if a joint bears a heavy load.
@@ -80,7 +95,7 @@ struct JointLists {
             share_out_range(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
                 uint8_t all = 0;
                 for (size_t i = begin; i < end; ++i) all |= notes[i] = note_of(awake[i]);
-                if ((all & loaded) != 0) heavy.store(true, std::memory_order_relaxed);
+                if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
             });
             notes += awake.size();
         }
@@ -97,14 +112,18 @@ struct JointLists {
             if (note != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
                 components.unite(a, b);
         });
-        std::vector<bool> heavy(bodies.solver_bodies.size());
+        std::vector<uint8_t> loads(bodies.solver_bodies.size());
         for_each([&](size_t, uint32_t joint, uint8_t note) {
-            if ((note & loaded) != 0) heavy[components.find(indices_of(joint).first)] = true;
+            const auto [a, b] = indices_of(joint);
+            if (note == 0) return;
+            uint8_t& load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
+            load = std::max(load, uint8_t(note & load_bits));
         });
         for_each([&](size_t, uint32_t joint, uint8_t& note) {
             const auto [a, b] = indices_of(joint);
-            if (note != 0 && heavy[components.find(moves(bodies.solver_bodies[a]) ? a : b)])
-                note |= loaded;
+            if (note == 0) return;
+            const uint8_t load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
+            note = uint8_t((note & ~load_bits) | load);
         });
     }
 
@@ -112,12 +131,12 @@ struct JointLists {
     void fill() {
         for (JointArray& array : joints.joint_arrays) array.nodes.clear();
         const auto array_of = [&](size_t type, uint8_t note) {
-            return type + ((note & loaded) != 0 ? joint_type_count : 0);
+            return type + size_t((note & load_bits) / one_load) * joint_type_count;
         };
         for_each([&](size_t type, uint32_t, uint8_t note) {
             if (note != 0) joints.joint_arrays[array_of(type, note)].nodes.count(note & node_bits);
         });
-        std::array<NodeRanges::Places, 2 * joint_type_count> next;
+        std::array<NodeRanges::Places, JointScratch::loads * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
             JointArray& array = joints.joint_arrays[i];
             array.nodes.sum_up();
@@ -147,8 +166,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
-    step.rigid = make_softness(min(60.0f, 0.25f / h), 2.0f, h);
-    step.rigid_under_load = make_softness(min(120.0f, 0.5f / h), 2.0f, h);
+    step.rigid = softness_of(0, h);
     JointLists lists = {objects, active, bodies, joints, threads};
     if (lists.make_notes()) lists.spread_loads();
     lists.fill();
@@ -166,13 +184,14 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 
 namespace {
 
-/// Calls `visit(kind, array, range)` for the joints of some nodes, type by type. `first`: the
-/// arrays of the usual components, or those of the components that bear heavy loads.
-void for_each_type(JointScratch& joints, size_t first, const StripNodes& nodes, auto&& visit) {
+/// One pass over the joints of some nodes that bear a load, type by type.
+void sweep(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBody> bodies,
+           const JointStep& step, const StripNodes& nodes) {
     for (size_t type = 0; type < joint_type_count; ++type) {
-        JointArray& array = joints.joint_arrays[first + type];
+        JointArray& array = joints.joint_arrays[load * joint_type_count + type];
         const JointRange range = {array.nodes.begin(nodes), array.nodes.end(nodes)};
-        if (range.begin != range.end) visit(joint_kind(JointType(type)), array, range);
+        if (range.begin != range.end)
+            (joint_kind(JointType(type)).*pass)(array, bodies, step, range);
     }
 }
 
@@ -180,17 +199,13 @@ void for_each_type(JointScratch& joints, size_t first, const StripNodes& nodes, 
 
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
                  const JointStep& step, const StripNodes& nodes) {
-    const auto sweep = [&](size_t first, const JointStep& of) {
-        for_each_type(joints, first, nodes,
-                      [&](const JointKind& kind, JointArray& array, JointRange range) {
-                          (kind.*pass)(array, bodies, of, range);
-                      });
-    };
-    sweep(0, step);
-    JointStep under_load = step;
-    under_load.rigid = step.rigid_under_load;
-    const int sweeps = pass == &JointKind::warm_start ? 1 : heavy_sweeps;
-    for (int i = 0; i < sweeps; ++i) sweep(joint_type_count, under_load);
+    sweep(pass, 0, joints, bodies, step, nodes);
+    for (size_t load = 1; load < JointScratch::loads; ++load) {
+        JointStep of_load = step;
+        of_load.rigid = softness_of(load, step.h);
+        const int sweeps = pass == &JointKind::warm_start ? 1 : settings_of_load[load].sweeps;
+        for (int i = 0; i < sweeps; ++i) sweep(pass, load, joints, bodies, of_load, nodes);
+    }
 }
 
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips) {

@@ -85,8 +85,9 @@ struct JointArray {
 
 struct JointScratch {
     JointShare joint_share;
-    /// By type; then, by type again, the joints of the components that bear heavy loads.
-    std::array<JointArray, 2 * joint_type_count> joint_arrays;
+    /// Joints connected with each other bear usual, heavy or very heavy loads.
+    static constexpr size_t loads = 3;
+    std::array<JointArray, loads * joint_type_count> joint_arrays;  ///< by load, then by type
     std::vector<uint8_t> joint_notes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 
