@@ -46,7 +46,8 @@ void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape)
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b) {
     ObjectState& objects = list.touching.objects;
-    const uint32_t slot = objects.contact_slots.take(objects.contact_links, objects.contacts);
+    const uint32_t slot =
+        objects.contact_slots.take(objects.contact_links, objects.contacts, objects.manifold_poses);
     ContactRecord& c = objects.contacts[slot];
     c.shape_a = shape_a;
     c.shape_b = shape_b;

@@ -1,3 +1,4 @@
+#include <contacts/kept_manifold.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <geometry/growth.h>
@@ -44,23 +45,31 @@ class Collision {
     explicit Collision(const NarrowPhaseInput& input)
         : in_(input),
           arrays_{input.objects.pool.vertices.data(), input.objects.pool.directions.data(),
-                  input.objects.pool.offsets.data()} {}
+                  input.objects.pool.offsets.data()},
+          keeps_(input.settings.solver == Solver::soft_step) {}
 
     /// Computes the manifolds of some awake contacts, and notes which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
-        uint64_t over = 0;
+        uint64_t over = 0, computed = 0;
         for (size_t i = begin; i < end; ++i) {
             if (i + contacts_ahead < slots.size())
                 in_.objects.contacts[slots[i + contacts_ahead]].prefetch();
             ContactRecord& c = in_.objects.contacts[slots[i]];
             const bool ends = is_over(c);
             over |= uint64_t{ends} << (i - begin);
-            if (ends || !is_near(c))
+            if (!ends && c.kept && keeps_ && follow_bodies(in_.objects, in_.columns, slots[i], c))
+                continue;
+            c.kept = false;
+            if (ends || !is_near(c)) {
                 c.manifold.count = 0;
-            else
+            } else {
                 collide_pair(c);
+                computed |= uint64_t{1} << (i - begin);
+            }
         }
         if (batch_.count > 0) flush();
+        for (; computed != 0; computed &= computed - 1)
+            note_pose(in_.objects, in_.columns, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
             if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);
@@ -121,6 +130,7 @@ class Collision {
 
     const NarrowPhaseInput in_;  ///< a copy: one indirection less in the loops
     const ConvexArrays arrays_;
+    const bool keeps_;  ///< the contacts of the other solvers are rigid
     CollisionBatch batch_ = {};
     ContactRecord* records_[CollisionBatch::size] = {};
     Manifold unused_;
@@ -184,7 +194,9 @@ size_t collide_and_create(const NarrowPhaseInput& in) {
     std::vector<ContactRecord>& contacts = in.objects.contacts;
     make_room(awake, new_pairs.size());
     const size_t spare = contacts.size() - in.objects.contact_slots.count;
-    make_room(contacts, new_pairs.size() - std::min(new_pairs.size(), spare));
+    const size_t more = new_pairs.size() - std::min(new_pairs.size(), spare);
+    make_room(contacts, more);
+    make_room(in.objects.manifold_poses, more);
     const size_t moved = moved_shapes.size();
     const auto marks = uint32_t((moved + moved_at_a_time - 1) / moved_at_a_time);
     return collide_awake(in, awake, 0, moved == 0 ? 0 : 1 + marks, [&](uint32_t i) {

@@ -70,6 +70,7 @@ void apply_bounds(const Editing& e) {
             e.broad_phase.paired_boxes[side] = box;
     }
     if (!e.settings.bounds) return;
+    keep_no_manifold(e.objects, 0);
     for (uint32_t shape = 4; shape < e.objects.shapes.size(); ++shape) {
         if (e.columns.shape_generations[shape] != 0 && e.objects.forms[shape].body != none)
             mark_moved(e.objects, e.broad_phase, shape);

@@ -192,9 +192,15 @@ void refresh_placement(const Editing& e, uint32_t body) {
         set_proxy(e.objects, e.broad_phase, s);
         mark_moved(e.objects, e.broad_phase, s);
     }
+    keep_no_manifold(e.objects, body);
 }
 
 }  // namespace
+
+void keep_no_manifold(ObjectState& objects, uint32_t body) {
+    objects.for_each_contact(body,
+                             [&](uint32_t contact) { objects.contacts[contact].kept = false; });
+}
 
 void refresh(const Editing& e) {
     // Refreshing a shape marks its body, and refreshing a mass may mark its placement. So shapes

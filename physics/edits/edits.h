@@ -33,6 +33,8 @@ void mark_moved(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t sha
 /// Must be called when an edit changed which shapes the shape collides with, but did not move it.
 void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseState& broad_phase,
                      uint32_t shape);
+/// Must be called when an edit moved or changed shapes of the body.
+void keep_no_manifold(ObjectState& objects, uint32_t body);
 
 void refresh(const Editing& editing);
 void refresh_shape(const Editing& editing, uint32_t shape);

@@ -244,7 +244,7 @@ void check_proxies(const WorldState& w, Findings& findings) {
 
 void check_contacts(const WorldState& w, Findings& findings) {
     const size_t n = w.contacts.size();
-    findings.require(w.contact_links.size() == n, "contacts");
+    findings.require(w.contact_links.size() == n && w.manifold_poses.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
         const bool used = c.shape_a != none;
         findings.require(used || !c.touching,
@@ -252,11 +252,12 @@ void check_contacts(const WorldState& w, Findings& findings) {
         findings.require(!used || (c.shape_a < w.shapes.size() && c.shape_b < w.shapes.size() &&
                                    c.body_a < w.bodies.size() && c.body_b < w.bodies.size()),
                          "a contact");
-        findings.require(
-            optional_index(c.awake_index, w.awake_contacts.size()) && c.manifold.count >= 0 &&
-                c.manifold.count <= 2 &&
-                are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved),
-            "a contact");
+        findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
+                             c.manifold.count >= 0 && c.manifold.count <= 2 &&
+                             are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled,
+                                       c.curved, c.kept) &&
+                             (!c.kept || c.manifold.count == 2),
+                         "a contact");
     }
     for (const ContactLinks& links : w.contact_links)
         findings.require(edge_in_range(links.edges[0], n) && edge_in_range(links.edges[1], n),

@@ -131,9 +131,11 @@ void check_shape(const WorldState& w, size_t shape) {
 
 // --- Contacts
 
-void check(const ContactRecord& contact, size_t slot) {
+void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) {
     const Manifold& m = contact.manifold;
-    bool sound = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse);
+    bool sound = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse) &&
+                 is_finite(pose.offset) &&
+                 are_finite(pose.angle_a, pose.angle_b, pose.separations[0], pose.separations[1]);
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.points[i];
         sound &= is_finite(p.anchor_a) && is_finite(p.anchor_b) &&
@@ -171,7 +173,7 @@ void check_all(const WorldState& w) {
     for (size_t i = 0; i < w.shapes.size(); ++i)
         if (w.shape_generations[i] != 0) check_shape(w, i);
     for (size_t i = 0; i < w.contacts.size(); ++i)
-        if (w.contacts[i].shape_a != none) check(w.contacts[i], i);
+        if (w.contacts[i].shape_a != none) check(w.contacts[i], w.manifold_poses[i], i);
     for (size_t i = 0; i < w.joints.size(); ++i)
         if (w.joint_generations[i] != 0) check(w.joints[i], i);
     for (const FieldRecord& field : w.fields) check(field.def);

@@ -207,6 +207,7 @@ struct alignas(64) ContactRecord {
     bool hit_events = false;
     bool disabled = false;  ///< disabled in this step by a callback
     bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
+    bool kept = false;      ///< the manifold may be kept; edits of a body or its shapes forbid it
     float friction = 0.0f;
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
@@ -218,6 +219,13 @@ struct alignas(64) ContactRecord {
     }
 };
 static_assert(sizeof(ContactRecord) == 128);
+
+/// Where the bodies of a contact were when its manifold was computed: contacts/kept_manifold.h.
+struct ManifoldPose {
+    V2 offset;  ///< center of mass of b minus that of a
+    float angle_a = 0.0f, angle_b = 0.0f;
+    float separations[2] = {};
+};
 
 /// Data of a contact that few stages of a step read.
 struct ContactLinks {

@@ -57,7 +57,8 @@ struct ObjectState {
     std::vector<ShapeForm> forms;  ///< of the shapes
     VertexPool pool;
     std::vector<ContactRecord> contacts;
-    std::vector<ContactLinks> contact_links;  ///< of the contacts
+    std::vector<ContactLinks> contact_links;   ///< of the contacts
+    std::vector<ManifoldPose> manifold_poses;  ///< of the contacts
     std::vector<JointRecord> joints;
     std::vector<FieldRecord> fields;
     Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
@@ -149,7 +150,7 @@ struct ObjectState {
             named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots, s.kinematic_bodies),
             named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
             named("vertices", s.pool),
-            named("contacts", s.contacts, s.contact_links, s.contact_slots),
+            named("contacts", s.contacts, s.contact_links, s.manifold_poses, s.contact_slots),
             named("joints", s.joints, s.joint_slots, s.dormant_joints),
             named("fields", s.fields, s.field_slots));
     }

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <state/limits.h>
+#include <state/world_state.h>
+
+// A manifold is kept while its bodies move little. Only its separations follow the bodies, to first
+// order, as they do within a step (constraints/contact_constraint.h).
+//
+// This is more than a saving. A contact gives way under load, so a tall stack is an elastic column.
+// If the lever arms follow each lean of a box, the weight above acts on the leaning column as on
+// any slender one: from about 22 boxes on (their weight times the cube of their number against the
+// stiffness of a contact) it buckles, however small the first lean is. With the lever arms and
+// normals of the manifold's making, the weight does not add to the lean, so the column stands.
+
+namespace fettle::physics::detail {
+
+/// A manifold is kept while neither body has turned by more than this (rad), and its points have
+/// slipped, and come nearer or gone apart, by less than these parts of the distance between them.
+/// So a body on a plank that tilts starts to slide at most one degree late.
+inline constexpr float kept_turn = 0.02f, kept_slip = 0.02f, kept_gap = 0.1f;
+
+/// Called after the manifold was computed. Only two points are all that two edges can have, so only
+/// then no other point can come into contact meanwhile.
+inline void note_pose(ObjectState& objects, const Columns& columns, uint32_t slot) {
+    ContactRecord& c = objects.contacts[slot];
+    c.kept = c.manifold.count == 2 && !c.sensor;
+    if (!c.kept) return;
+    objects.manifold_poses[slot] = {
+        objects.forms[c.shape_b].center - objects.forms[c.shape_a].center,
+        columns.states[c.body_a].angle,
+        columns.states[c.body_b].angle,
+        {c.manifold.points[0].separation, c.manifold.points[1].separation}};
+}
+
+/// Moves the separations with the bodies. False if the manifold must be computed anew.
+inline bool follow_bodies(const ObjectState& objects, const Columns& columns, uint32_t slot,
+                          ContactRecord& c) {
+    const ManifoldPose& pose = objects.manifold_poses[slot];
+    const float turn_a = columns.states[c.body_a].angle - pose.angle_a;
+    const float turn_b = columns.states[c.body_b].angle - pose.angle_b;
+    if (!(max(std::fabs(turn_a), std::fabs(turn_b)) <= kept_turn)) return false;
+    Manifold& m = c.manifold;
+    ManifoldPoint &p = m.points[0], &q = m.points[1];
+    const V2 shift =
+        objects.forms[c.shape_b].center - objects.forms[c.shape_a].center - pose.offset;
+    const V2 move_p = shift + cross(turn_b, p.anchor_b) - cross(turn_a, p.anchor_a);
+    const V2 move_q = shift + cross(turn_b, q.anchor_b) - cross(turn_a, q.anchor_a);
+    const float width = length(q.anchor_a - p.anchor_a);
+    const float slip = max(std::fabs(cross(m.normal, move_p)), std::fabs(cross(m.normal, move_q)));
+    const float along_p = dot(m.normal, move_p), along_q = dot(m.normal, move_q);
+    const float separation_p = pose.separations[0] + along_p;
+    const float separation_q = pose.separations[1] + along_q;
+    if (!(slip <= kept_slip * width &&
+          max(std::fabs(along_p), std::fabs(along_q)) <= kept_gap * width &&
+          max(separation_p, separation_q) <= speculative_margin))
+        return false;
+    p.separation = separation_p;
+    q.separation = separation_q;
+    return true;
+}
+
+}  // namespace fettle::physics::detail
