@@ -16,8 +16,8 @@ namespace fettle::physics::detail {
 
 /// A manifold is kept while neither body has turned by more than this (rad), and its points have
 /// slipped, and come nearer or gone apart, by less than these parts of the distance between them.
-/// So a body on a plank that tilts starts to slide at most one degree late.
-inline constexpr float kept_turn = 0.02f, kept_slip = 0.02f, kept_gap = 0.1f;
+/// So a body on a plank that tilts starts to slide at most two degrees late.
+inline constexpr float kept_turn = 0.03f, kept_slip = 0.02f, kept_gap = 0.1f;
 
 /// Called after the manifold was computed. Only two points are all that two edges can have, so only
 /// then no other point can come into contact meanwhile.
