@@ -19,41 +19,49 @@ namespace fettle::physics::detail {
 /// So a body on a plank that tilts starts to slide at most two degrees late.
 inline constexpr float kept_turn = 0.03f, kept_slip = 0.02f, kept_gap = 0.1f;
 
+/// A body that turns faster soon needs a new manifold anyway, rad per step.
+inline constexpr float slow_turn = kept_turn / 8;
+
+inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
+    return std::fabs(objects.forms[c.shape_a].turn) + std::fabs(objects.forms[c.shape_b].turn) <=
+           slow_turn;
+}
+
 /// Called after the manifold was computed. Only two points are all that two edges can have, so only
 /// then no other point can come into contact meanwhile.
-inline void note_pose(ObjectState& objects, const Columns& columns, uint32_t slot) {
+inline void note_pose(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     c.kept = c.manifold.count == 2 && !c.sensor;
     if (!c.kept) return;
     objects.manifold_poses[slot] = {
-        objects.forms[c.shape_b].center - objects.forms[c.shape_a].center,
-        columns.states[c.body_a].angle,
-        columns.states[c.body_b].angle,
+        objects.forms[c.shape_a].angle,
+        objects.forms[c.shape_b].angle,
         {c.manifold.points[0].separation, c.manifold.points[1].separation}};
 }
 
 /// Moves the separations with the bodies. False if the manifold must be computed anew.
-inline bool follow_bodies(const ObjectState& objects, const Columns& columns, uint32_t slot,
-                          ContactRecord& c) {
+inline bool follow_bodies(const ObjectState& objects, uint32_t slot, ContactRecord& c) {
     const ManifoldPose& pose = objects.manifold_poses[slot];
-    const float turn_a = columns.states[c.body_a].angle - pose.angle_a;
-    const float turn_b = columns.states[c.body_b].angle - pose.angle_b;
-    if (!(max(std::fabs(turn_a), std::fabs(turn_b)) <= kept_turn)) return false;
+    const ShapeForm &a = objects.forms[c.shape_a], &b = objects.forms[c.shape_b];
+    const float turn_a = a.angle - pose.angle_a, turn_b = b.angle - pose.angle_b;
     Manifold& m = c.manifold;
     ManifoldPoint &p = m.points[0], &q = m.points[1];
-    const V2 shift =
-        objects.forms[c.shape_b].center - objects.forms[c.shape_a].center - pose.offset;
+    // The anchors are the same point, seen from both centers of mass as they were then.
+    const V2 shift = b.center - a.center - (p.anchor_a - p.anchor_b);
     const V2 move_p = shift + cross(turn_b, p.anchor_b) - cross(turn_a, p.anchor_a);
     const V2 move_q = shift + cross(turn_b, q.anchor_b) - cross(turn_a, q.anchor_a);
-    const float width = length(q.anchor_a - p.anchor_a);
     const float slip = max(std::fabs(cross(m.normal, move_p)), std::fabs(cross(m.normal, move_q)));
     const float along_p = dot(m.normal, move_p), along_q = dot(m.normal, move_q);
+    const float along = max(std::fabs(along_p), std::fabs(along_q));
     const float separation_p = pose.separations[0] + along_p;
     const float separation_q = pose.separations[1] + along_q;
-    if (!(slip <= kept_slip * width &&
-          max(std::fabs(along_p), std::fabs(along_q)) <= kept_gap * width &&
-          max(separation_p, separation_q) <= speculative_margin))
-        return false;
+    const float width = length_squared(q.anchor_a - p.anchor_a);
+    const float turn = max(std::fabs(turn_a), std::fabs(turn_b));
+    // Without branches: bodies that tumble would mislead their prediction.
+    const bool little = (turn <= kept_turn) & (slip * slip <= kept_slip * kept_slip * width) &
+                        (along * along <= kept_gap * kept_gap * width) &
+                        (max(separation_p, separation_q) <= speculative_margin);
+    if (!little) return false;
     p.separation = separation_p;
     q.separation = separation_q;
     return true;

@@ -57,19 +57,18 @@ class Collision {
             ContactRecord& c = in_.objects.contacts[slots[i]];
             const bool ends = is_over(c);
             over |= uint64_t{ends} << (i - begin);
-            if (!ends && c.kept && keeps_ && follow_bodies(in_.objects, in_.columns, slots[i], c))
-                continue;
+            if (c.kept && keeps_ && !ends && follow_bodies(in_.objects, slots[i], c)) continue;
             c.kept = false;
             if (ends || !is_near(c)) {
                 c.manifold.count = 0;
             } else {
                 collide_pair(c);
-                computed |= uint64_t{1} << (i - begin);
+                computed |= uint64_t{may_keep(in_.objects, c)} << (i - begin);
             }
         }
         if (batch_.count > 0) flush();
         for (; computed != 0; computed &= computed - 1)
-            note_pose(in_.objects, in_.columns, slots[begin + size_t(std::countr_zero(computed))]);
+            note_pose(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
             if ((over >> (i - begin) & 1) != 0) piece.over.push_back(slot);

@@ -275,8 +275,9 @@ void detach_shape(const Editing& e, uint32_t shape) {
     mark_mass(e.objects, e.active, body);
     mark_placement(e.objects, e.active, body);
     // Without a body, its boxes are in its own coordinates again.
-    e.objects.for_each_solid(
-        shape, [&](uint32_t solid) { place_shape(e.objects, e.broad_phase.boxes, solid, {}); });
+    e.objects.for_each_solid(shape, [&](uint32_t solid) {
+        place_shape(e.objects, e.broad_phase.boxes, solid, {}, 0.0f);
+    });
 }
 
 /// Must be called when the shape has no contacts any more.

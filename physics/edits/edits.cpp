@@ -188,7 +188,7 @@ void refresh_placement(const Editing& e, uint32_t body) {
     record.center = to_v2(state.position) + rotate(q, record.local_center);
     for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
         if (!e.objects.is_solid(s)) continue;
-        place_shape(e.objects, e.broad_phase.boxes, s, q);
+        place_shape(e.objects, e.broad_phase.boxes, s, q, state.angle);
         set_proxy(e.objects, e.broad_phase, s);
         mark_moved(e.objects, e.broad_phase, s);
     }
@@ -269,7 +269,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
                            : moments_of({local, form.count}, form.radius));
     if (form.radius != radius_before)
         remix_shape(objects, e.settings, shape);  // for the rolling resistance
-    if (form.body == none) place_shape(objects, e.broad_phase.boxes, shape, {});
+    if (form.body == none) place_shape(objects, e.broad_phase.boxes, shape, {}, 0.0f);
 }
 
 void refresh_edited_mass(const Editing& e, uint32_t body) {

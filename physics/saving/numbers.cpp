@@ -115,9 +115,10 @@ void check_shape(const WorldState& w, size_t shape) {
     const ShapeForm& form = w.forms[shape];
     check(record.surface);
     if (record.owner == none) check_figure(w, shape);  // a part has the figure of its owner
-    require(are_finite(record.area, record.moment, form.radius) && form.radius >= 0.0f &&
-                is_finite(record.centroid) && is_finite(form.center) && is_finite(w.boxes[shape]) &&
-                is_finite(w.fat_boxes[shape]) && is_finite(w.paired_boxes[shape]),
+    require(are_finite(record.area, record.moment, form.radius, form.angle, form.turn) &&
+                form.radius >= 0.0f && is_finite(record.centroid) && is_finite(form.center) &&
+                is_finite(w.boxes[shape]) && is_finite(w.fat_boxes[shape]) &&
+                is_finite(w.paired_boxes[shape]),
             "what follows from shape", shape);
     if (form.kind == FormKind::border || form.count == 0) return;
     const size_t stored = form.count * (form.kind == FormKind::piece ? size_t{3} : 1);
@@ -134,7 +135,6 @@ void check_shape(const WorldState& w, size_t shape) {
 void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) {
     const Manifold& m = contact.manifold;
     bool sound = is_finite(m.normal) && are_finite(m.corner, contact.rolling_impulse) &&
-                 is_finite(pose.offset) &&
                  are_finite(pose.angle_a, pose.angle_b, pose.separations[0], pose.separations[1]);
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.points[i];

@@ -32,10 +32,13 @@ namespace {
 
 }  // namespace
 
-void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q) {
+void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
+                 float angle) {
     ShapeForm& form = objects.forms[shape];
     VertexPool& pool = objects.pool;
     if (form.count == 0) return;
+    form.turn = angle - form.angle;
+    form.angle = angle;
     V2 center, local_center;
     if (form.body != none) {
         center = objects.bodies[form.body].center;

@@ -119,6 +119,8 @@ struct ShapeForm {
     float radius = 0.0f;
     uint32_t body = none;
     V2 center;  ///< center of mass of the body in the world: the vertices are relative to it
+    float angle = 0.0f;  ///< of the body, rad
+    float turn = 0.0f;   ///< in the last step, rad
 
     bool is_small_polygon() const { return kind == FormKind::convex && (count == 3 || count == 4); }
 };
@@ -187,7 +189,7 @@ struct ShapeRecord {
     }
 };
 
-static_assert(sizeof(ShapeForm) == 24);
+static_assert(sizeof(ShapeForm) == 32);
 // A world may have a hundred thousand records of each type, so their size matters.
 static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
 
@@ -220,10 +222,9 @@ struct alignas(64) ContactRecord {
 };
 static_assert(sizeof(ContactRecord) == 128);
 
-/// Where the bodies of a contact were when its manifold was computed: contacts/kept_manifold.h.
+/// How a manifold was when it was computed: contacts/kept_manifold.h.
 struct ManifoldPose {
-    V2 offset;  ///< center of mass of b minus that of a
-    float angle_a = 0.0f, angle_b = 0.0f;
+    float angle_a = 0.0f, angle_b = 0.0f;  ///< of the bodies
     float separations[2] = {};
 };
 
