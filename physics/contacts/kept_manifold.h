@@ -16,11 +16,11 @@ namespace fettle::physics::detail {
 
 /// A manifold is kept while neither body has turned by more than this (rad), and its points have
 /// slipped, and come nearer or gone apart, by less than these parts of the distance between them.
-/// So a body on a plank that tilts starts to slide at most two degrees late.
-inline constexpr float kept_turn = 0.03f, kept_slip = 0.02f, kept_gap = 0.1f;
+/// So a body on a plank that tilts starts to slide at most three degrees late.
+inline constexpr float kept_turn = 0.05f, kept_slip = 0.02f, kept_gap = 0.1f;
 
-/// A body that turns faster soon needs a new manifold anyway, rad per step.
-inline constexpr float slow_turn = kept_turn / 8;
+/// Two bodies that turn faster soon need a new manifold anyway, rad per step.
+inline constexpr float slow_turn = 0.004f;
 
 inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
     return std::fabs(objects.forms[c.shape_a].turn) + std::fabs(objects.forms[c.shape_b].turn) <=
@@ -41,6 +41,7 @@ inline void note_pose(ObjectState& objects, uint32_t slot) {
 
 /// Moves the separations with the bodies. False if the manifold must be computed anew.
 inline bool follow_bodies(const ObjectState& objects, uint32_t slot, ContactRecord& c) {
+    if (!may_keep(objects, c)) return false;
     const ManifoldPose& pose = objects.manifold_poses[slot];
     const ShapeForm &a = objects.forms[c.shape_a], &b = objects.forms[c.shape_b];
     const float turn_a = a.angle - pose.angle_a, turn_b = b.angle - pose.angle_b;
