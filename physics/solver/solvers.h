@@ -28,6 +28,10 @@ struct SolverInput {
 void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
            const WideKernels& kernels, StepStatistics& statistics);
 
+/// Must be called after the contacts were solved with soft constraints. Limits the speeds of bodies
+/// in a crowd that is pushed apart.
+void limit_pushes(const SolverInput& input, const Columns& columns);
+
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);
 void solve_sequentially(const SolverInput& input, const JointStep& joint_step);

@@ -13,6 +13,13 @@ constexpr size_t bodies_of_piece = 64;
 /// A body of this extent or more falls asleep at the sleep speed of the world, m.
 constexpr float usual_extent = 0.07f;
 
+/// True if the shapes of the body turned in the step before.
+bool turned_before(const ObjectState& objects, const BodyRecord& body) {
+    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next)
+        if (objects.is_solid(s)) return objects.forms[s].turn != 0.0f;
+    return false;
+}
+
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
     const uint32_t slot = in.active.awake_bodies[place];
     const WorldDef& settings = in.settings;
@@ -43,10 +50,11 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     const Rotation q = {state.cosine, state.sine};
     state.position =
         to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
-    // A platform may stand still for long and have many shapes.
+    // A platform may stand still for long and have many shapes. In the first step, they must get to
+    // know that they stand.
     const bool stands =
         record.mobility != Mobility::dynamic && shift.x == 0.0f && shift.y == 0.0f && turn == 0.0f;
-    if (!stands) finish_shapes(in, slot, q, piece);
+    if (!stands || turned_before(in.objects, record)) finish_shapes(in, slot, q, piece);
     if (settings.continuous &&
         length(shift) + std::fabs(turn) * (record.extent - record.thickness) >
             near_motion(record)) {

@@ -85,9 +85,11 @@ void WorldData::step(float dt) {
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
     prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
-    solve({settings, objects, active, strips, body_scratch, joint_scratch, contact_scratch,
-           schedule, threads},
-          joint_step, stiffness, kernels, statistics);
+    const SolverInput solver_input = {settings,        objects,      active,
+                                      strips,          body_scratch, joint_scratch,
+                                      contact_scratch, schedule,     threads};
+    solve(solver_input, joint_step, stiffness, kernels, statistics);
+    if (groups && body_scratch.dense) limit_pushes(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
