@@ -17,9 +17,6 @@ inline constexpr float greatest_grip = 1e6f;
 /// Maximum rotation in one sub-step, rad.
 inline constexpr float greatest_turn = 3.0f;
 
-/// Only bodies with so many contacts can be in the middle of a crowd: solver/overlaps.cpp.
-inline constexpr unsigned crowd_contacts = 8;
-
 /// Prefetch distances in loops over awake contacts and bodies, whose records are in random order in
 /// memory.
 inline constexpr std::size_t contacts_ahead = 12, bodies_ahead = 6;

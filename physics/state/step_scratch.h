@@ -58,10 +58,9 @@ struct BodyScratch {
     bool axes_locked = false;       ///< some awake body is locked along x or y
     bool driven = false;            ///< an awake body moves on its own
     bool bullets = false;           ///< an awake body is a bullet
-    bool dense = false;             ///< an awake body has very many contacts
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.bounced, s.axes_locked, s.driven, s.bullets, s.dense)
+                   s.locked, s.bounced, s.axes_locked, s.driven, s.bullets)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

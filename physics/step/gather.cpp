@@ -16,8 +16,7 @@ enum Gathered : uint8_t {
     some_axis_locked = 2,
     some_driven = 4,
     some_crowded = 8,
-    some_bullet = 16,
-    some_dense = 32
+    some_bullet = 16
 };
 
 uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity, float h,
@@ -43,8 +42,7 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity
     const bool axis = record.locked_x || record.locked_y;
     return uint8_t((record.bullet ? some_bullet : 0) | (axis ? some_axis_locked | some_locked : 0) |
                    (record.locked_rotation ? some_locked : 0) |
-                   (record.contact_count >= Hubs::least_contacts ? some_crowded : 0) |
-                   (record.contact_count >= crowd_contacts ? some_dense : 0));
+                   (record.contact_count >= Hubs::least_contacts ? some_crowded : 0));
 }
 
 }  // namespace
@@ -88,7 +86,6 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     bodies.axes_locked = (found & some_axis_locked) != 0;
     bodies.driven = (found & some_driven) != 0;
     bodies.bullets = (found & some_bullet) != 0;
-    bodies.dense = (found & some_dense) != 0;
     bodies.locked.clear();
     for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
         const BodyRecord& record = records[awake[i]];

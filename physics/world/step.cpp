@@ -89,7 +89,7 @@ void WorldData::step(float dt) {
                                       strips,          body_scratch, joint_scratch,
                                       contact_scratch, schedule,     threads};
     solve(solver_input, joint_step, stiffness, kernels, statistics);
-    if (groups && body_scratch.dense) limit_pushes(solver_input, columns);
+    if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
