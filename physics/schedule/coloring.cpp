@@ -348,13 +348,15 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
             if (record.manifold.count == 0 || record.sensor || record.disabled) continue;
             const SolverEnd a = bodies.solver_ends[record.body_a],
                             b = bodies.solver_ends[record.body_b];
-            const bool serially = !groups || record.curved || record.rolling_resistance != 0.0f ||
-                                  record.surface_speed != 0.0f ||
+            // Most contacts are not special, and their surface is in a cache line that is not read.
+            const bool serially = !groups || record.curved ||
+                                  (record.special && (record.rolling_resistance != 0.0f ||
+                                                      record.surface_speed != 0.0f)) ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
             auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
                                  (record.hit_events ? ActingContact::of_hits : 0));
-            if (record.restitution > 0.0f) {
+            if (record.special && record.restitution > 0.0f) {
                 const bool meets =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);

@@ -23,6 +23,7 @@ struct FastBody {
 struct DrivenBody {
     uint32_t body = none;
     Motion motion;
+    Box4 box = no_box;  ///< around its shapes on their way
     uint32_t first_box = 0, boxes = 0;
 };
 

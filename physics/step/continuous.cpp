@@ -24,16 +24,15 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
 }
 
 /// True if the body moves far compared with its thickness, seen from a body that moves on its own,
-/// and may reach it.
+/// and may reach it. `path`: a box around the body on its way.
 bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion& motion,
-                    const DrivenBody& driven) {
+                    const Box4& path, const DrivenBody& driven) {
+    if (!overlap(path, driven.box)) return false;
     const V2 apart = body.center - driven.motion.center(1.0f);
     const V2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
     const float way = length(shift) +
                       std::fabs(motion.turn - driven.motion.turn) * (body.extent - body.thickness);
     if (!(way > near_motion(body))) return false;
-    const V2 start = motion.center(0.0f), end = motion.center(1.0f);
-    const Box4 path = grow(unite({start, start}, {end, end}), body.extent + speculative_margin);
     const Box4* const boxes = in.scratch.driven_boxes.data() + driven.first_box;
     for (uint32_t i = 0; i < driven.boxes; i += 1 + boxes_of_group) {
         if (!overlap(path, boxes[i])) continue;
@@ -66,6 +65,7 @@ void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b)
         Box4& around = boxes[driven.first_box +
                              (driven.boxes - 1) / (1 + boxes_of_group) * (1 + boxes_of_group)];
         around = unite(around, boxes.back());
+        driven.box = unite(driven.box, boxes.back());
     }
     in.scratch.driven_bodies.push_back(driven);
 }
@@ -76,8 +76,10 @@ bool may_meet_moving(const FinishInput& in, const FastBody& fast) {
     const std::vector<DrivenBody>& driven = in.scratch.driven_bodies;
     if (in.bodies.bullets || record.mobility == Mobility::kinematic) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
+    const V2 start = fast.motion.center(0.0f), end = fast.motion.center(1.0f);
+    const Box4 path = grow(unite({start, start}, {end, end}), record.extent + speculative_margin);
     return std::ranges::any_of(driven, [&](const DrivenBody& other) {
-        return is_fast_beside(in, record, fast.motion, other);
+        return is_fast_beside(in, record, fast.motion, path, other);
     });
 }
 

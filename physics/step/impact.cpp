@@ -120,9 +120,9 @@ Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, floa
     const V2 start = motion.center(now) - body.center, end = motion.center(1.0f) - body.center;
     const Box4 path = unite({box.low + start, box.high + start}, {box.low + end, box.high + end});
     // No point is farther than the chord from where it would be without the rotation.
-    const double rotation =
-        std::max(std::fabs(motion.rotation(now)), std::fabs(motion.rotation(1.0f)));
-    return grow(path, float(std::min(rotation, 2.0)) * body.extent + speculative_margin);
+    const float rotation = max(std::fabs(motion.angle + motion.turn * motion.passed(now)),
+                               std::fabs(motion.angle + motion.turn * motion.passed(1.0f)));
+    return grow(path, min(rotation, 2.0f) * body.extent + speculative_margin);
 }
 
 float time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
