@@ -1,7 +1,11 @@
-// A sensor reports the beginning of an overlap with everything whose inside enters it.
+// A sensor reports the beginning of an overlap with everything whose inside enters it: in the same
+// step, or in the next one, which finds what overlaps at its beginning.
 
 #include <set>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "wild/passages.h"
 
@@ -27,17 +31,22 @@ class Sensors : public Check {
             inside_.insert(pair_of(begin));
         }
         for (const SensorEvent& end : events.sensor_end) inside_.erase(pair_of(end));
+        for (const auto& [pair, words] : entered_)
+            if (!told.contains(pair)) return words;
+        entered_.clear();
         for (const Passage& passage : passages_.of(moment)) {
             if (passage.sense < 0) continue;
             // Where the body touched something, its way was not straight.
             const auto body = std::size_t(passage.body);
             if (moment.before[body].touching() || moment.after[body].touching()) continue;
             const std::uint32_t sensor = moment.after[std::size_t(passage.obstacle)].slot;
-            if (!told.contains({sensor, moment.after[body].slot}))
-                return "body " + std::to_string(passage.body) + " enters the sensor on body " +
-                       std::to_string(passage.obstacle) + " at " +
-                       std::to_string(int(moment.after[body].velocity.norm())) +
-                       " m/s, and no begin is told";
+            const Pair pair = {sensor, moment.after[body].slot};
+            if (told.contains(pair)) continue;
+            entered_.emplace_back(
+                pair, "body " + std::to_string(passage.body) + " enters the sensor on body " +
+                          std::to_string(passage.obstacle) + " at " +
+                          std::to_string(int(moment.after[body].velocity.norm())) +
+                          " m/s, and no begin is told");
         }
         return {};
     }
@@ -50,6 +59,7 @@ class Sensors : public Check {
 
     Passages passages_;
     std::set<Pair> inside_;
+    std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, and not told yet
 };
 
 }  // namespace
