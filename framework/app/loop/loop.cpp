@@ -68,11 +68,14 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       time_(tree.child(tree.root(), "time")),
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
-    services_.clock.go_to = [this](std::int64_t step) {
+    // `ordered` ends with this function, which the destructor removes: then the orders are void.
+    services_.clock.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
-        tree_.at_barrier([this, step] { timeline_.go_near(step); });
+        tree_.at_barrier([this, step, held = std::weak_ptr(ordered)] {
+            if (!held.expired()) timeline_.go_near(step);
+        });
     };
 }
 

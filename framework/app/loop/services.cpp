@@ -1,5 +1,11 @@
 #include <fettle/app/services.h>
 
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/error.h>
+
 namespace fettle::app {
 
 using property::Native;
@@ -27,18 +33,72 @@ void define_audio(property::Tree& tree, Audio& audio) {
     tree.create(audio_class, tree.root(), "audio");
 }
 
+/// The classes of the services, the first one first, and their instances below the root. A test
+/// compares them with the tree.
+constexpr const char* class_names[] = {"Time",  "Timings", "View",  "Show",   "Audio",
+                                       "Input", "Keys",    "Mouse", "Gamepad"};
+constexpr const char* instance_names[] = {"time", "view", "audio", "input"};
+
+/// Throws if a name that the services need is already used in the tree. If a constructor failed
+/// later, instances would stay whose values have no memory.
+void require_room(const property::Tree& tree) {
+    const auto refuse = [](const std::string& what) {
+        throw property::Error(property::ErrorKind::bad_name,
+                              "the services cannot be added: " + what + " already");
+    };
+    for (const char* name : class_names)
+        if (tree.find_class(name) != nullptr)
+            refuse("the tree has a class \"" + std::string(name) + "\"");
+    const property::Handle root = tree.root();
+    for (const char* name : instance_names)
+        if (tree.child(root, name) || tree.find(root, name) != nullptr)
+            refuse("the root has a \"" + std::string(name) + "\"");
+}
+
+/// What a module below throws is ignored. If the instance cannot be deleted, the exception leaves
+/// the destructor of the services, and the program ends with its message.
+void take_out(property::Tree& tree, property::Handle service) {
+    try {
+        if (tree.alive(service)) tree.destroy(service);
+    } catch (...) {
+        if (tree.alive(service)) throw;
+    }
+}
+
 }  // namespace
 
 // Input must be last, because it uses the view.
-Services::Services(property::Tree& tree) : input(define(tree), view), tree_(tree) {
+Services::Services(property::Tree& tree)
+    : input(define(tree), view),
+      tree_(tree),
+      tree_life_(tree.lifetime()),
+      first_class_(tree.class_named(class_names[0]).id()),
+      end_class_(tree.classes().size()) {
     tree.add_part(clock_part_);
 }
 
+// The tree would go on to read the values, if only to notify watchers of the end of an instance.
 Services::~Services() {
+    if (tree_life_.expired()) return;
     tree_.remove_part(clock_part_);
+    std::vector<property::Handle> services;
+    tree_.each_below(tree_.root(), [&](property::Handle instance) {
+        if (is_service(tree_.class_of(instance))) services.push_back(instance);
+    });
+    std::function<std::string()> where = [] { return std::string("the end of app::Services"); };
+    // No edit: undo could not bring them back.
+    const property::Tree::CauseScope scope(tree_, property::Writer::load, &where);
+    for (const property::Handle service : services) take_out(tree_, service);
+}
+
+bool Services::is_service(const property::Class& of) const {
+    for (const property::Class* each = &of; each != nullptr; each = each->base())
+        if (each->id() >= first_class_ && each->id() < end_class_) return true;
+    return false;
 }
 
 property::Tree& Services::define(property::Tree& tree) {
+    require_room(tree);
     define_clock(tree, clock);
     define_view(tree, view);
     define_audio(tree, audio);

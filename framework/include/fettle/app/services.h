@@ -1,6 +1,9 @@
 #pragma once
 // Services that every game has in its tree beside the world: `time`, `view`, `input`, `audio`.
 
+#include <cstddef>
+#include <memory>
+
 #include <fettle/app/clock.h>
 #include <fettle/app/export.h>
 #include <fettle/app/input.h>
@@ -16,8 +19,11 @@ struct Audio {
     bool muted = false;
 };
 
-/// Owns the values of the services and adds them to a tree. The tree must outlive this object.
-/// Order of construction: tree, modules, services, runtime.
+/// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
+/// runtime. The destructor deletes the instances of the services, with everything below them; if
+/// the tree has ended before, it does nothing. Where instances cannot be deleted (in a formula or a
+/// lifecycle function, for example), it ends the program. The classes stay in the tree, which can
+/// get no other services.
 class Services {
   public:
     explicit Services(property::Tree& tree);
@@ -32,8 +38,11 @@ class Services {
 
   private:
     property::Tree& define(property::Tree& tree);
+    bool is_service(const property::Class& of) const;
 
     property::Tree& tree_;
+    std::weak_ptr<const property::Tree*> tree_life_;
+    std::size_t first_class_ = 0, end_class_ = 0;  // ids of the classes of the services
     ClockPart clock_part_{clock};
 };
 

@@ -1,0 +1,102 @@
+// The end of the services and of a loop, before and after the end of their tree.
+
+#include <catch.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game.h"
+
+namespace services_test {
+
+using namespace fettle;
+using namespace fettle::app;
+
+TEST_CASE("services that end before their tree leave none of their instances in it") {
+    property::Tree tree;
+    tree.create(tree.object_class(), tree.root(), "mine");
+    std::optional<Services> services(std::in_place, tree);
+    const property::Handle view = tree.child(tree.root(), "view");
+    const property::Handle child = tree.create(tree.object_class(), view, "child");
+    std::string told;
+    tree.watch_deleted(tree.object_class(), [&](const property::Existence& gone) {
+        told += gone.path + " ";
+        if (gone.path != "view") return;
+        CHECK(gone.last_values.size() > 5);
+        CHECK(gone.cause.where == "the end of app::Services");
+    });
+    tree.barrier();
+    tree.begin_edit("an edit that stays open");
+    services.reset();
+    tree.end_edit();
+    CHECK_FALSE(tree.alive(view));
+    CHECK_FALSE(tree.alive(child));
+    CHECK(tree.size() == 2);
+    CHECK(tree.parts().empty());
+    tree.barrier();
+    for (const char* path : {"time ", "time.timings ", "view ", "view.show ", "audio ", "input ",
+                             "input.keys ", "input.mouse ", "input.gamepad_1 "})
+        CHECK_THAT(told, contains(path));
+    // Nothing can bring them back.
+    tree.undo();
+    CHECK(tree.size() == 2);
+    tree.restore(tree.snapshot());
+}
+
+TEST_CASE("services may end after their tree") {
+    auto tree = std::make_unique<property::Tree>();
+    const Services services(*tree);
+    tree.reset();
+    CHECK(services.clock.step == 0);
+}
+
+TEST_CASE("services that find no room in a tree leave nothing in it") {
+    // Each name that they take, whatever comes first.
+    std::vector<std::string> classes, children;
+    {
+        property::Tree tree;
+        const std::size_t before = tree.classes().size();
+        const Services services(tree);
+        for (std::size_t i = before; i < tree.classes().size(); ++i)
+            classes.push_back(tree.classes()[i]->name());
+        for (const property::Handle child : tree.children(tree.root()))
+            children.push_back(tree.name(child));
+    }
+    REQUIRE(classes.size() == 9);
+    REQUIRE(children.size() == 4);
+    const auto refused = [](property::Tree& tree) {
+        const std::size_t size = tree.size(), count = tree.classes().size();
+        CHECK_THROWS_WITH(Services(tree), contains("the services cannot be added"));
+        CHECK(tree.size() == size);
+        CHECK(tree.classes().size() == count);
+        CHECK(tree.parts().empty());
+    };
+    for (const std::string& name : classes) {
+        INFO(name);
+        property::Tree tree;
+        tree.define({.name = name});
+        refused(tree);
+    }
+    for (const std::string& name : children) {
+        INFO(name);
+        property::Tree tree;
+        tree.create(tree.object_class(), tree.root(), name);
+        refused(tree);
+    }
+}
+
+TEST_CASE("a journey in time that was ordered from a loop ends with it") {
+    property::Tree tree;
+    Services services(tree);
+    script::Runtime runtime(tree, {});
+    auto loop = std::make_unique<Loop>(tree, runtime, services);
+    for (int i = 0; i < 5; ++i) loop->turn();
+    services.clock.go_to(2);
+    loop.reset();
+    CHECK_NOTHROW(tree.barrier());
+    CHECK(services.clock.step == 5);
+}
+
+}  // namespace services_test
