@@ -108,6 +108,8 @@ Geometry Shape::geometry() const {
 void Shape::set_geometry(const Geometry& geometry) {
     FETTLE_EDIT_SHAPE
     if (record.type == ShapeType::border) wrong_type("geometry", record.type);
+    const auto type = static_cast<ShapeType>(geometry.index());
+    if (type != record.type) data.self.may_populate("Shape", "set_geometry of another type");
     check(geometry);
     std::vector<Vec2> hull;
     if (const Polygon* polygon = std::get_if<Polygon>(&geometry))

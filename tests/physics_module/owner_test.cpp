@@ -49,6 +49,10 @@ TEST_CASE_METHOD(Game, "only the tree creates and destroys the objects of a host
     refused([&] { hosted.restore(bytes); });
     refused([&] { hosted.create_body(); });
     refused([&] { physics.body(crate).add(physics_library::Box{}); });
+    physics_library::Shape box = physics.shape(shape_of(crate));
+    refused([&] { box.set_geometry(physics_library::Circle{.radius = 0.25f}); });
+    REQUIRE_NOTHROW(box.set_geometry(physics_library::Box{.width = 2, .height = 1}));
+    REQUIRE(number(shape_of(crate), "width") == 2);
 
     // Nothing has changed, and the game can continue.
     for (const Handle each : {crate, other})

@@ -15,6 +15,8 @@ namespace fettle::physics {
 ///
 /// - `create_...`, `clear`, `restore`, `take` (of both worlds) and assignment to the world;
 /// - `Body::add`, `Shape::attach`, `Shape::detach`, and `destroy` of everything;
+/// - `Shape::set_geometry` with another type of geometry, and `Field::set` with another type of
+///   force or other user data;
 /// - `set_user_data`, in which the host keeps the link from an object to its data.
 ///
 /// All other calls are allowed. An owner must outlive its worlds, unless they get another owner

@@ -37,8 +37,8 @@ class Shape {
     void detach();
 
     Geometry geometry() const;
-    void set_geometry(
-        const Geometry& geometry);  ///< may change the type; polygon vertices are the hull
+    void set_geometry(const Geometry& geometry);  ///< may change the type (see Owner); polygon
+                                                  ///< vertices are the hull
 
     float radius() const;  ///< circle
     void set_radius(float radius);

@@ -49,8 +49,10 @@ class PhysicsModule : public module::Module {
     // restored. Throws property::Error for a deleted instance or one of another class.
     //
     // Only the tree creates and destroys objects in these worlds. So creating and destroying
-    // bodies, shapes, joints and fields, attaching a shape to another body, `clear`, `restore`,
-    // `take`, assigning a world and `set_user_data` throw physics::Locked (physics/owner.h). All
+    // bodies, shapes, joints and fields, attaching a shape to another body, giving a shape another
+    // type of geometry or a field another type of force (the class of the instance says which it
+    // is), `clear`, `restore`, `take`, assigning a world and `set_user_data` throw physics::Locked
+    // (physics/owner.h). All
     // other methods may be called except `World::set_owner`, which the module uses, and, while a
     // handler listens, the setters of the world's callbacks. An instance that is deleted inside a
     // function that its world calls is removed from the tree at once, and from the world at the end
