@@ -351,4 +351,16 @@ TEST_CASE_METHOD(Game, "statistics belong to their world and are deleted with it
     CHECK_FALSE(tree.alive(statistics));
 }
 
+TEST_CASE_METHOD(Game, "no instance of an abstract class is made") {
+    const property::Snapshot before = tree.snapshot();
+    for (const char* name : {"Shape", "Joint", "PairJoint", "Field"}) {
+        INFO(name);
+        for (const Handle parent : {world(), Handle{}})
+            REQUIRE_THROWS_WITH(make(name, parent),
+                                contains(std::string(name) + ": it cannot be made"));
+    }
+    REQUIRE_NOTHROW(tree.restore(tree.snapshot()));
+    REQUIRE_NOTHROW(tree.restore(before));
+}
+
 }  // namespace placing_test

@@ -119,7 +119,7 @@ void define_field(Hosting& hosting) {
                         [&](FieldDef& def) { def.mask = from_value<std::uint64_t>(value); });
              })},
     };
-    hosting.tree.define(std::move(field));
+    hosting.abstract_classes.push_back(&hosting.tree.define(std::move(field)));
 }
 
 template <class Force>

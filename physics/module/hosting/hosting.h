@@ -152,6 +152,8 @@ class Hosting {
     Handle body_above(Handle instance) const;
 
     // --- Creating, moving, deleting (placing.cpp, migration.cpp)
+    /// Throws Error(bad_structure) for an instance of an abstract class, Shape for example.
+    void require_concrete(Handle self) const;
     Row create_world(Handle self);
     Row place_world(Handle self, Row row);
     void destroy_world(Row row);
@@ -219,7 +221,8 @@ class Hosting {
     const property::Class* body_class = nullptr;
     const property::Class* shape_class = nullptr;
     const property::Class* statistics_class = nullptr;
-    std::array<property::Value, 3> type_names;  // by physics::BodyType
+    std::vector<const property::Class*> abstract_classes;  // their objects have no kind
+    std::array<property::Value, 3> type_names;             // by physics::BodyType
 
     PairEvent contact_begin, contact_persist, contact_end, contact_hit, sensor_begin, sensor_end;
     PairEvent before_solve;

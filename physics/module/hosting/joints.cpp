@@ -5,6 +5,7 @@
 namespace fettle::physics_module {
 
 Row Joints::create(Handle self, physics::JointType type) {
+    hosting_.require_concrete(self);
     const Hosting::Placing placing(hosting_);
     const std::uint32_t number = hosting_.world_above(self);
     physics::World& world = hosting_.world_at(number)->world;

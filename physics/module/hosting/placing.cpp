@@ -11,6 +11,16 @@
 #include <hosting/hosting.h>
 
 namespace fettle::physics_module {
+
+void Hosting::require_concrete(Handle self) const {
+    const property::Class& of = tree.class_of(self);
+    if (std::ranges::find(abstract_classes, &of) != abstract_classes.end())
+        throw property::Error(property::ErrorKind::bad_structure,
+                              of.name() +
+                                  ": it cannot be made: it is what several classes have in "
+                                  "common");
+}
+
 // --- Worlds
 
 Row Hosting::create_world(Handle self) {
@@ -72,6 +82,7 @@ void Hosting::destroy_body(Row row) {
 // --- Shapes
 
 Row Hosting::create_shape(Handle self, const physics::Geometry& geometry) {
+    require_concrete(self);
     const Placing placing(*this);
     const Handle owner = body_above(self);
     const Row owner_row = owner ? tree.row(owner) : make_row(limbo, 0);
@@ -127,6 +138,7 @@ physics::Field Hosting::field(Row row) {
 }
 
 Row Hosting::create_field(Handle self, const physics::FieldDef& def) {
+    require_concrete(self);
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
     return make_row(number, worlds_[number]->world.create_field(def).id().index);

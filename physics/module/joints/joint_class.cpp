@@ -62,7 +62,9 @@ void define_joint(Hosting& hosting) {
                                 {"torque", Type::number, "N m",
                                  "Torque of the joint when it broke, besides that of the force."}},
                      .doc = "Its force or torque was larger than break_force or break_torque."}};
-    hosting.broke = hosting.tree.define(std::move(joint)).event("broke");
+    const property::Class& defined = hosting.tree.define(std::move(joint));
+    hosting.abstract_classes.push_back(&defined);
+    hosting.broke = defined.event("broke");
 }
 
 template <std::size_t Side>
@@ -106,7 +108,7 @@ void define_pair_joint(Hosting& hosting) {
         flag("collide", false, "True if the two bodies collide with each other.",
              setting<&Joint::collide, &Joint::set_collide>(hosting)),
     };
-    hosting.tree.define(std::move(pair));
+    hosting.abstract_classes.push_back(&hosting.tree.define(std::move(pair)));
 }
 
 void define_mouse_joint(Hosting& hosting) {

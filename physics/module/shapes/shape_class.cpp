@@ -182,6 +182,7 @@ void define_shape(Hosting& hosting) {
     shape.lifecycle = shape_lifecycle(hosting.kinds.front());
     const property::Class& defined = hosting.tree.define(std::move(shape));
     hosting.shape_class = &defined;
+    hosting.abstract_classes.push_back(&defined);
     hosting.note_pair_events(defined, &PairEvent::of_shape);
 }
 
