@@ -118,7 +118,7 @@ property::Result call(void* context, property::Tree&, Handle self, Row row,
         method.native.call(method.native.context, sent(self), row, outgoing.put(arguments),
                            static_cast<std::uint32_t>(arguments.size()), &result),
         method.declared->name);
-    return received(result, method.declared->returns);
+    return received(result, *method.declared->record_fields);
 }
 
 }  // namespace

@@ -366,6 +366,33 @@ TEST_CASE("connections and logs may outlive their tree") {
     CHECK(snapshot.step() == 0);
 }
 
+TEST_CASE("the record of an event may outlive the tree") {
+    auto tree = std::make_unique<Tree>();
+    tree->define({.name = "Gong",
+                  .events = {{.name = "rang", .fields = {{.name = "loudness"}, {.name = "n"}}}}});
+    const Class& gong = tree->class_named("Gong");
+    const Handle one = tree->create(gong, tree->root(), "one");
+    Record told, asked;
+    tree->on(one, *gong.event("rang"), [&](const Occurrence& occurrence) {
+        (Question::current() == nullptr ? told : asked) = occurrence.record;
+    });
+    tree->emit(one, *gong.event("rang"), {1.5, 2.0});
+    tree->barrier();
+    std::vector<Value> values{2.5, 3.0};
+    ask(*tree, one, *gong.event("rang"), values, 0);
+    tree.reset();
+    const std::string refill(4096, 'x');  // takes the place of what was freed
+    CHECK(told.get("loudness") == Value(1.5));
+    CHECK(asked.get("n") == Value(3.0));
+    REQUIRE(told.fields->size() == 2);
+    CHECK(told.fields->front().name == "loudness");
+    // Trees with the same fields share them, so that nothing grows with the number of trees.
+    Tree next;
+    next.define({.name = "Bell",
+                 .events = {{.name = "rang", .fields = {{.name = "loudness"}, {.name = "n"}}}}});
+    CHECK(next.class_named("Bell").event("rang")->record_fields == told.fields);
+}
+
 TEST_CASE("a handler that owns the connection of another one ends with the tree") {
     Tree tree;
     const Handle node = tree.create(tree.object_class(), tree.root(), "node");

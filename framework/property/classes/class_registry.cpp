@@ -10,6 +10,7 @@
 
 #include "coerce.h"
 #include "descriptor_check.h"
+#include "lasting_fields.h"
 
 namespace fettle::property {
 namespace {
@@ -150,6 +151,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     for (Method& method : made->descriptor_.methods) {
         method.symbol = Symbol(method.name);
         method.owner = made.get();
+        method.record_fields = &lasting(method.returns);
         std::erase_if(made->methods_, [&](const Method* m) { return m->symbol == method.symbol; });
         made->methods_.push_back(&method);
         made->method_index_[method.symbol] = &method;
@@ -157,6 +159,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
     for (Event& event : made->descriptor_.events) {
         event.symbol = Symbol(event.name);
         event.owner = made.get();
+        event.record_fields = &lasting(event.fields);
         made->events_.push_back(&event);
         made->event_index_[event.symbol] = &event;
     }

@@ -96,7 +96,7 @@ void ask(Tree& tree, Handle instance, const Event& event, std::vector<Value>& va
         if (watcher->active)
             s.changes.call(*watcher, Occurrence{.instance = instance,
                                                 .event = &event,
-                                                .record = {&event.fields, values},
+                                                .record = {event.record_fields, values},
                                                 .step = s.changes.author.step});
     if (first_error) std::rethrow_exception(first_error);
 }

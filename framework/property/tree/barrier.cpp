@@ -33,7 +33,7 @@ void Tree::emit(Handle instance, const Event& event, std::vector<Value> values) 
     s.changes.queue_item({.kind = QueueItem::Kind::event,
                           .what = Occurrence{.instance = instance,
                                              .event = &event,
-                                             .record = {&event.fields, std::move(values)},
+                                             .record = {event.record_fields, std::move(values)},
                                              .step = s.changes.author.step}});
 }
 

@@ -201,6 +201,7 @@ struct Field {
 
 /// Values by the names of their fields: the data of an event, the result of a query.
 struct Record {
+    /// Not owned. Those of events, and all `record_fields`, live as long as the program.
     const std::vector<Field>* fields = nullptr;
     std::vector<Value> values;
     /// nil if there is no such field.
@@ -232,6 +233,7 @@ struct Method {
     // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
+    const std::vector<Field>* record_fields = nullptr;  // of `returns`, for ever
 };
 
 /// An event is delivered only while all instances in it live; another handler may have deleted one.
@@ -244,8 +246,9 @@ struct Event {
     // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
-    const Event* begin = nullptr;  // for an end
-    const Event* end = nullptr;    // for a beginning
+    const std::vector<Field>* record_fields = nullptr;  // of `fields`, for ever
+    const Event* begin = nullptr;                       // for an end
+    const Event* end = nullptr;                         // for a beginning
     mutable std::uint32_t listeners = 0;
 };
 
