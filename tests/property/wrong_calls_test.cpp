@@ -141,6 +141,14 @@ TEST_CASE("a class whose rows its base would use as its own is refused") {
     never.snapshots = Snapshots::never;
     CHECK_THAT(message_of([&] { tree.define(std::move(never)); }),
                contains("Saved, from which it derives, is saved natively"));
+    // A restore would forget the rows of such a class without `Lifecycle::destroy`.
+    ClassDescriptor alone{.name = "Alone", .base = "Ball"};
+    alone.snapshots = Snapshots::natively;
+    CHECK(message_of([&] { tree.define(alone); }) ==
+          "class Alone: `snapshots`: its rows are those of Ball, which is not saved natively: "
+          "expected nothing, or a lifecycle of its own");
+    alone.base = "Saved";
+    CHECK_NOTHROW(tree.define(alone));
 }
 
 TEST_CASE("a class descriptor with an invalid or used name is refused by name") {

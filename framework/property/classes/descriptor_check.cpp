@@ -60,6 +60,12 @@ class DescriptorCheck {
         const Lifecycle& of_base = base_->lifecycle();
         const bool has_own = own.create || own.place || own.destroy || own.draw || own.draw_over;
         const bool base_has_rows = of_base.create || of_base.place || of_base.destroy;
+        if (!has_own && base_has_rows && of_.snapshots == Snapshots::natively &&
+            base_->snapshots() != Snapshots::natively)
+            refuse(ErrorKind::bad_structure, "`snapshots`",
+                   "its rows are those of " + base_->name() +
+                       ", which is not saved natively: expected nothing, or a lifecycle of its "
+                       "own");
         if (!has_own || !base_has_rows || of_.makes_base_rows) return;
         const std::string user = uses_rows();
         if (user.empty()) return;

@@ -233,7 +233,7 @@ struct Method {
     // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
-    const std::vector<Field>* record_fields = nullptr;  // of `returns`, for ever
+    const std::vector<Field>* record_fields = nullptr;  // copy of `returns`, never freed
 };
 
 /// An event is delivered only while all instances in it live; another handler may have deleted one.
@@ -246,7 +246,7 @@ struct Event {
     // Filled in by registration.
     Symbol symbol{};
     const Class* owner = nullptr;
-    const std::vector<Field>* record_fields = nullptr;  // of `fields`, for ever
+    const std::vector<Field>* record_fields = nullptr;  // copy of `fields`, never freed
     const Event* begin = nullptr;                       // for an end
     const Event* end = nullptr;                         // for a beginning
     mutable std::uint32_t listeners = 0;
@@ -279,7 +279,8 @@ struct Lifecycle {
 };
 
 /// The data in a snapshot for the instances of a class, in addition to those of the tree. A class
-/// that derives from one that is saved natively is so too.
+/// that derives from one that is saved natively is so too. One whose rows are made by the lifecycle
+/// of its base class can be saved natively only if that class is.
 enum class Snapshots : std::uint8_t {
     by_value,  // each property that can be written and is not transient, by its name
     natively,  // no values: a part of the snapshot saves the rows of the module
