@@ -65,14 +65,14 @@ void Underway::require_staying(const Instances& instances, Handle instance,
     });
 }
 
-void Underway::require_made(const Instances& instances, Handle instance,
-                            std::string_view what) const {
-    for (const Handle self : making)
-        if (self == instance ||
-            (instances.nodes.find(self) != nullptr && instances.tree.is_below(self, instance)))
-            throw Error(ErrorKind::bad_structure, instances.tree.path(self) +
-                                                      " is being made: its module cannot " +
-                                                      std::string(what) + " meanwhile");
+void Underway::require_settled(const Instances& instances, Handle instance,
+                               std::string_view what) const {
+    for (const auto& [self, state] : held)
+        if (instances.nodes.find(self) != nullptr &&
+            (self == instance || instances.tree.is_below(self, instance)))
+            throw Error(ErrorKind::bad_structure, instances.tree.path(self) + " " + state +
+                                                      ": its module cannot " + std::string(what) +
+                                                      " meanwhile");
 }
 
 }  // namespace fettle::property

@@ -14,8 +14,14 @@ class Inquiry;
 struct Instances;
 
 struct Underway {
+    /// An instance that must stay where it is while a module is called. `state`: "is being made".
+    struct Held {
+        Handle instance;
+        const char* state;
+    };
+
     int deletions = 0;                 // nested deletions
-    std::vector<Handle> making;        // instances that their modules are making; nested
+    std::vector<Held> held;            // nested
     const Inquiry* inquiry = nullptr;  // the innermost inquiry
     bool restoring = false;
     bool ending_rows = false;  // a restore ends the rows of instances that it deletes
@@ -24,8 +30,8 @@ struct Underway {
 
     /// Throws if the instance, or one below it, is being deleted. `what`: "move an instance".
     void require_staying(const Instances& instances, Handle instance, std::string_view what) const;
-    /// Throws if the instance, or one below it, is being made.
-    void require_made(const Instances& instances, Handle instance, std::string_view what) const;
+    /// Throws if the instance, or one below it, is held: its module is making or placing it.
+    void require_settled(const Instances& instances, Handle instance, std::string_view what) const;
     /// Throws while anything is being deleted. For operations on the whole tree.
     void require_no_deletion(std::string_view what) const;
     /// Throws while a restore calls modules to end and to make rows, because it replaces the
@@ -41,15 +47,22 @@ struct Underway {
     void require_no_rows_ending(std::string_view what) const;
 };
 
-/// While it lives, a module makes the instance and must not delete it.
-class Making {
+inline constexpr const char being_made[] = "is being made";
+inline constexpr const char being_moved[] = "is being moved";
+inline constexpr const char being_left[] = "is left by an instance that is being moved";
+
+/// While it lives, the instance, and those above it, can be neither deleted nor moved: a module is
+/// making it or gets to know its place. A null handle holds nothing.
+class Hold {
   public:
-    Making(Underway& underway, Handle self) : making_(underway.making) { making_.push_back(self); }
-    ~Making() { making_.pop_back(); }
-    Making(const Making&) = delete;
+    Hold(Underway& underway, Handle instance, const char* state) : held_(underway.held) {
+        held_.push_back({instance, state});
+    }
+    ~Hold() { held_.pop_back(); }
+    Hold(const Hold&) = delete;
 
   private:
-    std::vector<Handle>& making_;
+    std::vector<Underway::Held>& held_;
 };
 
 }  // namespace fettle::property

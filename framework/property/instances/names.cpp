@@ -8,6 +8,7 @@ namespace fettle::property {
 namespace {
 
 constexpr std::size_t longest_name = 1000;  // bytes
+constexpr std::string_view name_of_root = "game";
 
 }  // namespace
 
@@ -27,7 +28,7 @@ void Instances::check_child_name(Handle parent, std::string_view name) const {
         throw Error(ErrorKind::bad_name, (parent ? tree.path(parent) + ": " : std::string()) +
                                              "the name " + quoted + " holds a zero byte");
     if (!parent) return;
-    if (parent == root && name == "game")
+    if (parent == root && name == name_of_root)
         throw Error(ErrorKind::bad_name, "\"game\" is the root itself, not a child of it");
     const Class& above = tree.class_of(parent);
     if (above.property(name) != nullptr)
@@ -45,6 +46,7 @@ void Instances::check_child_name(Handle parent, std::string_view name) const {
 
 bool Instances::is_taken(std::uint32_t parent, const NodeName& name) const {
     if (nodes.child(parent, name) != 0) return true;
+    if (parent == root.index && name.number == 0 && name.base.text() == name_of_root) return true;
     const Symbol symbol = Symbol::find(name.text());
     if (!symbol) return false;  // a name without a symbol belongs to no property and no method
     return tree.find(nodes.handle(parent), symbol) != nullptr ||

@@ -152,7 +152,7 @@ void TreeImage::make_rows() {
         bool has_row = false;
         try {
             if (!below) {
-                const Making making(s.underway, self);
+                const Hold making(s.underway, self, being_made);
                 const Row made = lifecycle.create(lifecycle.context, now_.tree, self);
                 now_.nodes[i].row = made;
                 has_row = true;

@@ -78,7 +78,7 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
         nodes[index].stored_row = row;
     }
     const Lifecycle& lifecycle = of.lifecycle();
-    std::optional<Making> making_it(std::in_place, underway, self);
+    std::optional<Hold> making_it(std::in_place, underway, self, being_made);
     bool has_row = false;
     try {
         if (lifecycle.create) {

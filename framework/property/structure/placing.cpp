@@ -17,6 +17,7 @@ void Structure::place_subtree(Handle top) {
     tree.each_below(top, [this](Handle handle) {
         const Class& of = tree.class_of(handle);
         if (!of.lifecycle().place) return;
+        const Hold placing(underway, handle, being_moved);
         const Row row =
             of.lifecycle().place(of.lifecycle().context, tree, handle, nodes[handle.index].row);
         if (Node* node = nodes.find(handle)) node->row = row;
@@ -51,6 +52,8 @@ void Structure::move_back(Handle instance, const Position& was) {
 
 void Structure::move_or_stay(Handle instance, const Position& at) {
     const Position was = nodes.position(instance.index);
+    // It goes back there if a module refuses the new place.
+    const Hold way_back(underway, was.parent, being_left);
     relink(instance, at);
     try {
         place_subtree(instance);

@@ -27,22 +27,27 @@ double Drawing::alpha() {
 
 void Tree::draw(Handle top, Painter& painter, double alpha) const {
     const State& s = *state_;
-    s.instances.require(top);
+    const Instances& instances = s.instances;
+    instances.require(top);
     const Drawing drawing(alpha);
     const Pin pin(state_->lifetime, "a lifecycle function");
-    std::vector<std::uint32_t> over;
-    s.instances.visit_below(top.index, [&](std::uint32_t i) {
-        const Lifecycle& lifecycle = s.instances.classes[s.instances.nodes[i].class_id].lifecycle();
-        if (lifecycle.draw)
-            lifecycle.draw(lifecycle.context, *this, s.instances.nodes.handle(i),
-                           s.instances.nodes[i].row, painter, alpha);
-        if (lifecycle.draw_over) over.push_back(i);
+    // The functions of modules may change the tree, so the instances are collected before.
+    std::vector<Handle> drawn, over;
+    instances.visit_below(top.index, [&](std::uint32_t i) {
+        const Lifecycle& lifecycle = instances.class_of(instances.nodes[i]).lifecycle();
+        if (lifecycle.draw) drawn.push_back(instances.nodes.handle(i));
+        if (lifecycle.draw_over) over.push_back(instances.nodes.handle(i));
     });
-    for (const std::uint32_t i : over) {
-        const Lifecycle& lifecycle = s.instances.classes[s.instances.nodes[i].class_id].lifecycle();
-        lifecycle.draw_over(lifecycle.context, *this, s.instances.nodes.handle(i),
-                            s.instances.nodes[i].row, painter, alpha);
-    }
+    const auto draw_all = [&](const std::vector<Handle>& all, auto Lifecycle::*function) {
+        for (const Handle self : all) {
+            const Node* const node = instances.nodes.find(self);
+            if (node == nullptr) continue;
+            const Lifecycle& lifecycle = instances.class_of(*node).lifecycle();
+            (lifecycle.*function)(lifecycle.context, *this, self, node->row, painter, alpha);
+        }
+    };
+    draw_all(drawn, &Lifecycle::draw);
+    draw_all(over, &Lifecycle::draw_over);
 }
 
 }  // namespace fettle::property

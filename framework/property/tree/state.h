@@ -47,6 +47,14 @@ struct Tree::State {
     /// "delete an instance".
     void require_changeable(std::string_view what) const;
 
+    // tree_placing.cpp
+    /// Throws if the instance must not be moved or renamed now.
+    void require_free(Handle instance, std::string_view what);
+    /// Throws if the instance cannot be moved below `parent`, which may be null.
+    void require_place(Handle instance, Handle parent);
+    /// Moves the instance back if it can be moved now; never throws.
+    void move_back(Handle instance, const Position& was) noexcept;
+
     // ad_hoc_edits.cpp
     const Property& ad_hoc_property(Symbol name);
     void put_ad_hoc(Handle instance, const Property& added, const Value& value);

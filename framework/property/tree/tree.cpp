@@ -188,7 +188,7 @@ void Tree::destroy(Handle instance) {
         throw Error(ErrorKind::bad_structure, "the root cannot be deleted");
     s.underway.require_staying(s.instances, instance, "delete it");
     if (s.underway.restoring) s.underway.require_rows(s.instances, instance, "delete it");
-    if (!s.lifetime.ending) s.underway.require_made(s.instances, instance, "delete it");
+    if (!s.lifetime.ending) s.underway.require_settled(s.instances, instance, "delete it");
     // The end of the tree cannot be undone, and its modules may be destroyed already.
     if (!s.lifetime.ending && s.changes.recording()) s.history.dying(instance);
     if (!s.lifetime.ending) s.changes.tell([&](Observer& o) { o.destroying(instance); });

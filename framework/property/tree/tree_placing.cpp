@@ -1,5 +1,6 @@
 // Renaming and moving of instances with everything below them, and the depth limit of the tree.
 
+#include <exception>
 #include <optional>
 
 #include <fettle/property/path.h>
@@ -16,9 +17,7 @@ void Tree::rename(Handle instance, std::string_view name) {
     if (node.name.text() == name) return;
     if (instance == s.instances.root)
         throw Error(ErrorKind::bad_structure, "the root is always called \"game\"");
-    s.instances.require_movable(instance);
-    s.underway.require_staying(s.instances, instance, "rename it");
-    if (s.underway.restoring) s.underway.require_rows(s.instances, instance, "rename it");
+    s.require_free(instance, "rename it");
     const std::uint32_t parent = node.parent;
     s.instances.check_child_name(s.instances.nodes.handle(parent), name);
     std::optional<Position> before;
@@ -43,19 +42,55 @@ void Tree::rename(Handle instance, std::string_view name) {
     if (s.changes.watchers.any_broad()) s.changes.refresh_shadows_below(instance.index);
 }
 
+void Tree::State::require_free(Handle instance, std::string_view what) {
+    instances.require_movable(instance);
+    underway.require_staying(instances, instance, what);
+    if (underway.restoring) underway.require_rows(instances, instance, what);
+}
+
+void Tree::State::require_place(Handle instance, Handle parent) {
+    underway.require_settled(instances, instance, "move it");
+    if (!parent) return;
+    if (instances.require(parent).dying)
+        underway.require_staying(instances, parent, "move an instance below it");
+    instances.require_room_below(parent, instances.nodes.height(instance.index));
+    if (parent == instance || tree.is_below(parent, instance))
+        throw Error(
+            ErrorKind::bad_structure,
+            tree.path(instance) + " cannot be moved below itself (" + tree.path(parent) + ")");
+}
+
 std::function<void()> Tree::way_back(Handle instance) {
     if (!alive(instance)) return [] {};
     const Position was = state_->instances.nodes.position(instance.index);
-    return [this, instance, was] {
-        State& s = *state_;
-        if (!alive(instance) || (was.parent && !alive(was.parent)) || s.underway.deletions != 0 ||
-            s.underway.ending_rows || !s.underway.unmade.empty())
-            return;
-        const Position left = s.instances.nodes.position(instance.index);
-        s.structure.move_back(instance, was);
-        if (s.changes.recording()) s.history.moved(instance, left);
-        s.structure.tell_of_move(instance);
+    return [this, lives = lifetime(), instance, was] {
+        if (!lives.expired()) state_->move_back(instance, was);
     };
+}
+
+void Tree::State::move_back(Handle instance, const Position& was) noexcept try {
+    if (!tree.alive(instance) || (was.parent && !tree.alive(was.parent))) return;
+    require_changeable("move an instance");
+    if (instance == instances.root) return;
+    require_free(instance, "move it");
+    if (underway.restoring)
+        underway.require_row_above(instances, was.parent, "move an instance below it");
+    require_place(instance, was.parent);
+    Position at = was;
+    const std::uint32_t above = was.parent.index;
+    if (was.parent && instances.nodes.child(above, was.name) != instance.index &&
+        instances.is_taken(above, was.name))
+        at.name = structure.free_name(above, was.name.base.text());
+    const Position left = instances.nodes.position(instance.index);
+    if (left.parent == at.parent)
+        structure.relink(instance, at);
+    else
+        structure.move_or_stay(instance, at);
+    instances.nodes.reorder(instance.index, tree.alive(was.before) ? was.before.index : 0);
+    if (changes.recording()) history.moved(instance, left);
+    structure.tell_of_move(instance);
+} catch (...) {
+    // It stays where it is, and the caller may try again later.
 }
 
 void Tree::replace(Handle old, Handle by) {
@@ -64,7 +99,8 @@ void Tree::replace(Handle old, Handle by) {
     s.instances.require(by);
     s.require_changeable("replace an instance");
     s.underway.require_staying(s.instances, old, "replace it");
-    s.underway.require_made(s.instances, old, "replace it");
+    s.underway.require_settled(s.instances, old, "replace it");
+    s.underway.require_settled(s.instances, by, "move it");
     s.underway.require_staying(s.instances, by, "move it");
     if (s.underway.restoring) {
         s.underway.require_rows(s.instances, old, "replace it");
@@ -81,10 +117,22 @@ void Tree::replace(Handle old, Handle by) {
     s.structure.move_or_stay(
         by, {.parent = at.parent, .before = {}, .name = {beside, 0}, .named = true});
     s.structure.tell_of_move(by);
-    destroy(old);
+    std::exception_ptr problem;  // of a module that was notified of the deletion
+    try {
+        const Hold stays(s.underway, by, being_moved);
+        destroy(old);
+    } catch (...) {
+        if (alive(old)) {
+            s.structure.move_back(by, was);
+            s.structure.tell_of_move(by);
+            throw;
+        }
+        problem = std::current_exception();
+    }
     s.structure.relink(by, {.parent = at.parent, .before = {}, .name = at.name, .named = true});
     if (s.changes.recording()) s.history.moved(by, was);
     s.structure.tell_of_move(by);
+    if (problem) std::rethrow_exception(problem);
 }
 
 void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool first_plain) {
@@ -94,26 +142,15 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name, bool 
     s.require_changeable("move an instance");
     if (instance == s.instances.root)
         throw Error(ErrorKind::bad_structure, "the root cannot be moved");
-    s.instances.require_movable(instance);
-    s.underway.require_staying(s.instances, instance, "move it");
     if (new_parent) s.instances.require(new_parent);
-    if (s.underway.restoring) {
-        s.underway.require_rows(s.instances, instance, "move it");
+    s.require_free(instance, "move it");
+    if (s.underway.restoring)
         s.underway.require_row_above(s.instances, new_parent, "move an instance below it");
-    }
     if (new_parent && node.parent == new_parent.index) {
         if (!name.empty()) rename(instance, name);
         return;
     }
-    if (new_parent) {
-        if (s.instances.require(new_parent).dying)
-            s.underway.require_staying(s.instances, new_parent, "move an instance below it");
-        s.instances.require_room_below(new_parent, s.instances.nodes.height(instance.index));
-        if (new_parent == instance || is_below(new_parent, instance))
-            throw Error(
-                ErrorKind::bad_structure,
-                path(instance) + " cannot be moved below itself (" + path(new_parent) + ")");
-    }
+    s.require_place(instance, new_parent);
     NodeName chosen = node.name;
     if (!name.empty()) {
         s.instances.check_child_name(new_parent, name);

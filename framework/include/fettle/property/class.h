@@ -255,14 +255,15 @@ struct Event {
 /// Called by the tree when instances of the class are created, moved and deleted. All optional.
 struct Lifecycle {
     void* context = nullptr;
-    /// Creates the module's row, with defaults, before the instance is visible. May throw Error if
-    /// there is no room. Until the instance is complete, with `place`, deleting it throws
-    /// Error(bad_structure). `Tree::restore` calls it for the instances that were not there, those
-    /// above first: others have no row yet, so their properties tell nothing; deleting or moving
-    /// them, creating an instance below them, or taking a snapshot throws Error(bad_structure).
+    /// Creates the row, with defaults, before the instance is visible. May throw Error for lack of
+    /// room. Until the instance is complete, with `place`, deleting or moving it or one above
+    /// throws Error(bad_structure). `Tree::restore` calls it for instances that were not there,
+    /// those above first: others have no row yet, so their properties tell nothing; deleting or
+    /// moving them, creating an instance below them, or taking a snapshot throws the same.
     Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
     /// The chain of parents above `self` changed (called for parents before children). Returns the
-    /// row, possibly another one.
+    /// row, possibly another one. Meanwhile, deleting or moving the instance, the former parent of
+    /// what is being moved, or one above these throws Error(bad_structure).
     Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
     /// Ends the row. During this, the instances that are being deleted cannot be deleted again,
     /// moved, renamed or get children, and no snapshot can be restored: that throws

@@ -52,14 +52,14 @@ struct Remains {
 /// destroyed, or until `remove_part` and `unobserve`. As soon as its destruction begins, the tree
 /// calls no part, observer or formula any more, so lifecycle functions may destroy these then.
 /// A script::Runtime, a WriteLog and Tweaks may
-/// outlive the tree, but cannot be used then. A handler, a function given to `at_barrier` or a
-/// method may destroy the tree that calls it: `barrier` or `call` throws Error(deleted) after it
-/// has returned. The following must not destroy it: formulas, lifecycle functions, setters,
-/// observers, functions that are called in the middle of a step or of a search (question.h,
-/// acceptance.h), and functions given to `each_below`, `mark_weight` or `restore`. If one does, the
-/// program ends with a message that names it. Getters, and setters that the typed functions call,
-/// must not do it either, but this is not checked, because a check would cost time in every read
-/// and write.
+/// outlive the tree, but cannot be used then. The function of `way_back` does nothing then. A
+/// handler, a function given to `at_barrier` or a method may destroy the tree that calls it:
+/// `barrier` or `call` throws Error(deleted) after it has returned. The following must not destroy
+/// it: formulas, lifecycle functions, setters, observers, functions that are called in the middle
+/// of a step or of a search (question.h, acceptance.h), and functions given to `each_below`,
+/// `mark_weight` or `restore`. If one does, the program ends with a message that names it. Getters,
+/// and setters that the typed functions call, must not do it either, but this is not checked,
+/// because a check would cost time in every read and write.
 class Tree {
   public:
     Tree();
@@ -134,16 +134,20 @@ class Tree {
     /// Throws Error(bad_name): empty, taken by a sibling, or a property or method of the parent.
     void rename(Handle instance, std::string_view name);
     /// Gives the instance another parent (null: detaches it). If `name` is empty, it keeps its own
-    /// name, numbered if that is taken. Throws Error(bad_structure) for a parent below the instance
-    /// itself. After an error nothing has changed; a module may refuse (Error(rejected)).
+    /// name, numbered if that is taken; below the root, "game" is. Throws Error(bad_structure) for
+    /// a parent below the instance itself, and if a module is making or placing the instance or one
+    /// below it (`Lifecycle`). After an error nothing has changed; a module may refuse
+    /// (Error(rejected)).
     void move(Handle instance, Handle new_parent, std::string_view name = {},
               bool first_plain = false);
     /// Deletes `old` and gives its name and its parent to `by`, which must be detached. After an
-    /// error nothing has changed; throws as `move` does.
+    /// error nothing has changed; throws as `move` does. If a module throws when it is notified of
+    /// the deletion, all is done, and then Error(rejected) is thrown, as by `destroy`.
     void replace(Handle old, Handle by);
     /// Returns a function that undoes a later move: it moves the instance back to its current place
-    /// and name. The function does nothing if the instance or its parent was deleted; it never
-    /// throws.
+    /// and name, numbered if that is taken meanwhile. It never throws. It does nothing where `move`
+    /// would throw (in a formula, for example), but can be called again later, and nothing if the
+    /// instance, its parent or the tree does not exist any more.
     std::function<void()> way_back(Handle instance);
 
     // --- Properties
@@ -269,7 +273,8 @@ class Tree {
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
 
-    /// Draws the instances below `top`, with the draw functions of their classes.
+    /// Draws `top` and the instances below it, with the draw functions of their classes. If these
+    /// change the tree, those that are there at the beginning and still live are drawn.
     void draw(Handle top, Painter& painter, double alpha) const;
 
     // --- Watching
