@@ -23,10 +23,13 @@ namespace fettle::physics::detail {
 
 class ContactStiffness {
   public:
+    /// The stiffness is at most this part of the sub-step rate.
+    static constexpr float greatest_share = 0.25f;
+
     /// `hertz` is the stiffness of a loaded contact, at most a quarter of the sub-step rate: from a
     /// third on, heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
     ContactStiffness(float hertz, float damping_ratio, float h, float weight) {
-        const float most = min(hertz, 0.25f / h);
+        const float most = min(hertz, greatest_share / h);
         for (int fixed = 0; fixed < 2; ++fixed) {
             // No body pushes the fixed body of such a contact from behind, so the contact can be
             // twice as stiff.

@@ -39,10 +39,11 @@ class StageClock {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-ContactStiffness stiffness_of(const WorldDef& settings, float h) {
+/// `longest`: the longest recent sub-step, s.
+ContactStiffness stiffness_of(const WorldDef& settings, float h, float longest) {
     const float gravity = length(to_v2(settings.gravity));
-    return {settings.contact_hertz, settings.contact_damping, h,
-            gravity > 0.0f ? gravity : usual_gravity};
+    const float hertz = min(settings.contact_hertz, ContactStiffness::greatest_share / longest);
+    return {hertz, settings.contact_damping, h, gravity > 0.0f ? gravity : usual_gravity};
 }
 
 }  // namespace
@@ -61,7 +62,10 @@ void WorldData::step(float dt) {
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     const float h = dt / float(settings.substeps);
     const float ratio = last_substep > 0.0f ? min(h / last_substep, greatest_growth) : 1.0f;
-    const ContactStiffness stiffness = stiffness_of(settings, h);
+    // Softer contacts yield more. If the stiffness followed each length of a step at once, steps of
+    // different lengths would press a stack together and let it spring up in turn.
+    long_substep = max(h, long_substep + (h - long_substep) * min(dt, 1.0f));
+    const ContactStiffness stiffness = stiffness_of(settings, h, long_substep);
     StageClock total, clock;
 
     begin_step();

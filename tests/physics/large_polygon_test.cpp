@@ -1,4 +1,5 @@
 #include <collision/large_polygon.h>
+#include <distance/distance.h>
 
 #include "catch.h"
 #include "twofold.h"
