@@ -4,16 +4,6 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
-# A compiler cache. With precompiled headers it has to trust that their macros have not changed meanwhile.
-if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  find_program(FETTLE_CCACHE ccache)
-  if(FETTLE_CCACHE)
-    set(launcher "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${FETTLE_CCACHE}")
-    set(CMAKE_C_COMPILER_LAUNCHER "${launcher}")
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${launcher}")
-  endif()
-endif()
-
 # Several sources in one go: what they all read and instantiate is compiled once for all of them. The preset `clang`
 # compiles each alone, so every source still includes what it uses.
 if(NOT DEFINED CMAKE_UNITY_BUILD)

@@ -14,7 +14,7 @@ namespace {
 constexpr uint32_t most_touched = 8;
 
 /// Number of crowded shapes in a task of a thread.
-constexpr size_t shapes_at_a_time = 16;
+constexpr size_t crowded_at_a_time = 16;
 
 uint64_t hash_of(uint64_t pair) {
     pair ^= pair >> 31;
@@ -169,10 +169,10 @@ void choose_crowded_pairs(ObjectState& objects, const Columns& columns,
             crowded.push_back(shape);
     scratch.still_crowded.resize(crowded.size());
     const Choice choice = {objects, columns, boxes, settings, step};
-    const size_t pieces = (crowded.size() + shapes_at_a_time - 1) / shapes_at_a_time;
+    const size_t pieces = (crowded.size() + crowded_at_a_time - 1) / crowded_at_a_time;
     look_in_pieces(scratch, pieces, threads, [&](size_t piece, std::vector<uint64_t>& found) {
-        const size_t end = std::min((piece + 1) * shapes_at_a_time, crowded.size());
-        for (size_t i = piece * shapes_at_a_time; i < end; ++i)
+        const size_t end = std::min((piece + 1) * crowded_at_a_time, crowded.size());
+        for (size_t i = piece * crowded_at_a_time; i < end; ++i)
             scratch.still_crowded[i] = choice.choose(crowded[i], found);
     });
     for (size_t i = 0; i < crowded.size(); ++i)

@@ -109,8 +109,7 @@ void JointResponse::factorize(Component& component) const {
     const auto size = Eigen::Index(rows.size());
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    component.factor =
-        std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
+    component.factor = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
 }
 
 JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
@@ -125,8 +124,7 @@ JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
         part.component = which;
         part.velocities.resize(Eigen::Index(component.rows.size()));
         for (size_t i = 0; i < component.rows.size(); ++i)
-            part.velocities[Eigen::Index(i)] =
-                between(rows_[component.rows[i]].jacobian, contact);
+            part.velocities[Eigen::Index(i)] = between(rows_[component.rows[i]].jacobian, contact);
         part.impulses = component.factor->solve(part.velocities);
         if (component.factor->info() != Eigen::Success || !part.impulses.allFinite())
             part.impulses.setZero(part.velocities.size());
@@ -135,7 +133,7 @@ JointResponse::Answer JointResponse::answer(const Jacobian& contact) {
 }
 
 void JointResponse::push(const Jacobian& row, double impulse, std::span<SolverBody> bodies) const {
-    const auto add = [&](uint32_t body, const double (&on)[3]) {
+    const auto add = [&](uint32_t body, const double(&on)[3]) {
         const MassScale& s = scales_[body];
         if (!moves(s)) return;
         SolverBody& b = bodies[body];

@@ -11,7 +11,8 @@
 // The share of joints in a blow. An impulse at a contact changes the velocities of all bodies that
 // joints connect with its two bodies: by the impulses λ of the joints that keep J·Δv = 0 in the
 // rows J which hold a point, a distance or an angle. So J·M⁻¹·Jᵀ·λ = -J·M⁻¹·Jcᵀ for an impulse of 1
-// with the Jacobian Jc of the contact. Limits, springs and motors with a limited force take no part.
+// with the Jacobian Jc of the contact. Limits, springs and motors with a limited force take no
+// part.
 
 namespace fettle::physics::detail {
 
@@ -44,8 +45,8 @@ class JointResponse {
         for (const Answer::Part& part : answer.parts) {
             const Component& component = components_[part.component];
             for (size_t i = 0; i < component.rows.size(); ++i)
-                push(rows_[component.rows[i]].jacobian,
-                     -impulse * part.impulses[Eigen::Index(i)], bodies);
+                push(rows_[component.rows[i]].jacobian, -impulse * part.impulses[Eigen::Index(i)],
+                     bodies);
             for (const uint32_t body : component.bodies) changed(body);
         }
     }
