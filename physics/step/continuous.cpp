@@ -111,6 +111,7 @@ void list_driven_bodies(const FinishInput& in) {
 }
 
 void stop_fast_bodies(const FinishInput& in) {
+    if (in.active.awake_bodies.empty()) return;
     FinishedPiece& piece = in.scratch.finished.front();
     for (FastBody& fast : in.scratch.fast_bodies) {
         if (!in.filter || in.objects.bodies[fast.body].mobility != Mobility::dynamic) continue;
