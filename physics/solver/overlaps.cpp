@@ -2,8 +2,7 @@
 // crowd, where a body overlaps many others deeply, these speeds add up from one body to the next,
 // and the relax pass cannot take all of them away: 500 discs in one spot flew apart with 25 m/s. So
 // a push in a crowd makes no body faster than the push speed and than the bodies that it meets.
-// Momentum is not kept there. Bodies that do not pass through each other never overlap so many
-// others.
+// Momentum is not kept there. Only worlds with crowded shapes need this (contacts/crowds.h).
 
 #include <solver/solvers.h>
 
@@ -13,7 +12,7 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A body in a crowd overlaps so many others deeply; at its edge, fewer.
+/// Number of others that a body overlaps deeply, in the middle of a crowd and at its edge.
 constexpr uint32_t least_overlaps = 3, least_at_edge = 1;
 
 struct OverlapLimits {
@@ -103,7 +102,7 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
         seen[record.solver_index] = true;
         open.push_back(body);
     };
-    seen.resize(input.active.awake_bodies.size() + 1);
+    seen.resize(awake.size() + 1);
     seen[0] = true;  // bodies that sleep
     for (const uint32_t body : awake)
         if (limits.overlaps_others(body, least_at_edge)) add(body);

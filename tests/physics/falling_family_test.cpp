@@ -11,19 +11,14 @@
 #include <string>
 
 #include "catch.h"
+#include "families/family.h"
 
 namespace falling_family_test {
 
 using namespace fettle::physics;
+using families::Random;
 
 namespace {
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
 
 struct Size {
     float length, thickness;
@@ -153,8 +148,7 @@ Outcome fall(const Kind& kind, int ground, unsigned seed) {
 }  // namespace
 
 TEST_CASE("fast bodies of any shape neither pass through a ground nor stand still above it") {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    const unsigned seeds = wanted == nullptr ? 50 : unsigned(std::stoul(wanted));
+    const unsigned seeds = families::seeds_or(50);
     for (const Kind& kind : kinds())
         for (int ground = 0; ground < int(std::size(grounds)); ++ground) {
             unsigned through = 0, frozen = 0, example = 0;

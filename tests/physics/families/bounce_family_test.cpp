@@ -12,24 +12,15 @@
 #include <vector>
 
 #include "catch.h"
+#include "family.h"
 
 namespace bounce_family_test {
 
 using namespace fettle::physics;
+using families::Random;
+using families::seeds_or;
 
 namespace {
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-unsigned seeds_or(unsigned usual) {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    return wanted == nullptr ? usual : unsigned(std::stoul(wanted));
-}
 
 const ShapeDef elastic = {.friction = 0, .restitution = 1};
 

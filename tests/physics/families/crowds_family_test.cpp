@@ -11,24 +11,15 @@
 #include <set>
 
 #include "catch.h"
+#include "family.h"
 
 namespace crowds_family_test {
 
 using namespace fettle::physics;
+using families::Random;
+using families::seeds_or;
 
 namespace {
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-int seeds() {
-    const char* set = std::getenv("FETTLE_SEEDS");
-    return set != nullptr ? std::atoi(set) : 6;
-}
 
 void add_shape(Body& body, int kind, float size) {
     if (kind == 0) body.add(Circle{.radius = size});
@@ -64,7 +55,7 @@ float width(const std::vector<Body>& bodies) {
 
 TEST_CASE("a crowd comes apart slowly and with few contacts") {
     float worst_speed = 0.0f, worst_contacts = 0.0f;
-    for (int seed = 0; seed < seeds(); ++seed) {
+    for (int seed = 0; seed < int(seeds_or(6)); ++seed) {
         Random random{std::mt19937(unsigned(seed) + 1)};
         World world({.gravity = {0, 0}});
         const int count = int(random(200, 500));

@@ -13,26 +13,17 @@
 #include <vector>
 
 #include "catch.h"
+#include "family.h"
 
 namespace kept_contacts_test {
 
 using namespace fettle::physics;
+using families::Random;
+using families::seeds_or;
 
 namespace {
 
 constexpr float frame = 1.0f / 60.0f;
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-unsigned seeds(unsigned usual) {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    return wanted == nullptr ? usual : unsigned(std::stoul(wanted));
-}
 
 Body add_ground(World& world, const ShapeDef& surface = {}) {
     Body ground = world.create_body({.type = BodyType::static_body});
@@ -111,8 +102,8 @@ struct Resting {
 }  // namespace
 
 TEST_CASE("tall stacks of boxes that are not quite above each other stand") {
-    CHECK(fallen({.count = 50, .aside = 0.02f}, seeds(4), 60) == 0);
-    CHECK(fallen({.count = 100, .aside = 0.01f}, seeds(2), 60) == 0);
+    CHECK(fallen({.count = 50, .aside = 0.02f}, seeds_or(4), 60) == 0);
+    CHECK(fallen({.count = 100, .aside = 0.01f}, seeds_or(2), 60) == 0);
 }
 
 TEST_CASE("tall stacks of boxes of other sizes and forms stand") {
@@ -128,7 +119,7 @@ TEST_CASE("tall stacks of boxes of other sizes and forms stand") {
     for (const Stack& kind : kinds) {
         INFO(kind.height << " x " << kind.width << ", gravity " << kind.gravity << ", friction "
                          << kind.friction);
-        CHECK(fallen(kind, seeds(1), 60) == 0);
+        CHECK(fallen(kind, seeds_or(1), 60) == 0);
     }
 }
 

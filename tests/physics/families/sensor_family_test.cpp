@@ -11,19 +11,14 @@
 #include <vector>
 
 #include "catch.h"
+#include "family.h"
 
 namespace sensor_family_test {
 
 using namespace fettle::physics;
+using families::Random;
 
 namespace {
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
 
 const char* const shape_names[] = {"disc",    "box",           "plank", "capsule",
                                    "ellipse", "large polygon", "angle", "chain"};
@@ -95,8 +90,7 @@ Told pass(unsigned pair, unsigned kind, unsigned seed) {
 }  // namespace
 
 TEST_CASE("sensors report what passes at any speed, begin and end") {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    const unsigned seeds = wanted == nullptr ? 50 : unsigned(std::stoul(wanted));
+    const unsigned seeds = families::seeds_or(50);
     for (unsigned pair = 0; pair < std::size(pair_names); ++pair)
         for (unsigned kind = 0; kind < std::size(shape_names); ++kind) {
             unsigned silent = 0, open = 0, repeated = 0, mixed = 0, example = 0;

@@ -4,29 +4,24 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <random>
 
 #include "catch.h"
+#include "family.h"
 
 namespace steps_family_test {
 
 using namespace fettle::physics;
 
 TEST_CASE("a stack rests while long and short steps take turns") {
-    const char* set = std::getenv("FETTLE_SEEDS");
-    const int seeds = set != nullptr ? std::atoi(set) : 50;
+    const int seeds = int(families::seeds_or(50));
     float fastest = 0.0f;
     int awake = 0;
     for (int seed = 0; seed < seeds; ++seed) {
-        std::mt19937 engine{unsigned(seed) + 1};
-        const auto random = [&](float low, float high) {
-            return low + (high - low) * float(engine()) / 4294967296.0f;
-        };
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
         World world;
         world.create_body({.type = BodyType::static_body})
             .add(Box{.width = 40, .height = 1, .center = {0, -0.5f}});
-        const int count = 2 + int(engine() % 5);
+        const int count = 2 + int(random.engine() % 5);
         const float size = random(0.4f, 1.5f);
         std::vector<Body> boxes;
         for (int i = 0; i < count; ++i) {

@@ -10,27 +10,18 @@
 #include <string>
 
 #include "catch.h"
+#include "family.h"
 
 namespace swept_family_test {
 
 using namespace fettle::physics;
+using families::Random;
+using families::seeds_or;
 
 namespace {
 
 constexpr float pi = 3.14159265f;
 const char* const shape_names[] = {"discs", "boxes", "capsules", "ellipses", "planks"};
-
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-unsigned seeds() {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    return wanted == nullptr ? 50 : unsigned(std::stoul(wanted));
-}
 
 void add_shape(Body& body, unsigned kind, float radius) {
     if (kind == 0) body.add(Circle{radius});
@@ -141,7 +132,7 @@ TEST_CASE("bullets of any shape meet each other and whatever else moves") {
     for (unsigned kind = 0; kind < std::size(shape_names); ++kind)
         for (const bool both : {false, true}) {
             unsigned missed = 0;
-            for (unsigned seed = 0; seed < seeds(); ++seed)
+            for (unsigned seed = 0; seed < seeds_or(50); ++seed)
                 missed += bullets_miss(kind, both, seed);
             INFO(shape_names[kind] << (both ? ", both fast" : ", one fast"));
             CHECK(missed == 0);
@@ -151,7 +142,8 @@ TEST_CASE("bullets of any shape meet each other and whatever else moves") {
 TEST_CASE("a paddle that rotates fast hits what is in its reach") {
     for (const bool bullet : {false, true}) {
         unsigned missed = 0;
-        for (unsigned seed = 0; seed < 2 * seeds(); ++seed) missed += paddle_misses(bullet, seed);
+        for (unsigned seed = 0; seed < 2 * seeds_or(50); ++seed)
+            missed += paddle_misses(bullet, seed);
         INFO((bullet ? "a bullet" : "a kinematic paddle"));
         CHECK(missed == 0);
     }
@@ -163,7 +155,7 @@ TEST_CASE("a fast wall leaves no body behind") {
             for (const int count : {1, 4})
                 for (const bool rotates : {false, true}) {
                     int behind = 0;
-                    for (unsigned seed = 0; seed < seeds(); ++seed)
+                    for (unsigned seed = 0; seed < seeds_or(50); ++seed)
                         behind += left_behind(kind, speed, count, rotates, seed);
                     INFO(count << " " << shape_names[kind] << ", " << speed
                                << " m/s, rotates: " << rotates);
@@ -173,7 +165,7 @@ TEST_CASE("a fast wall leaves no body behind") {
 
 TEST_CASE("fast bodies do not pass through a kinematic body that is slow or stands still") {
     unsigned through = 0;
-    for (unsigned seed = 0; seed < 4 * seeds(); ++seed) {
+    for (unsigned seed = 0; seed < 4 * seeds_or(50); ++seed) {
         Random random{std::mt19937(seed)};
         World world = empty_world();
         Body wall = world.create_body(
@@ -192,7 +184,7 @@ TEST_CASE("fast bodies do not pass through a kinematic body that is slow or stan
 
 TEST_CASE("a plank that rotates in place does not pass a thin post") {
     unsigned missed = 0;
-    for (unsigned seed = 0; seed < 4 * seeds(); ++seed) missed += plank_misses_post(seed);
+    for (unsigned seed = 0; seed < 4 * seeds_or(50); ++seed) missed += plank_misses_post(seed);
     CHECK(missed == 0);
 }
 
