@@ -34,10 +34,11 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     : options_(options),
       errors_(std::move(errors)),
       replayed_(replayed),
+      assets_(files_, folder_of(options.game), assets()),
       modules_(options.game, options.modules) {
     make_files();
     modules_.attach(tree_);
-    services_ = std::make_unique<app::Services>(tree_);
+    services_ = std::make_unique<app::Services>(tree_, &assets_);
     tree_.on_handler_error([this](const property::HandlerError& error) {
         script::ScriptError report;
         report.message = error.message;

@@ -9,6 +9,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/services.h>
+#include <fettle/property/storage/assets.h>
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/property/storage/tweaks.h>
@@ -65,6 +66,7 @@ class Session {
     std::function<void(const script::ScriptError&)> errors_;
     const app::Recording* replayed_;  // null unless the run is a replay
     property::GameFiles files_;
+    property::Assets assets_;
     // Modules must outlive the tree, which calls them when its instances are deleted.
     GameModules modules_;
     property::Tree tree_;

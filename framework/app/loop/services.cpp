@@ -67,9 +67,10 @@ void take_out(property::Tree& tree, property::Handle service) {
 
 }  // namespace
 
-// Input must be last, because it uses the view.
-Services::Services(property::Tree& tree)
+// Input uses the view.
+Services::Services(property::Tree& tree, property::Assets* game_assets)
     : input(define(tree), view),
+      assets(game_assets),
       tree_(tree),
       tree_life_(tree.lifetime()),
       first_class_(tree.class_named(class_names[0]).id()),

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include <fettle/property/spelling.h>
+#include <fettle/property/storage/assets.h>
 
 #include <library/sandbox.h>
 #include <lua/environment.h>
@@ -37,8 +38,10 @@ std::string module_file(const std::string& name) {
     return file + ".lua";
 }
 
-std::vector<std::string> modules_of(const fs::path& folder) {
-    std::vector<std::string> names = files_below(folder, ".lua");
+std::vector<std::string> modules_of(const Machine& machine) {
+    constexpr std::string_view endings[] = {".lua"};
+    std::vector<std::string> names =
+        property::Assets(machine.sources.files, machine.sources.folder).names(endings);
     for (std::string& name : names) {
         name.resize(name.size() - 4);
         std::replace(name.begin(), name.end(), '/', '.');
@@ -49,9 +52,8 @@ std::vector<std::string> modules_of(const fs::path& folder) {
 fs::path existing(Machine& machine, const std::string& file, const std::string& name) {
     fs::path path = machine.sources.folder / file;
     if (machine.sources.files.exists(path)) return path;
-    throw Error(ErrorKind::unknown_name,
-                "require: no module \"" + name + "\" (" + file + ")" +
-                    property::suggestion(name, modules_of(machine.sources.folder)));
+    throw Error(ErrorKind::unknown_name, "require: no module \"" + name + "\" (" + file + ")" +
+                                             property::suggestion(name, modules_of(machine)));
 }
 
 int require(lua_State* L) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include <fettle/property/spelling.h>
+#include <fettle/property/storage/assets.h>
 #include <fettle/property/storage/scene.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
@@ -22,35 +22,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string file_name(lua_State* L, int index, const char* what) {
-    const std::string name = check_text(L, index, std::string(what) + ": needs a file name");
-    const fs::path path(name);
-    bool leaves = path.is_absolute() || name.empty() || name.find('\0') != std::string::npos;
-    for (const fs::path& part : path) leaves = leaves || part == "..";
-    if (leaves)
-        throw Error(ErrorKind::rejected, std::string(what) + ": \"" + name.substr(0, 80) +
-                                             "\" is no file below the game's folder");
-    return name;
+constexpr std::string_view endings[] = {".json"};
+
+property::Assets assets_of(const Machine& machine) {
+    return {machine.sources.files, machine.sources.folder, machine.options.assets};
 }
 
 int load(lua_State* L) {
     Machine& machine = machine_of(L);
-    const std::string file = file_name(L, 1, "scene.load");
+    const std::string file = check_text(L, 1, "scene.load: needs a file name");
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "scene.load");
     const std::string name =
         lua_isnoneornil(L, 3) ? "" : check_text(L, 3, "scene.load: needs a name");
-    const auto found = [&](const fs::path& folder) {
-        return !folder.empty() && machine.sources.files.exists(folder / file);
-    };
-    const bool own = found(machine.sources.folder);
-    if (!own && !found(machine.options.assets)) {
-        std::vector<std::string> names = files_below(machine.sources.folder, ".json");
-        for (std::string& each : files_below(machine.options.assets, ".json"))
-            names.push_back(std::move(each));
-        throw Error(ErrorKind::unknown_name, "scene.load: there is no file \"" + file + "\"" +
-                                                 property::suggestion(file, names));
-    }
-    const fs::path named = (own ? machine.sources.folder : machine.options.assets) / file;
+    const fs::path named = assets_of(machine).find("scene.load", file, endings);
     const std::string text = machine.sources.files.read(named);
     // A canonical path, because a later run with tweaks of this run may start in another folder.
     const fs::path path = fs::weakly_canonical(named);
@@ -69,13 +53,13 @@ int load(lua_State* L) {
 
 int save(lua_State* L) {
     Machine& machine = machine_of(L);
-    const std::string file = file_name(L, 1, "scene.save");
+    const std::string file = check_text(L, 1, "scene.save: needs a file name");
     const Handle node = check_instance(L, 2, "scene.save");
     if (machine.sources.folder.empty())
         throw Error(ErrorKind::rejected, "scene.save: there is no game folder");
     note_replay(machine, "scene.save");
     std::vector<std::string> warnings;
-    machine.sources.files.write_scene(machine.sources.folder / file,
+    machine.sources.files.write_scene(assets_of(machine).path_of("scene.save", file),
                                       property::scene_text(machine.tree, node, &warnings));
     for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
     return 0;

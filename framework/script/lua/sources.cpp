@@ -36,17 +36,4 @@ std::string Sources::line(const std::string& file, int line) const {
     return result;
 }
 
-std::vector<std::string> files_below(const std::filesystem::path& folder, const char* extension) {
-    namespace fs = std::filesystem;
-    std::vector<std::string> names;
-    std::error_code code;
-    for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
-         it.increment(code)) {
-        if (names.size() > 1000 || it.depth() > 4) break;
-        if (it->path().extension() == extension)
-            names.push_back(it->path().lexically_relative(folder).generic_string());
-    }
-    return names;
-}
-
 }  // namespace fettle::script

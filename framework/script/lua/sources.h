@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 #include <fettle/property/storage/game_files.h>
 
@@ -23,9 +22,5 @@ struct Sources {
     /// A line of a chunk, from 1; "" if unknown.
     std::string line(const std::string& file, int line) const;
 };
-
-/// Files below the folder with this extension, as relative paths, for suggestions; at most a few
-/// thousand.
-std::vector<std::string> files_below(const std::filesystem::path& folder, const char* extension);
 
 }  // namespace fettle::script

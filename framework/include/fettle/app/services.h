@@ -12,6 +12,10 @@
 
 FETTLE_APP_BEGIN
 
+namespace fettle::property {
+class Assets;
+}
+
 namespace fettle::app {
 
 struct Audio {
@@ -26,7 +30,9 @@ struct Audio {
 /// get no other services.
 class Services {
   public:
-    explicit Services(property::Tree& tree);
+    /// `assets`: images, sounds and other files of the game; null if there are none. They must
+    /// outlive this object.
+    explicit Services(property::Tree& tree, property::Assets* assets = nullptr);
     ~Services();
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
@@ -35,6 +41,7 @@ class Services {
     View view;
     Audio audio;
     Input input;
+    property::Assets* const assets;
 
   private:
     property::Tree& define(property::Tree& tree);
