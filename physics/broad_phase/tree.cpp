@@ -28,20 +28,20 @@ int32_t Tree::insert(const Box4& box, uint32_t item) {
     nodes_[size_t(leaf)].box = box;
     nodes_[size_t(leaf)].right = int32_t(item);
     ++leaves_;
-    unsettle();
+    leaves_changed();
     link_leaf(leaf);
     flag(leaf);
     return leaf;
 }
 
 void Tree::remove(int32_t leaf) {
-    unsettle();
+    leaves_changed();
     unlink_leaf(leaf);
     release(leaf);
     --leaves_;
 }
 
-void Tree::follow(int32_t leaf) {
+void Tree::enlarge_above(int32_t leaf) {
     built_ = std::min(built_, epoch_ - 1);
     ++enlarged_;
     update_bucket(leaf, false);
@@ -54,12 +54,12 @@ void Tree::follow(int32_t leaf) {
     }
 }
 
-void Tree::touch(int32_t leaf) {
+void Tree::forget_pairs(int32_t leaf) {
     flag(leaf);
     update_bucket(leaf, true);
 }
 
-void Tree::rest() {
+void Tree::forget_moves() {
     ++epoch_;
 }
 
@@ -271,9 +271,9 @@ bool Tree::is_consistent() const {
 }
 
 bool Tree::is_walkable(uint32_t items) const {
-    unsigned char settled = 0;
-    std::memcpy(&settled, &settled_, sizeof settled);
-    if (settled > 1) return false;  // not a valid bool
+    unsigned char built_since_change = 0;
+    std::memcpy(&built_since_change, &built_since_change_, sizeof built_since_change);
+    if (built_since_change > 1) return false;  // not a valid bool
     const auto inside = [this](int32_t node) {
         return node == none || (node >= 0 && size_t(node) < nodes_.size());
     };

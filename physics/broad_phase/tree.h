@@ -29,31 +29,31 @@ class Tree {
     /// Replaces the box of a leaf and marks it as moved. The leaf keeps its index.
     void move(int32_t leaf, const Box4& box) {
         place(leaf, box);
-        follow(leaf);
+        enlarge_above(leaf);
     }
-    /// The first half of `move`: before any other call, `follow` must be called for the leaf, or
-    /// `refit`. Several threads may place different leaves at once.
+    /// The first half of `move`: before any other call, `enlarge_above` must be called for the
+    /// leaf, or `refit`. Several threads may place different leaves at once.
     void place(int32_t leaf, const Box4& box) {
         nodes_[size_t(leaf)].box = box;
         nodes_[size_t(leaf)].moved = epoch_;
     }
-    /// True if it is faster to call `follow` for each of this many placed leaves than to call
-    /// `refit`.
+    /// True if it is faster to call `enlarge_above` for each of this many placed leaves than to
+    /// call `refit`.
     bool are_few(std::size_t leaves) const {
         return 16 * leaves <= leaves_ && 2 * (enlarged_ + leaves) <= leaves_;
     }
     /// Enlarges the boxes above a leaf that was placed.
-    void follow(int32_t leaf);
+    void enlarge_above(int32_t leaf);
     /// Computes all boxes from the leaves; builds the tree again if that saves time. `before`: see
-    /// `settle`.
+    /// `rebuild`.
     void refit(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
     /// Marks the leaf as moved and all of its pairs as unknown.
-    void touch(int32_t leaf);
+    void forget_pairs(int32_t leaf);
 
     /// If leaves were inserted or removed since the last call, builds the moved parts of the tree
-    /// again. Leaves keep their indices. `before`: for each item, its box when `rest` was called;
-    /// no box if it had none or was touched since.
-    void settle(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
+    /// again. Leaves keep their indices. `before`: for each item, its box when `forget_moves` was
+    /// called; no box if it had none or was touched since.
+    void rebuild(ThreadPool* threads = nullptr, std::span<const Box4> before = {});
 
     /// A part of a walk: two nodes, or one node against itself.
     struct NodePair {
@@ -61,7 +61,7 @@ class Tree {
     };
     /// Calls `visit(item, item)` for every two overlapping leaves, one of this tree and one of the
     /// other (which may be this tree), if one of them has moved. Skips most of the pairs that
-    /// overlapped at the last `rest`.
+    /// overlapped at the last `forget_moves`.
     template <typename Visit>
     void pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const;
     /// Appends parts of that walk, about `enough` if there is so much work; they can be processed
@@ -70,11 +70,12 @@ class Tree {
     template <typename Visit>
     void pairs(const Tree& other, NodePair part, FindOverlaps overlaps, Visit&& visit) const;
     /// Calls `visit(item)` for the other leaves that overlap a moved leaf; `before`: its box at the
-    /// last `rest`. Called for each moved leaf, it finds every pair once.
+    /// last `forget_moves`. Called for each moved leaf, it finds every pair once.
     template <typename Visit>
-    void look_around(int32_t leaf, const Box4& before, FindOverlaps overlaps, Visit&& visit) const;
+    void pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps,
+                       Visit&& visit) const;
     /// From now on no leaf counts as moved, and all pairs are known.
-    void rest();
+    void forget_moves();
 
     const Box4& box(int32_t node) const { return nodes_[size_t(node)].box; }
     uint32_t size() const { return leaves_; }
@@ -104,12 +105,14 @@ class Tree {
     /// For saving and restoring.
     static void members(auto& io, auto& self) {
         io(self.nodes_), io(self.root_), io(self.free_), io(self.leaves_), io(self.epoch_);
-        io(self.breadth_), io(self.settled_), io(self.built_), io(self.enlarged_);
+        io(self.built_perimeters_), io(self.built_since_change_), io(self.built_),
+            io(self.enlarged_);
     }
     /// Scratch: data that can be built again.
     static void scratch(auto& io, auto& self) {
-        io(self.bucket_of_), io(self.buckets_), io(self.spots_);
-        io(self.parts_), io(self.inner_), io(self.boughs_), io(self.stems_), io(self.forks_);
+        io(self.bucket_of_), io(self.buckets_), io(self.bucket_places_);
+        io(self.parts_), io(self.inner_), io(self.subtrees_), io(self.upper_nodes_),
+            io(self.part_ranges_);
     }
     int height() const { return root_ == none ? 0 : height_of(root_); }
 
@@ -138,18 +141,18 @@ class Tree {
     /// less than parts. These nodes are consecutive in the list of inner nodes from `inner` on:
     /// first the top of the subtree, then the nodes of its left side, then those of its right side.
     /// So they are known before the subtree is built.
-    struct Fork {
+    struct PartRange {
         uint32_t part, count, inner;
         uint32_t left = 0;  // number of parts on the left
     };
     /// The work of one thread in building and fitting: one subtree, or several.
-    struct Bough {
-        Fork fork;
+    struct Subtree {
+        PartRange range;
         uint32_t buckets = 0, first_bucket = 0;
-        float breadth = 0.0f;
+        float perimeters = 0.0f;
     };
     /// Position of a bucket in the tree.
-    struct Spot {
+    struct BucketPlace {
         int32_t node;
         uint32_t part, count;
     };
@@ -183,19 +186,19 @@ class Tree {
 
     bool has_moved(const Node& node) const { return node.moved == epoch_; }
     void flag(int32_t node);
-    void take_apart();
+    void list_moved_parts();
     void list();
-    void list_boughs(std::span<const uint32_t> first_part, std::span<const uint32_t> count);
-    bool is_listed() const { return !boughs_.empty() && parts_.size() == leaves_; }
+    void list_subtrees(std::span<const uint32_t> first_part, std::span<const uint32_t> count);
+    bool is_listed() const { return !subtrees_.empty() && parts_.size() == leaves_; }
     float build(ThreadPool* threads, std::span<const Box4> before);
     void divide(ThreadPool* threads);
-    void split_fork(Fork& fork);
-    void build_below(Fork fork, Bough& bough, bool in_bucket);
-    void add_spot(const Fork& fork, Bough& bough);
+    void split_range(PartRange& range);
+    void build_below(PartRange range, Subtree& subtree, bool in_bucket);
+    void add_bucket_place(const PartRange& range, Subtree& subtree);
     static Part* split(Part* begin, Part* end);
     struct Before;
     float fit(ThreadPool* threads, const Before& before);
-    float fit_bough(const Bough& bough, const Before& before);
+    float fit_subtree(const Subtree& subtree, const Before& before);
     void fit_node(int32_t index);
     template <typename Push>
     void open(const Tree& other, NodePair pair, bool bucket_a, bool bucket_b, Push&& push) const;
@@ -219,14 +222,14 @@ class Tree {
     const BucketBoxes& before(const BoxBucket& bucket) const {
         return bucket.epoch == epoch_ ? bucket.before : bucket.now;
     }
-    void fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before) const;
+    void fill_bucket(const BucketPlace& place, BoxBucket& bucket, const Before& before) const;
     void begin_epoch(BoxBucket& bucket) const;
     void update_bucket(int32_t leaf, bool forget_pairs);
     template <typename Visit>
     void pairs_of_buckets(const BoxBucket& a, const Tree& other, const BoxBucket& b,
                           FindOverlaps overlaps, Visit&& visit) const;
-    void unsettle() {
-        settled_ = false;
+    void leaves_changed() {
+        built_since_change_ = false;
         if (!bucket_of_.empty()) forget_build();
     }
     void forget_build();
@@ -245,21 +248,21 @@ class Tree {
     int32_t free_ = none;
     uint32_t leaves_ = 0;
     uint32_t epoch_ = 1;
-    float breadth_ = 0.0f;   ///< sum of the buckets' perimeters; 0: parts were built since
-    bool settled_ = true;    ///< no leaf was inserted or removed since the last build
-    uint32_t built_ = 0;     ///< the next build includes parts that moved after this epoch
+    float built_perimeters_ = 0.0f;   ///< sum of the buckets' perimeters; 0: parts were built since
+    bool built_since_change_ = true;  ///< no leaf was inserted or removed since the last build
+    uint32_t built_ = 0;              ///< the next build includes parts that moved after this epoch
     uint32_t enlarged_ = 0;  ///< how often the boxes above a leaf were enlarged since the last fit
     // Dropped if the tree changes other than by moving boxes. Without buckets, pairs are found one
     // by one.
     std::vector<int32_t> bucket_of_;  ///< by node; -1: none
     std::vector<BoxBucket> buckets_;
-    std::vector<Spot> spots_;
+    std::vector<BucketPlace> bucket_places_;
     // Scratch of building, and lists of the nodes.
     std::vector<Part> parts_;
     std::vector<int32_t> inner_;  ///< from the top down, left before right
-    std::vector<Bough> boughs_;
-    std::vector<uint32_t> stems_;  ///< inner nodes above the boughs, as indices in the list
-    std::vector<Fork> forks_;      ///< used while they are divided
+    std::vector<Subtree> subtrees_;
+    std::vector<uint32_t> upper_nodes_;  ///< inner nodes above the subtrees, as indices in the list
+    std::vector<PartRange> part_ranges_;  ///< used while they are divided
 };
 
 template <typename Visit>
@@ -353,8 +356,8 @@ void Tree::pairs(const Tree& other, FindOverlaps overlaps, Visit&& visit) const 
 }
 
 template <typename Visit>
-void Tree::look_around(int32_t leaf, const Box4& before, FindOverlaps overlaps,
-                       Visit&& visit) const {
+void Tree::pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps,
+                         Visit&& visit) const {
     const Node& own = nodes_[size_t(leaf)];
     BucketBoxes alone, once;
     alone.set(0, own.box);

@@ -3,26 +3,27 @@
 #include <algorithm>
 
 // Building a tree from the top, and computing its boxes from the leaves. Threads share both tasks;
-// a unit of work is a bough. The division of the parts determines the nodes of each bough, and sums
-// are added in the order of the boughs, so the tree does not depend on the number of threads.
+// a unit of work is a subtree. The division of the parts determines the nodes of each subtree, and
+// sums are added in the order of the subtrees, so the tree does not depend on the number of
+// threads.
 
 namespace fettle::physics::detail {
 namespace {
 
-/// Limits for boughs: each is worth a task, and there are enough for all threads.
-constexpr uint32_t least_bough = 128, most_boughs = 64;
+/// Limits for subtrees: each is large enough for a task, and there are enough for all threads.
+constexpr uint32_t min_subtree = 128, max_subtrees = 64;
 
-uint32_t greatest_bough(std::size_t parts) {
-    return std::max(least_bough, uint32_t(parts / most_boughs));
+uint32_t subtree_size(std::size_t parts) {
+    return std::max(min_subtree, uint32_t(parts / max_subtrees));
 }
 
 /// When the perimeters of the buckets have grown by this factor since they were built, they overlap
 /// so many others that building them again costs less.
-constexpr float greatest_wear = 1.1f;
+constexpr float max_growth = 1.1f;
 
 }  // namespace
 
-/// Boxes of the items at the last `rest`.
+/// Boxes of the items at the last `forget_moves`.
 struct Tree::Before {
     std::span<const Box4> boxes;    ///< of each item
     bool still_in_buckets = false;  ///< the buckets still have the same leaves
@@ -34,28 +35,28 @@ void Tree::refit(ThreadPool* threads, std::span<const Box4> before) {
     if (root_ == none || nodes_[size_t(root_)].is_leaf()) return;
     const bool listed = is_listed();
     if (!listed) list();
-    if (fit(threads, {before, listed}) <= greatest_wear * breadth_) return;
+    if (fit(threads, {before, listed}) <= max_growth * built_perimeters_) return;
     share_out_range(threads, parts_.size(), 1024, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const Box4& box = nodes_[size_t(parts_[i].node)].box;
             parts_[i].middle = box.low + box.high;
         }
     });
-    breadth_ = build(threads, before);
-    settled_ = true;
+    built_perimeters_ = build(threads, before);
+    built_since_change_ = true;
     built_ = epoch_;
 }
 
-void Tree::settle(ThreadPool* threads, std::span<const Box4> before) {
-    if (settled_) return;
-    settled_ = true;
+void Tree::rebuild(ThreadPool* threads, std::span<const Box4> before) {
+    if (built_since_change_) return;
+    built_since_change_ = true;
     if (root_ == none || nodes_[size_t(root_)].is_leaf() || nodes_[size_t(root_)].moved <= built_)
         return;
     if (4 * enlarged_ > leaves_)
         built_ = 0;  // include all parts, so that all leaves are in buckets again
-    take_apart();
-    const float breadth = build(threads, before);
-    breadth_ = is_listed() ? breadth : 0.0f;
+    list_moved_parts();
+    const float perimeters = build(threads, before);
+    built_perimeters_ = is_listed() ? perimeters : 0.0f;
     built_ = epoch_;
     enlarged_ = 0;
 }
@@ -64,7 +65,7 @@ void Tree::forget_build() {
     bucket_of_.clear();
     buckets_.clear();
     parts_.clear();
-    boughs_.clear();
+    subtrees_.clear();
 }
 
 // --- The parts
@@ -72,7 +73,7 @@ void Tree::forget_build() {
 /// Lists the subtrees that did not move (at least leaves), and the nodes above them, which are used
 /// again. The order is top down and left before right, so that neighbors in the tree are neighbors
 /// in memory.
-void Tree::take_apart() {
+void Tree::list_moved_parts() {
     parts_.clear();
     inner_.clear();
     Stack<int32_t> open;
@@ -117,31 +118,31 @@ void Tree::list() {
         const uint32_t left = nodes_[size_t(node.left)].is_leaf() ? 1 : count[i + 1];
         count[i] = left + (nodes_[size_t(node.right)].is_leaf() ? 1 : count[i + left]);
     }
-    list_boughs(first_part, count);
+    list_subtrees(first_part, count);
 }
 
 /// `first_part`, `count`: the parts of each inner node.
-void Tree::list_boughs(std::span<const uint32_t> first_part, std::span<const uint32_t> count) {
+void Tree::list_subtrees(std::span<const uint32_t> first_part, std::span<const uint32_t> count) {
     bucket_of_.assign(nodes_.size(), -1);
     buckets_.clear();
-    boughs_.clear();
-    stems_.clear();
-    spots_.resize(parts_.size() / 2 + 1);
-    const uint32_t greatest = greatest_bough(parts_.size());
+    subtrees_.clear();
+    upper_nodes_.clear();
+    bucket_places_.resize(parts_.size() / 2 + 1);
+    const uint32_t greatest = subtree_size(parts_.size());
     for (uint32_t i = 0; i < inner_.size();) {
         if (count[i] > greatest) {
-            stems_.push_back(i++);
+            upper_nodes_.push_back(i++);
             continue;
         }
-        Bough& bough = boughs_.emplace_back();
-        bough.fork = {first_part[i], count[i], i};
-        bough.first_bucket = uint32_t(buckets_.size());
+        Subtree& subtree = subtrees_.emplace_back();
+        subtree.range = {first_part[i], count[i], i};
+        subtree.first_bucket = uint32_t(buckets_.size());
         for (const uint32_t end = i + count[i] - 1; i < end;) {
             const bool is_bucket = count[i] <= BoxBucket::capacity;
-            if (is_bucket) add_spot({first_part[i], count[i], i}, bough);
+            if (is_bucket) add_bucket_place({first_part[i], count[i], i}, subtree);
             i += is_bucket ? count[i] - 1 : 1;
         }
-        buckets_.resize(buckets_.size() + bough.buckets);
+        buckets_.resize(buckets_.size() + subtree.buckets);
     }
 }
 
@@ -150,82 +151,83 @@ void Tree::list_boughs(std::span<const uint32_t> first_part, std::span<const uin
 /// Builds the tree of the parts. Returns the sum of the perimeters of the buckets.
 float Tree::build(ThreadPool* threads, std::span<const Box4> before) {
     bucket_of_.assign(nodes_.size(), -1);
-    spots_.resize(parts_.size() / 2 + 1);
+    bucket_places_.resize(parts_.size() / 2 + 1);
     root_ = parts_.size() == 1 ? parts_.front().node : inner_.front();
     nodes_[size_t(root_)].parent = none;
     divide(threads);
-    share_out(threads, uint32_t(boughs_.size()),
-              [&](uint32_t i) { build_below(boughs_[i].fork, boughs_[i], false); });
+    share_out(threads, uint32_t(subtrees_.size()),
+              [&](uint32_t i) { build_below(subtrees_[i].range, subtrees_[i], false); });
     uint32_t count = 0;
-    for (Bough& bough : boughs_) {
-        bough.first_bucket = count;
-        count += bough.buckets;
+    for (Subtree& subtree : subtrees_) {
+        subtree.first_bucket = count;
+        count += subtree.buckets;
     }
     buckets_.resize(count);
     return fit(threads, {before});
 }
 
-/// Divides the parts into boughs, one level at a time; threads share the work of a level.
+/// Divides the parts into subtrees, one level at a time; threads share the work of a level.
 void Tree::divide(ThreadPool* threads) {
-    const uint32_t greatest = greatest_bough(parts_.size());
-    boughs_.clear();
-    stems_.clear();
-    forks_.assign(1, {0, uint32_t(parts_.size()), 0});
-    for (size_t begin = 0, end = 1; begin < end; begin = end, end = forks_.size()) {
+    const uint32_t greatest = subtree_size(parts_.size());
+    subtrees_.clear();
+    upper_nodes_.clear();
+    part_ranges_.assign(1, {0, uint32_t(parts_.size()), 0});
+    for (size_t begin = 0, end = 1; begin < end; begin = end, end = part_ranges_.size()) {
         share_out(threads, uint32_t(end - begin), [&](uint32_t i) {
-            Fork& fork = forks_[begin + i];
-            if (fork.count > greatest) split_fork(fork);
+            PartRange& range = part_ranges_[begin + i];
+            if (range.count > greatest) split_range(range);
         });
         for (size_t i = begin; i < end; ++i) {
-            const Fork fork = forks_[i];
-            if (fork.count <= greatest) {
-                if (fork.count > 1) boughs_.push_back({fork});
+            const PartRange range = part_ranges_[i];
+            if (range.count <= greatest) {
+                if (range.count > 1) subtrees_.push_back({range});
                 continue;
             }
-            stems_.push_back(fork.inner);
-            forks_.push_back({fork.part, fork.left, fork.inner + 1});
-            forks_.push_back(
-                {fork.part + fork.left, fork.count - fork.left, fork.inner + fork.left});
+            upper_nodes_.push_back(range.inner);
+            part_ranges_.push_back({range.part, range.left, range.inner + 1});
+            part_ranges_.push_back(
+                {range.part + range.left, range.count - range.left, range.inner + range.left});
         }
     }
-    std::sort(stems_.begin(), stems_.end());
-    std::sort(boughs_.begin(), boughs_.end(),
-              [](const Bough& a, const Bough& b) { return a.fork.inner < b.fork.inner; });
+    std::sort(upper_nodes_.begin(), upper_nodes_.end());
+    std::sort(subtrees_.begin(), subtrees_.end(),
+              [](const Subtree& a, const Subtree& b) { return a.range.inner < b.range.inner; });
 }
 
 /// Divides its parts in two and links its node to the two sides.
-void Tree::split_fork(Fork& fork) {
-    Part* begin = parts_.data() + fork.part;
-    fork.left = uint32_t(split(begin, begin + fork.count) - begin);
-    const int32_t index = inner_[fork.inner];
-    const int32_t left = fork.left == 1 ? begin->node : inner_[fork.inner + 1];
+void Tree::split_range(PartRange& range) {
+    Part* begin = parts_.data() + range.part;
+    range.left = uint32_t(split(begin, begin + range.count) - begin);
+    const int32_t index = inner_[range.inner];
+    const int32_t left = range.left == 1 ? begin->node : inner_[range.inner + 1];
     const int32_t right =
-        fork.count - fork.left == 1 ? begin[fork.left].node : inner_[fork.inner + fork.left];
+        range.count - range.left == 1 ? begin[range.left].node : inner_[range.inner + range.left];
     Node& node = nodes_[size_t(index)];
     node.left = left;
     node.right = right;
     nodes_[size_t(left)].parent = nodes_[size_t(right)].parent = index;
 }
 
-void Tree::build_below(Fork fork, Bough& bough, bool in_bucket) {
-    if (fork.count == 1) return;
-    if (!in_bucket && fork.count <= BoxBucket::capacity) {
-        const Part* begin = parts_.data() + fork.part;
-        in_bucket = std::all_of(begin, begin + fork.count, [this](const Part& part) {
+void Tree::build_below(PartRange range, Subtree& subtree, bool in_bucket) {
+    if (range.count == 1) return;
+    if (!in_bucket && range.count <= BoxBucket::capacity) {
+        const Part* begin = parts_.data() + range.part;
+        in_bucket = std::all_of(begin, begin + range.count, [this](const Part& part) {
             return nodes_[size_t(part.node)].is_leaf();
         });
-        if (in_bucket) add_spot(fork, bough);
+        if (in_bucket) add_bucket_place(range, subtree);
     }
-    split_fork(fork);
-    build_below({fork.part, fork.left, fork.inner + 1}, bough, in_bucket);
-    build_below({fork.part + fork.left, fork.count - fork.left, fork.inner + fork.left}, bough,
-                in_bucket);
+    split_range(range);
+    build_below({range.part, range.left, range.inner + 1}, subtree, in_bucket);
+    build_below({range.part + range.left, range.count - range.left, range.inner + range.left},
+                subtree, in_bucket);
 }
 
-/// A bucket has at least two leaves. So the buckets of a bough have room from half of the position
-/// of its first leaf on.
-void Tree::add_spot(const Fork& fork, Bough& bough) {
-    spots_[bough.fork.part / 2 + bough.buckets++] = {inner_[fork.inner], fork.part, fork.count};
+/// A bucket has at least two leaves. So the buckets of a subtree have room from half of the
+/// position of its first leaf on.
+void Tree::add_bucket_place(const PartRange& range, Subtree& subtree) {
+    bucket_places_[subtree.range.part / 2 + subtree.buckets++] = {inner_[range.inner], range.part,
+                                                                  range.count};
 }
 
 /// Splits in the middle of the longer side. If nearly all parts are on one side of it, splits into
@@ -257,26 +259,26 @@ Tree::Part* Tree::split(Part* begin, Part* end) {
 /// Computes all listed boxes, and fills the buckets. Returns the sum of the perimeters of the
 /// buckets.
 float Tree::fit(ThreadPool* threads, const Before& before) {
-    share_out(threads, uint32_t(boughs_.size()),
-              [&](uint32_t i) { boughs_[i].breadth = fit_bough(boughs_[i], before); });
-    for (size_t i = stems_.size(); i-- > 0;) fit_node(inner_[stems_[i]]);
-    float breadth = 0.0f;
-    for (const Bough& bough : boughs_) breadth += bough.breadth;
-    return breadth;
+    share_out(threads, uint32_t(subtrees_.size()),
+              [&](uint32_t i) { subtrees_[i].perimeters = fit_subtree(subtrees_[i], before); });
+    for (size_t i = upper_nodes_.size(); i-- > 0;) fit_node(inner_[upper_nodes_[i]]);
+    float perimeters = 0.0f;
+    for (const Subtree& subtree : subtrees_) perimeters += subtree.perimeters;
+    return perimeters;
 }
 
-float Tree::fit_bough(const Bough& bough, const Before& before) {
-    const uint32_t begin = bough.fork.inner;
-    for (uint32_t i = begin + bough.fork.count - 1; i-- > begin;) fit_node(inner_[i]);
-    float breadth = 0.0f;
-    for (uint32_t i = 0; i < bough.buckets; ++i) {
-        const Spot& spot = spots_[bough.fork.part / 2 + i];
-        const uint32_t place = bough.first_bucket + i;
-        bucket_of_[size_t(spot.node)] = int32_t(place);
-        fill_bucket(spot, buckets_[place], before);
-        breadth += perimeter(nodes_[size_t(spot.node)].box);
+float Tree::fit_subtree(const Subtree& subtree, const Before& before) {
+    const uint32_t begin = subtree.range.inner;
+    for (uint32_t i = begin + subtree.range.count - 1; i-- > begin;) fit_node(inner_[i]);
+    float perimeters = 0.0f;
+    for (uint32_t i = 0; i < subtree.buckets; ++i) {
+        const BucketPlace& place = bucket_places_[subtree.range.part / 2 + i];
+        const uint32_t bucket = subtree.first_bucket + i;
+        bucket_of_[size_t(place.node)] = int32_t(bucket);
+        fill_bucket(place, buckets_[bucket], before);
+        perimeters += perimeter(nodes_[size_t(place.node)].box);
     }
-    return breadth;
+    return perimeters;
 }
 
 /// Computes the box of a node; the boxes below it must be computed already.
@@ -287,22 +289,22 @@ void Tree::fit_node(int32_t index) {
     node.moved = std::max(left.moved, right.moved);
 }
 
-void Tree::fill_bucket(const Spot& spot, BoxBucket& bucket, const Before& before) const {
+void Tree::fill_bucket(const BucketPlace& place, BoxBucket& bucket, const Before& before) const {
     begin_epoch(bucket);
-    bucket.count = spot.count;
+    bucket.count = place.count;
     bucket.moved = 0;
-    for (uint32_t i = 0; i < spot.count; ++i) {
-        const Node& leaf = nodes_[size_t(parts_[spot.part + i].node)];
+    for (uint32_t i = 0; i < place.count; ++i) {
+        const Node& leaf = nodes_[size_t(parts_[place.part + i].node)];
         bucket.now.set(i, leaf.box);
         bucket.item[i] = leaf.item();
         bucket.moved |= uint32_t{has_moved(leaf)} << i;
     }
     if (before.still_in_buckets) return;
-    for (uint32_t i = 0; i < spot.count; ++i) {
+    for (uint32_t i = 0; i < place.count; ++i) {
         const uint32_t item = bucket.item[i];
         bucket.before.set(i, item < before.boxes.size() ? before.boxes[item] : no_box);
     }
-    for (uint32_t i = spot.count; i < BoxBucket::capacity; ++i) {
+    for (uint32_t i = place.count; i < BoxBucket::capacity; ++i) {
         bucket.now.set(i, no_box);
         bucket.before.set(i, no_box);
     }

@@ -61,8 +61,8 @@ struct PairSearch {
                 if (record.tree == Mobility::fixed) {
                     boxes.moving_tree.query(boxes.fixed_tree.box(record.proxy), look);
                 } else {
-                    boxes.moving_tree.look_around(record.proxy, boxes.paired_boxes[shape], overlaps,
-                                                  look);
+                    boxes.moving_tree.pairs_of_leaf(record.proxy, boxes.paired_boxes[shape],
+                                                    overlaps, look);
                     boxes.fixed_tree.query(boxes.moving_tree.box(record.proxy), look);
                 }
             }
@@ -163,8 +163,8 @@ void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& b
     scratch.finds.resize(objects.shapes.size(), 0);
     scratch.new_pairs.clear();
     if (moved.empty()) return;
-    boxes.moving_tree.settle(threads, boxes.paired_boxes);
-    boxes.fixed_tree.settle(threads, boxes.paired_boxes);
+    boxes.moving_tree.rebuild(threads, boxes.paired_boxes);
+    boxes.fixed_tree.rebuild(threads, boxes.paired_boxes);
     PairSearch search = {objects, columns.shape_generations, boxes, scratch, overlaps, threads};
     if (4 * moved.size() < boxes.moving_tree.size())
         search.look_around_moved();
@@ -175,8 +175,8 @@ void find_pairs(ObjectState& objects, const Columns& columns, BroadPhaseState& b
     choose_crowded_pairs(objects, columns, boxes, settings, step, scratch, threads);
     order_pairs(scratch.new_pairs, scratch.spare_pairs, objects.shapes.size(), filter);
     for (const uint32_t shape : moved) scratch.relocated[shape] = 1;
-    boxes.moving_tree.rest();
-    boxes.fixed_tree.rest();
+    boxes.moving_tree.forget_moves();
+    boxes.fixed_tree.forget_moves();
 }
 
 }  // namespace fettle::physics::detail

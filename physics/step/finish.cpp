@@ -81,7 +81,7 @@ void follow_all_placed(const FinishInput& in) {
         return;
     }
     for (const FinishedPiece& piece : finished)
-        for (const int32_t leaf : piece.placed) moving_tree.follow(leaf);
+        for (const int32_t leaf : piece.placed) moving_tree.enlarge_above(leaf);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPie
 }
 
 void follow_placed(const FinishInput& in, const FinishedPiece& piece) {
-    for (const int32_t leaf : piece.placed) in.boxes.moving_tree.follow(leaf);
+    for (const int32_t leaf : piece.placed) in.boxes.moving_tree.enlarge_above(leaf);
     std::vector<uint32_t>& moved = in.boxes.moved_shapes;
     moved.insert(moved.end(), piece.moved.begin(), piece.moved.end());
     in.statistics.moved_proxies += uint32_t(piece.placed.size());

@@ -129,7 +129,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
                     tree.remove(leaf.node);
                     model.erase(it);
                 } else if (action == 3) {
-                    tree.touch(leaf.node);
+                    tree.forget_pairs(leaf.node);
                     leaf.moved = true;
                     before[side][it->first] = no_box;
                 } else {
@@ -140,7 +140,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
                 INFO("action " << action);
                 REQUIRE(tree.is_consistent());
             }
-            if (round % 3 != 0) tree.settle(nullptr, before[side]);
+            if (round % 3 != 0) tree.rebuild(nullptr, before[side]);
             REQUIRE(tree.is_consistent());
         }
         Pairs expected_own, expected_cross, new_own, new_cross, own, cross;
@@ -202,13 +202,13 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
         own.clear();
         for (const auto& [a, u] : models[0]) {
             if (!u.moved) continue;
-            trees[0].look_around(u.node, before[0][a], overlaps, [&, item = a](uint32_t b) {
+            trees[0].pairs_of_leaf(u.node, before[0][a], overlaps, [&, item = a](uint32_t b) {
                 REQUIRE(own.insert({std::min(item, b), std::max(item, b)}).second);
             });
         }
         REQUIRE(own_is_right());
         for (uint32_t side = 0; side < 2; ++side) {
-            trees[side].rest();
+            trees[side].forget_moves();
             std::fill(before[side].begin(), before[side].end(), no_box);
             for (auto& [item, leaf] : models[side]) {
                 leaf.moved = false;
@@ -224,7 +224,7 @@ TEST_CASE("a tree built of boxes whose places double is shallow") {
         const float x = std::exp2(float(i) / 40.0f);
         tree.insert({{x, 0.0f}, {x, 1.0f}}, i);
     }
-    tree.settle();
+    tree.rebuild();
     REQUIRE(tree.is_consistent());
     REQUIRE(tree.height() < 120);
 }

@@ -38,7 +38,7 @@ struct Grown {
 
     void insert(const std::vector<Box4>& boxes) {
         for (const Box4& box : boxes) leaves.push_back(tree.insert(box, uint32_t(leaves.size())));
-        tree.settle(&pool);
+        tree.rebuild(&pool);
     }
     void place(const std::vector<Box4>& boxes) {
         share_out_range(&pool, boxes.size(), 64, [&](size_t begin, size_t end) {
@@ -124,7 +124,7 @@ TEST_CASE(
     const auto before = scattered(count, 100, 4), after = scattered(count, 100, 5);
     Grown moved(2), fresh(1);
     moved.insert(before);
-    moved.tree.rest();
+    moved.tree.forget_moves();
     moved.place(after);
     fresh.insert(after);
     Pairs expected;
@@ -143,16 +143,16 @@ TEST_CASE("a walk does not come upon pairs in buckets that overlapped before") {
     grown.insert(boxes);
     grown.place(boxes);
     REQUIRE(pairs_of(grown.tree).size() > 1000);
-    grown.tree.rest();
+    grown.tree.forget_moves();
     grown.place(boxes);
     const size_t known = pairs_of(grown.tree).size();
     REQUIRE(known < 100);  // of leaves that are in no bucket
-    grown.tree.touch(grown.leaves[500]);
+    grown.tree.forget_pairs(grown.leaves[500]);
     const auto meets = std::count_if(boxes.begin(), boxes.end(),
                                      [&](const Box4& box) { return overlap(box, boxes[500]); });
     REQUIRE(meets > 1);
     REQUIRE(pairs_of(grown.tree).size() >= known + size_t(meets) - 1);
-    grown.tree.rest();
+    grown.tree.forget_moves();
     grown.tree.move(grown.leaves[500], boxes[501]);
     REQUIRE(pairs_of(grown.tree).count({500, 501}) == 1);
 }
@@ -163,7 +163,7 @@ TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
     Grown grown(2);
     grown.insert(rest);
     grown.place(rest);
-    grown.tree.rest();
+    grown.tree.forget_moves();
     const auto parents = [&] {
         // Node by node: box (16 bytes), parent, children, epoch.
         std::vector<int32_t> made;
@@ -187,7 +187,7 @@ TEST_CASE("boxes that tremble are fitted and keep their places in the tree") {
                          [&](uint32_t item) { found += overlap(boxes[item], boxes[17]); });
         REQUIRE(found == std::count_if(boxes.begin(), boxes.end(),
                                        [&](const Box4& box) { return overlap(box, boxes[17]); }));
-        grown.tree.rest();
+        grown.tree.forget_moves();
     }
     REQUIRE(parents() == built);
 }
@@ -212,14 +212,14 @@ TEST_CASE("a tree read from bytes goes on node by node like the one that was wri
             if (round % 5 == 3) {
                 each->tree.remove(each->leaves.back());
                 each->leaves.back() = each->tree.insert(boxes.back(), uint32_t(boxes.size() - 1));
-                each->tree.settle(&each->pool);
+                each->tree.rebuild(&each->pool);
             }
             if (round % 4 == 2) {
                 for (size_t i = 0; i < 50; ++i) each->tree.move(each->leaves[i], boxes[i]);
             } else {
                 each->place(boxes);
             }
-            each->tree.rest();
+            each->tree.forget_moves();
             REQUIRE(each->tree.is_consistent());
         }
         REQUIRE(grown.bytes() == restored.bytes());

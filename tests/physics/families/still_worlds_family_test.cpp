@@ -35,9 +35,9 @@ TEST_CASE("movers that are far apart are compared with few of the boxes that sta
         for (int i = 0; i < movers; ++i)
             moving.insert(box_at(200.0f * float(i) / float(movers), float(i * 37 % 100)),
                           uint32_t(i));
-        moving.settle();
-        fixed.settle();
-        fixed.rest();
+        moving.rebuild();
+        fixed.rebuild();
+        fixed.forget_moves();
         int found = 0, expected = 0;
         compared = 0;
         moving.pairs(fixed, count_and_compare, [&](uint32_t, uint32_t) { ++found; });
