@@ -68,7 +68,7 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
     ArchiveReader read(bytes);
     read(header);
     if (header.magic != archive_magic)
-        throw std::invalid_argument("these bytes are no saved world");
+        throw std::invalid_argument("the data are not a saved world");
     if (header.version != archive_version || header.layout != layout() ||
         header.byte_order != byte_order)
         throw std::invalid_argument("the world was saved by another version of this library");
