@@ -14,10 +14,11 @@ struct Random {
     }
 };
 
-/// The number of seeds that FETTLE_SEEDS asks for, else `usual`.
+/// The number of seeds of a test: FETTLE_SEEDS if that is set; else `usual`, FETTLE_SOAK times.
 inline unsigned seeds_or(unsigned usual) {
-    const char* const wanted = std::getenv("FETTLE_SEEDS");
-    return wanted == nullptr ? usual : unsigned(std::stoul(wanted));
+    if (const char* const seeds = std::getenv("FETTLE_SEEDS")) return unsigned(std::stoul(seeds));
+    const char* const factor = std::getenv("FETTLE_SOAK");
+    return factor == nullptr ? usual : usual * unsigned(std::stoul(factor));
 }
 
 }  // namespace families

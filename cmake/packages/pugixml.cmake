@@ -1,0 +1,10 @@
+# Reads XML.
+if(NOT TARGET fettle_pugixml)
+  find_package(pugixml QUIET)
+  if(pugixml_FOUND)
+    add_library(fettle_pugixml INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(fettle_pugixml INTERFACE pugixml::pugixml)
+  else()
+    set(FETTLE_MISSING "pugixml (Debian: libpugixml-dev) is needed")
+  endif()
+endif()

@@ -1,0 +1,10 @@
+# Unpacks the cells of maps.
+if(NOT TARGET fettle_zlib)
+  find_package(ZLIB QUIET)
+  if(ZLIB_FOUND)
+    add_library(fettle_zlib INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(fettle_zlib INTERFACE ZLIB::ZLIB)
+  else()
+    set(FETTLE_MISSING "zlib (Debian: zlib1g-dev) is needed")
+  endif()
+endif()

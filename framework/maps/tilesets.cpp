@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "reader.h"
+
+namespace fettle::maps {
+
+using property::Vec2;
+
+/// Files of early versions of the editor do not have these two numbers, but the size of the image.
+void Reader::complete(Tileset& set) {
+    const auto fit = [&](double pixels, int tile) {
+        const double apart = tile + set.spacing;
+        const double room = pixels - 2 * set.margin + set.spacing;
+        return room >= apart && apart > 0 ? static_cast<int>(std::min(room / apart, 1e6)) : 0;
+    };
+    if (set.columns == 0 && !set.image.empty())
+        set.columns = fit(set.image_size.x(), set.tile_width);
+    if (set.count == 0 && !set.image.empty())
+        set.count = static_cast<int>(std::min<std::int64_t>(
+            std::int64_t{set.columns} * fit(set.image_size.y(), set.tile_height), max_tiles));
+}
+
+Tileset Reader::tileset(const Place& outer) {
+    if (!outer.json.is_object()) outer.fail("a tileset is no object");
+    Tileset set;
+    const std::int64_t first_gid = outer.integer("firstgid", 1, 1, 0x0fffffff);
+    std::string file = file_;
+    Json external;
+    if (const std::string source = outer.text("source"); !source.empty()) {
+        file = beside(file_, source);
+        external = parse_document(file, read_(file));
+        if (!external.is_object()) fail(file, "this is no tileset");
+        first_gids_[file] = static_cast<std::uint32_t>(first_gid);
+    }
+    const Json& json = external.is_object() ? external : outer.json;
+    set.first_gid = static_cast<std::uint32_t>(first_gid);
+    set.name = Place{file, json, {}}.text("name");
+    const Place place{file, json, "tileset \"" + set.name + "\""};
+    set.class_name = place.text("class");
+    set.tile_width = static_cast<int>(place.integer("tilewidth", 0, 0, max_side));
+    set.tile_height = static_cast<int>(place.integer("tileheight", 0, 0, max_side));
+    set.count = static_cast<int>(place.integer("tilecount", 0, 0, max_tiles));
+    set.columns = static_cast<int>(place.integer("columns", 0, 0, max_side));
+    set.spacing = static_cast<int>(place.integer("spacing", 0, 0, max_side));
+    set.margin = static_cast<int>(place.integer("margin", 0, 0, max_side));
+    if (const std::string image = place.text("image"); !image.empty())
+        set.image = beside(file, image);
+    set.image_size = Vec2(place.number("imagewidth", 0), place.number("imageheight", 0));
+    set.alignment = place.text("objectalignment");
+    if (place.has("tileoffset")) {
+        const Place offset = place.at(json["tileoffset"]);
+        set.offset = Vec2(offset.number("x", 0), offset.number("y", 0));
+    }
+    set.properties = place.properties();
+    complete(set);
+    for (const Json& one : place.list("tiles")) {
+        const Place of_tile = place.at(one);
+        if (!one.is_object()) place.fail("a tile is no object");
+        const std::int64_t id = of_tile.integer("id", 0, 0, max_tiles - 1);
+        Tile tile = this->tile(of_tile);
+        if (!tile.image.empty()) tile.image = beside(file, tile.image);
+        set.tiles[static_cast<std::uint32_t>(id)] = std::move(tile);
+        // The numbers of a collection of images may have gaps.
+        set.count = std::max(set.count, static_cast<int>(id + 1));
+    }
+    return set;
+}
+
+Tile Reader::tile(const Place& place) {
+    Tile tile;
+    tile.class_name = place.text("class", place.text("type"));
+    tile.image = place.text("image");
+    tile.image_size = Vec2(place.number("imagewidth", 0), place.number("imageheight", 0));
+    tile.properties = place.properties();
+    for (const Json& one : place.list("animation")) {
+        const Place frame = place.at(one);
+        if (!one.is_object()) place.fail("a frame of an animation is no object");
+        tile.animation.push_back(
+            {static_cast<std::uint32_t>(frame.integer("tileid", 0, 0, max_tiles - 1)),
+             frame.number("duration", 0) / 1000});
+    }
+    if (place.has("objectgroup"))
+        for (const Json& one : place.at(place.json["objectgroup"]).list("objects"))
+            tile.collision.push_back(object(place.at(one)));
+    return tile;
+}
+
+}  // namespace fettle::maps
