@@ -61,7 +61,9 @@ class Search {
         const Solid other_shape = solid_of(objects, in_.columns, other);
         const Sweep sweep = {shape, motion, a.extent};
         const Sweep other_sweep = {other_shape, other_motion, b.extent};
-        const float gap = crossing_gap * min(a.extent, b.extent);
+        // The extent of a static body is 0.
+        const float gap = crossing_gap * min(a.extent > 0.0f ? a.extent : b.extent,
+                                             b.extent > 0.0f ? b.extent : a.extent);
         float time = time_of_impact(sweep, other_sweep, gap);
         if (time == 0.0f) {
             // If they overlap at first, their contact decided. If not, they may part at once.
