@@ -62,8 +62,7 @@ void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, 
 }  // namespace
 
 bool Shape::contains(const Vec2& world_point) const {
-    FETTLE_LIVE_SHAPE
-    data.read_all();
+    FETTLE_REFRESHED_SHAPE(read_all())
     if (record.type == ShapeType::border) return false;
     bool inside = false;
     data.for_each_solid(id_.index,

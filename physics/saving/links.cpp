@@ -316,6 +316,7 @@ void check_fields(const WorldState& w, Findings& findings) {
         findings.require(field.def.force.index() < kinds && are_bools(field.def.enabled) &&
                              are_optionals(field.def.region),
                          "a field");
+    if (findings.result()) return;  // only sound records may be copied
     findings.require(free_ones_end(w.field_slots, w.fields), "free fields");
 }
 

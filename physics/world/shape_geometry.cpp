@@ -153,11 +153,13 @@ void Shape::set_rounding(float rounding) {
 }
 
 std::span<const Vec2> Shape::vertices() const {
-    FETTLE_LIVE_SHAPE
+    WorldData& data = live();
     if (!data.is_solid(id_.index)) return as_vectors(data.outline_of(id_.index));
-    if (form.count < 2) return {};
-    // The hull of a polygon was computed when it was written.
-    if (record.type != ShapeType::polygon) data.read_shape(id_.index);
+    if (data.forms[id_.index].count < 2) return {};
+    // The hull of a polygon was computed when it was written. The refresh callback may read other
+    // shapes, which moves all records, so no reference is taken before it.
+    if (data.shapes[id_.index].type != ShapeType::polygon) data.read_shape(id_.index);
+    const ShapeForm& form = data.forms[id_.index];
     return as_vectors({&data.pool.local[form.begin], form.count});
 }
 

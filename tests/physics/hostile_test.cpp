@@ -356,6 +356,29 @@ TEST_CASE("what is written may be a part of what is there") {
     CHECK(std::get<AttractorField>(field.definition().force).center == Vec2(1, 2));
 }
 
+TEST_CASE("reading a shape may make the parts of others") {
+    // The parts of a polygon are made by the first read, which moves the records of all shapes.
+    World world;
+    Body body = world.create_body({.position = {1, 0}});
+    Shape box = body.add(Box{});
+    std::vector<Vec2> star;
+    for (int i = 0; i < 200; ++i) {
+        const float angle = 6.2831853f * float(i) / 200.0f, r = i % 2 ? 1.0f : 0.5f;
+        star.emplace_back(r * std::cos(angle), r * std::sin(angle));
+    }
+    for (int i = 0; i < 6; ++i) {
+        body.add(Concave{star});
+        CHECK(box.contains({1.2f, 0.3f}));
+        Shape other = body.add(Concave{star});
+        world.on_refresh([&](const Refresh&) { CHECK(other.area() > 0.0f); });
+        box.set_width(1.0f + float(i));
+        REQUIRE(box.vertices().size() == 4);
+        CHECK(box.vertices()[1].x() == Approx(0.5f + 0.5f * float(i)));
+        world.on_refresh({});
+    }
+    CHECK_FALSE(world.validate());
+}
+
 TEST_CASE("a world that a refresh callback of another one destroys in a query is told") {
     for (const bool queried : {true, false})
         for (int which = 0; which < 3; ++which) {

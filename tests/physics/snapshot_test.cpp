@@ -412,6 +412,7 @@ TEST_CASE("a saved field whose flags are no bools is refused") {
     constexpr uint64_t mark = 0xfe77'1e00'f1e1'd000;
     World world;
     world.create_field({.force = WindField{}, .region = Aabb{{-2, 0}, {2, 6}}, .user_data = mark});
+    world.create_field({}).destroy();
     const auto bytes = saved(world);
     World target;
     REQUIRE_NOTHROW(target.restore(bytes));
@@ -422,6 +423,11 @@ TEST_CASE("a saved field whose flags are no bools is refused") {
         auto damaged = bytes;
         REQUIRE(damaged[begin + flag] == std::byte{1});
         damaged[begin + flag] = std::byte{3};
+        detail::seal(damaged);
+        REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
+        // The same in the free slot behind it, of which there is a list.
+        damaged = bytes;
+        damaged[begin + sizeof(detail::FieldRecord) + flag] = std::byte{16};
         detail::seal(damaged);
         REQUIRE_THROWS_WITH(target.restore(damaged), contains("a field"));
     }
