@@ -153,7 +153,11 @@ List received(const fettle_value* values, std::size_t count) {
 
 Result received(const fettle_result& result, const std::vector<property::Field>& fields) {
     if (result.kind == FETTLE_ONE_VALUE) return received(result.value);
-    if (result.values == nullptr && result.count != 0 && result.fields != 0)
+    if (result.kind > FETTLE_RECORDS)
+        refuse("there is no kind of result number " + std::to_string(result.kind));
+    if (result.fields == 0 && result.count != 0)
+        refuse(std::to_string(result.count) + " records without fields");
+    if (result.values == nullptr && result.count != 0)
         refuse_without_memory("a list of records", result.count);
     std::vector<Record> records;
     for (std::size_t i = 0; i < result.count; ++i) {

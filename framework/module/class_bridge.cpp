@@ -328,7 +328,9 @@ const BridgedProperty* BridgedClass::find(const Property& declared) const {
 
 void BridgedClass::abandon() {
     abandoned_ = true;
+    const std::uint32_t flags = native_.flags;  // a later module must have the same
     native_ = {};
+    native_.flags = flags;
     for (BridgedProperty& property : properties_) property.removed = true;
     for (BridgedMethod& method : methods_) method.removed = true;
 }
@@ -376,6 +378,7 @@ void BridgedClass::replace(const fettle_class& native, std::vector<std::string>&
         if (!kept.removed) kept.native = *same;
     }
     native_ = native;
+    abandoned_ = false;
     write_tags();
 }
 

@@ -37,13 +37,46 @@ void HostTable::require(fettle_status status, std::string_view what) {
     throw std::invalid_argument(reason);
 }
 
+namespace {
+
+/// An argument that must not be null. `what`: its name in the table.
+template <class T>
+T& required(T* argument, const char* what) {
+    if (argument == nullptr)
+        throw Error(ErrorKind::wrong_type,
+                    std::string(what) + ": expected a pointer, got a null pointer");
+    return *argument;
+}
+
+/// The event of the instance with that tag. Any other pointer is refused, and is not followed: a
+/// module may pass the tag of another class, or one that `define_class` has not written.
+const property::Event& event_of(const property::Tree& tree, Handle instance, const void* tag) {
+    for (const property::Event* event : tree.class_of(instance).events())
+        if (event == tag) return *event;
+    throw Error(ErrorKind::unknown_name,
+                tree.path(instance) +
+                    " has no event with this tag: expected the tag of an event of " +
+                    tree.class_of(instance).name() + ", as define_class has written it");
+}
+
+void require_values(const property::Event& event, const fettle_value* values, std::uint32_t count) {
+    if (count != event.fields.size())
+        throw Error(ErrorKind::wrong_type, "event " + event.name + ": expected " +
+                                               std::to_string(event.fields.size()) +
+                                               " values, got " + std::to_string(count));
+    if (count != 0) required(values, "values");
+}
+
+}  // namespace
+
 /// The functions of the table. `self` is the HostTable.
 struct HostFunctions {
     static const void* capability(void*, const char*) { return nullptr; }
     static const char* last_error(void* self) { return host_of(self).error_.c_str(); }
     static void fail(void* self, const char* why) { host_of(self).reason_ = text_or_empty(why); }
     static void print(void* self, const char* line) {
-        const HostTable& host = host_of(self);
+        HostTable& host = host_of(self);
+        const HostTable::Call call(host);
         if (host.print && line != nullptr) host.print(line);
     }
 
@@ -100,18 +133,20 @@ struct HostFunctions {
     }
     static fettle_status find(void* self, const char* path, fettle_handle* found) {
         return host_of(self).guarded([&](property::Tree& tree) {
+            fettle_handle& result = required(found, "found");
             const property::Place place = property::resolve(tree, text_or_empty(path));
             if (place.property != nullptr)
                 throw Error(ErrorKind::wrong_type,
                             text_or_empty(path) + ": expected an instance, got a property");
-            *found = sent(place.instance);
+            result = sent(place.instance);
         });
     }
     static fettle_status path(void* self, fettle_handle instance, const char** path) {
         HostTable& host = host_of(self);
         return host.guarded([&](property::Tree& tree) {
+            const char*& result = required(path, "path");
             host.kept_text = tree.path(received(instance));
-            *path = host.kept_text.c_str();
+            result = host.kept_text.c_str();
         });
     }
     static const char* class_name(void* self, fettle_handle instance) {
@@ -134,7 +169,7 @@ struct HostFunctions {
     }
     static fettle_status row(void* self, fettle_handle instance, fettle_row* row) {
         return host_of(self).guarded(
-            [&](property::Tree& tree) { *row = tree.row(received(instance)); });
+            [&](property::Tree& tree) { required(row, "row") = tree.row(received(instance)); });
     }
     static fettle_status set_row(void* self, fettle_handle instance, fettle_row row) {
         return host_of(self).guarded(
@@ -146,13 +181,14 @@ struct HostFunctions {
                              fettle_value* value) {
         HostTable& host = host_of(self);
         return host.guarded([&](property::Tree& tree) {
-            *value = host.outgoing().put(tree.get(received(instance), view(property)));
+            fettle_value& result = required(value, "value");
+            result = host.outgoing().put(tree.get(received(instance), view(property)));
         });
     }
     static fettle_status set(void* self, fettle_handle instance, const char* property,
                              const fettle_value* value) {
         return host_of(self).guarded([&](property::Tree& tree) {
-            tree.set(received(instance), view(property), received(*value));
+            tree.set(received(instance), view(property), received(required(value, "value")));
         });
     }
     static fettle_status call(void* self, fettle_handle instance, const char* method,
@@ -166,7 +202,7 @@ struct HostFunctions {
                 throw Error(ErrorKind::unknown_name,
                             tree.path(received(instance)) + " has no method \"" +
                                 text_or_empty(method) + "\"" +
-                                property::suggestion(method, of.member_names()));
+                                property::suggestion(view(method), of.member_names()));
             const std::vector<property::Value> values = received(arguments, count);
             const property::Result answer = tree.call(received(instance), *found, values);
             if (result != nullptr) *result = host.outgoing().put(answer);
@@ -177,24 +213,18 @@ struct HostFunctions {
     static std::uint32_t listens(void* self, fettle_handle instance, const void* event) {
         const HostTable& host = host_of(self);
         try {
-            return host.tree != nullptr && event != nullptr &&
-                           host.tree->alive(received(instance)) &&
-                           host.tree->listens(received(instance),
-                                              *static_cast<const property::Event*>(event))
-                       ? 1
-                       : 0;
-        } catch (const property::Error&) {  // the instance has no such event
+            if (host.tree == nullptr || !host.tree->alive(received(instance))) return 0;
+            const property::Event& which = event_of(*host.tree, received(instance), event);
+            return host.tree->listens(received(instance), which) ? 1 : 0;
+        } catch (const std::exception&) {  // the instance has no such event
             return 0;
         }
     }
     static fettle_status emit(void* self, fettle_handle instance, const void* event,
                               const fettle_value* values, std::uint32_t count) {
         return host_of(self).guarded([&](property::Tree& tree) {
-            const auto& which = *static_cast<const property::Event*>(event);
-            if (count != which.fields.size())
-                throw Error(ErrorKind::wrong_type, "event " + which.name + ": expected " +
-                                                       std::to_string(which.fields.size()) +
-                                                       " values, got " + std::to_string(count));
+            const property::Event& which = event_of(tree, received(instance), event);
+            require_values(which, values, count);
             tree.emit(received(instance), which, received(values, count));
         });
     }
@@ -202,11 +232,9 @@ struct HostFunctions {
                              fettle_value* values, std::uint32_t count, std::uint32_t changeable) {
         HostTable& host = host_of(self);
         return host.guarded([&](property::Tree& tree) {
-            const auto& which = *static_cast<const property::Event*>(event);
-            if (count != which.fields.size())
-                throw Error(ErrorKind::wrong_type, "event " + which.name + ": expected " +
-                                                       std::to_string(which.fields.size()) +
-                                                       " values, got " + std::to_string(count));
+            if (!tree.alive(received(instance))) return;  // as `property::ask`
+            const property::Event& which = event_of(tree, received(instance), event);
+            require_values(which, values, count);
             property::List fields = received(values, count);
             property::ask(tree, received(instance), which, fields, changeable);
             Outgoing& answers = host.outgoing();
@@ -214,7 +242,8 @@ struct HostFunctions {
                 values[i] = answers.put(fields[i]);
         });
     }
-    static std::uint32_t accepts(void*, fettle_handle instance) {
+    static std::uint32_t accepts(void* self, fettle_handle instance) {
+        const HostTable::Call call(host_of(self));
         return property::Acceptance::accepts(received(instance)) ? 1 : 0;
     }
     static std::uint64_t step(void* self) {
@@ -228,6 +257,7 @@ struct HostFunctions {
     static void each_restored(void* self, void* context,
                               void (*visit)(void*, fettle_handle, const char*, fettle_row)) {
         (void)host_of(self).guarded([&](property::Tree& tree) {
+            required(visit, "visit");
             property::each_restored(
                 tree, [&](Handle instance, const property::Class& of, property::Row row) {
                     visit(context, sent(instance), of.name().c_str(), row);

@@ -43,7 +43,22 @@ class HostTable {
     /// same status, which the callback has passed on.
     void require(fettle_status status, std::string_view what);
 
+    /// Whether the module has called a function of the table that has not returned: then code of
+    /// the module is running.
+    bool called() const { return calls_ != 0; }
+
     // --- For the functions of the table
+    /// While it lives, the module is calling a function of the table.
+    class Call {
+      public:
+        explicit Call(HostTable& host) : host_(host) { ++host_.calls_; }
+        ~Call() { --host_.calls_; }
+        Call(const Call&) = delete;
+        Call& operator=(const Call&) = delete;
+
+      private:
+        HostTable& host_;
+    };
     /// Runs `body` and turns an exception into a status.
     template <class Body>
     fettle_status guarded(Body&& body) noexcept;
@@ -58,11 +73,13 @@ class HostTable {
     fettle_host table_{};
     std::string error_, reason_;
     fettle_status error_status_ = FETTLE_OK;  // of `error_`; reset when the callback has returned
+    int calls_ = 0;                           // nested
     Outgoing outgoing_;
 };
 
 template <class Body>
 fettle_status HostTable::guarded(Body&& body) noexcept {
+    const Call call(*this);
     try {
         if (tree == nullptr)
             throw std::logic_error("there is no tree before `attach` and after `close`");

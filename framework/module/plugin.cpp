@@ -77,6 +77,18 @@ void Plugin::State::close_native() {
     open.native = {};
 }
 
+void Plugin::State::give_up() {
+    host.define_class = nullptr;
+    host.adopt = nullptr;
+    for (const auto& c : classes) c->abandon();
+    close_native();
+}
+
+void Plugin::State::require_loaded() const {
+    if (open.native.attach == nullptr)
+        throw std::runtime_error("module " + name + " is not loaded any more");
+}
+
 // --- Plugin
 
 std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
@@ -133,6 +145,7 @@ void Plugin::attach(property::Tree& tree) {
     };
     const std::string problem = run_trial([&](const auto& now) {
         prepare();
+        s.host.print = nullptr;  // in the copy only: the module prints again below
         now(while_attached);
         s.attach_native();
         now(in_its_test);
@@ -145,8 +158,10 @@ void Plugin::attach(property::Tree& tree) {
     try {
         s.attach_native();
     } catch (...) {  // an error that did not occur in the trial
-        for (const auto& c : s.classes) c->abandon();
-        throw LoadError(s.file, "module " + s.name + ": " + property::exception_text());
+        const std::string reason = property::exception_text();
+        s.give_up();
+        s.host.tree = nullptr;
+        throw LoadError(s.file, "module " + s.name + ": " + reason);
     }
     if (!s.saves()) return;
     tree.add_part(*this);
@@ -170,6 +185,7 @@ std::uint64_t Plugin::hash() const {
 
 property::Memory Plugin::save(property::ByteWriter& to) const {
     State& s = *state_;
+    s.require_loaded();
     s.host.require(s.open.native.save(s.open.native.context, &to,
                                       [](void* sink, const void* data, std::size_t size) {
                                           static_cast<property::ByteWriter*>(sink)->raw(data, size);
@@ -180,6 +196,7 @@ property::Memory Plugin::save(property::ByteWriter& to) const {
 
 std::function<void()> Plugin::restore(property::ByteReader& from, const property::Memory&) {
     State& s = *state_;
+    s.require_loaded();
     const auto bytes =
         std::make_shared<std::vector<std::byte>>(from.rest().begin(), from.rest().end());
     const auto call = [&s, bytes](std::uint32_t commit) {

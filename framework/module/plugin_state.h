@@ -37,6 +37,11 @@ struct Plugin::State {
     /// Makes one step as the game does, to test that it returns.
     void step_once();
     void close_native();
+    /// After a failure that left the module half attached: ends it. Its instances stay, with the
+    /// defaults as values. A later reload may bring the module back.
+    void give_up();
+    /// Throws std::runtime_error after `give_up`.
+    void require_loaded() const;
     /// Whether the module saves its own rows in snapshots.
     bool saves() const { return open.native.save != nullptr && open.native.restore != nullptr; }
 };

@@ -49,17 +49,24 @@ class Reload {
             throw LoadError(s_.file, "expected the module " + s_.name + ", found one called " +
                                          fresh.native.name);
         save();
+        try {
+            change_to(fresh, now);
+        } catch (...) {
+            s_.give_up();
+            throw;
+        }
+        return std::move(report_);
+    }
+
+  private:
+    /// From here on there is no way back to the old module, whose rows are destroyed.
+    void change_to(OpenModule& fresh, const std::function<void(std::string_view)>& now) {
         for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved)
             saved->owner->retire(saved->instance);
         s_.close_native();
-        std::swap(s_.open, fresh);  // `fresh` unloads the old module at the end of this function
+        std::swap(s_.open, fresh);  // `fresh` unloads the old module when it ends
         now(while_attached);
-        try {
-            attach();
-        } catch (...) {
-            for (const auto& c : s_.classes) c->abandon();
-            throw;
-        }
+        attach();
         s_.host.adopt = nullptr;
         for (Saved& saved : saved_)
             if (!saved.revived) revive(saved);
@@ -68,10 +75,8 @@ class Reload {
         s_.check_native();
         s_.version = text_or_empty(s_.open.native.version);
         s_.identity = identity(s_.file);
-        return std::move(report_);
     }
 
-  private:
     BridgedClass* owner_of(Handle instance) const {
         for (const auto& c : s_.classes)
             if (c->instances().contains({instance.index, instance.generation})) return c.get();
@@ -184,8 +189,11 @@ class Reload {
 Reloaded Plugin::reload() {
     State& s = *state_;
     if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
+    if (s.host.called())
+        throw std::logic_error(s.name + " cannot be reloaded while one of its functions runs");
     const ModuleCopy copy(s.file);
     const std::string problem = run_trial([&](const std::function<void(std::string_view)>& now) {
+        s.host.print = nullptr;  // in the copy only: the module prints again below
         Reload(s, copy).run(now);
         now(in_a_step);
         s.step_once();
@@ -194,7 +202,15 @@ Reloaded Plugin::reload() {
         throw problem.starts_with(s.file.string())
             ? LoadError(problem)
             : LoadError(s.file, "module " + s.name + ", taken in anew: " + problem);
-    return Reload(s, copy).run([](std::string_view) {});
+    try {
+        return Reload(s, copy).run([](std::string_view) {});
+    } catch (const LoadError&) {
+        throw;
+    } catch (...) {  // an error that did not occur in the trial
+        throw LoadError(s.file,
+                        "module " + s.name + ", taken in anew: " + property::exception_text() +
+                            (s.open.native.attach == nullptr ? "; it is not loaded any more" : ""));
+    }
 }
 
 }  // namespace fettle::module
