@@ -45,6 +45,31 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     tree.restore(tree.snapshot());
 }
 
+TEST_CASE("services that have ended leave classes that can have no instances") {
+    property::Tree tree;
+    std::optional<Services> services(std::in_place, tree);
+    tree.define({.name = "Louder", .base = "Audio"});
+    // Neither those outside of the game nor those of derived classes are left.
+    const property::Handle loose = tree.create(tree.class_named("Audio"));
+    const property::Handle louder = tree.create(tree.class_named("Louder"), tree.root());
+    const property::Snapshot before = tree.snapshot();
+    services.reset();
+    CHECK_FALSE(tree.alive(loose));
+    CHECK_FALSE(tree.alive(louder));
+    for (const char* name : {"Time", "Timings", "View", "Show", "Audio", "Louder", "Input", "Keys",
+                             "Mouse", "Gamepad"}) {
+        INFO(name);
+        CHECK_THROWS_WITH(tree.create(tree.class_named(name), tree.root()),
+                          contains(std::string(name) + ": it can have no instances any more"));
+    }
+    tree.define({.name = "Loudest", .base = "Louder"});
+    CHECK_THROWS_WITH(tree.create(tree.class_named("Loudest")), contains("Loudest"));
+    CHECK(tree.size() == 1);
+    CHECK_THROWS(tree.restore(before));
+    CHECK(tree.size() == 1);
+    CHECK_THROWS_WITH(Services(tree), contains("the services cannot be added"));
+}
+
 TEST_CASE("services may end after their tree") {
     auto tree = std::make_unique<property::Tree>();
     const Services services(*tree);

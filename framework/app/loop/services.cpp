@@ -2,8 +2,8 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
+#include <fettle/property/ended_class.h>
 #include <fettle/property/error.h>
 
 namespace fettle::app {
@@ -55,26 +55,11 @@ void require_room(const property::Tree& tree) {
             refuse("the root has a \"" + std::string(name) + "\"");
 }
 
-/// What a module below throws is ignored. If the instance cannot be deleted, the exception leaves
-/// the destructor of the services, and the program ends with its message.
-void take_out(property::Tree& tree, property::Handle service) {
-    try {
-        if (tree.alive(service)) tree.destroy(service);
-    } catch (...) {
-        if (tree.alive(service)) throw;
-    }
-}
-
 }  // namespace
 
 // Input uses the view.
 Services::Services(property::Tree& tree, property::Assets* game_assets)
-    : input(define(tree), view),
-      assets(game_assets),
-      tree_(tree),
-      tree_life_(tree.lifetime()),
-      first_class_(tree.class_named(class_names[0]).id()),
-      end_class_(tree.classes().size()) {
+    : input(define(tree), view), assets(game_assets), tree_(tree), tree_life_(tree.lifetime()) {
     tree.add_part(clock_part_);
 }
 
@@ -82,20 +67,12 @@ Services::Services(property::Tree& tree, property::Assets* game_assets)
 Services::~Services() {
     if (tree_life_.expired()) return;
     tree_.remove_part(clock_part_);
-    std::vector<property::Handle> services;
-    tree_.each_below(tree_.root(), [&](property::Handle instance) {
-        if (is_service(tree_.class_of(instance))) services.push_back(instance);
-    });
     std::function<std::string()> where = [] { return std::string("the end of app::Services"); };
     // No edit: undo could not bring them back.
     const property::Tree::CauseScope scope(tree_, property::Writer::load, &where);
-    for (const property::Handle service : services) take_out(tree_, service);
-}
-
-bool Services::is_service(const property::Class& of) const {
-    for (const property::Class* each = &of; each != nullptr; each = each->base())
-        if (each->id() >= first_class_ && each->id() < end_class_) return true;
-    return false;
+    // If an instance cannot be deleted, the exception leaves this destructor, and the program ends
+    // with its message.
+    for (const char* name : class_names) property::end_class(tree_, tree_.class_named(name));
 }
 
 property::Tree& Services::define(property::Tree& tree) {

@@ -112,6 +112,15 @@ std::vector<std::string> ClassRegistry::names() const {
     return all;
 }
 
+void ClassRegistry::require_living(const Class& of) const {
+    for (const Class* ended : ended_)
+        if (of.is_a(*ended))
+            throw Error(ErrorKind::rejected, of.name() +
+                                                 ": it can have no instances any more, "
+                                                 "because what computed with class " +
+                                                 ended->name() + " has ended");
+}
+
 Class& ClassRegistry::define(ClassDescriptor descriptor) {
     if (!is_identifier(descriptor.name))
         throw Error(ErrorKind::bad_name,

@@ -20,6 +20,10 @@ class ClassRegistry {
     const Class& operator[](std::uint32_t id) const { return *classes_[id]; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
     std::vector<std::string> names() const;
+    /// From now on, `require_living` throws for the class and for classes that derive from it.
+    void end(const Class& ended) { ended_.push_back(&ended); }
+    /// Throws Error(rejected) if the class has ended: its memory does not exist any more.
+    void require_living(const Class& of) const;
 
     // Details of a class that only the tree needs.
     static const std::deque<Property>& own_properties(const Class& of) {
@@ -42,6 +46,7 @@ class ClassRegistry {
 
     std::vector<std::unique_ptr<Class>> classes_;
     std::unordered_map<std::string, Class*> by_name_;
+    std::vector<const Class*> ended_;
 };
 
 }  // namespace fettle::property

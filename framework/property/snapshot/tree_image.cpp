@@ -214,6 +214,7 @@ void TreeImage::check_instances(const ByteReader& from) const {
         const Node& node = nodes_[i];
         if (!node.alive()) continue;
         const Class& of = now_.classes[node.class_id];
+        now_.classes.require_living(of);
         // Modules that save their rows themselves check which instances are theirs.
         from.require(
             of.creatable() || of.snapshots() == Snapshots::natively || lived_before(i, node),

@@ -57,6 +57,7 @@ void Structure::take_back(Handle self, const Class& of, bool has_row) {
 
 std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName name, bool named,
                               Handle again) {
+    instances.classes.require_living(of);
     if (!again && !next_handles.empty()) {
         again = next_handles.front();
         next_handles.erase(next_handles.begin());

@@ -1,7 +1,6 @@
 #pragma once
 // Services that every game has in its tree beside the world: `time`, `view`, `input`, `audio`.
 
-#include <cstddef>
 #include <memory>
 
 #include <fettle/app/clock.h>
@@ -26,8 +25,8 @@ struct Audio {
 /// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
 /// runtime. The destructor deletes the instances of the services, with everything below them; if
 /// the tree has ended before, it does nothing. Where instances cannot be deleted (in a formula or a
-/// lifecycle function, for example), it ends the program. The classes stay in the tree, which can
-/// get no other services.
+/// lifecycle function, for example), it ends the program. The classes stay in the tree, but it
+/// can get no other services, and no instance of these classes.
 class Services {
   public:
     /// `assets`: images, sounds and other files of the game; null if there are none. They must
@@ -45,11 +44,9 @@ class Services {
 
   private:
     property::Tree& define(property::Tree& tree);
-    bool is_service(const property::Class& of) const;
 
     property::Tree& tree_;
     std::weak_ptr<const property::Tree*> tree_life_;
-    std::size_t first_class_ = 0, end_class_ = 0;  // ids of the classes of the services
     ClockPart clock_part_{clock};
 };
 
