@@ -137,6 +137,8 @@ void Plugin::on_print(std::function<void(std::string_view)> sink) {
 void Plugin::attach(property::Tree& tree) {
     State& s = *state_;
     if (s.host.tree != nullptr) throw std::logic_error(s.name + " is attached to a tree already");
+    if (s.open.native.attach == nullptr)
+        throw LoadError(s.file, "module " + s.name + " is not loaded any more");
     const auto prepare = [&] {
         s.host.tree = &tree;
         s.host.define_class = [&s](const fettle_class& native) {

@@ -103,6 +103,8 @@ TEST_CASE("a module that refuses to attach after its trial is not called any mor
     game.moody.step(0.1);
     CHECK(game.tree.children(game.tree.root()).empty());
     CHECK_THROWS_WITH(game.moody.reload(), contains("attached to no tree"));
+    property::Tree other;
+    CHECK_THROWS_WITH(game.moody.attach(other), contains("moody is not loaded any more"));
 }
 
 TEST_CASE("what a module prints in its trial is not printed") {
