@@ -246,6 +246,10 @@ void check_contacts(const WorldState& w, Findings& findings) {
     const size_t n = w.contacts.size();
     findings.require(w.contact_links.size() == n && w.manifold_poses.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
+        findings.require(
+            are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved, c.kept),
+            "a contact");
+        if (findings.result()) return;
         const bool used = c.shape_a != none;
         findings.require(used || !c.touching,
                          "a contact");  // World::contacts checks only this
@@ -254,8 +258,6 @@ void check_contacts(const WorldState& w, Findings& findings) {
                          "a contact");
         findings.require(optional_index(c.awake_index, w.awake_contacts.size()) &&
                              c.manifold.count >= 0 && c.manifold.count <= 2 &&
-                             are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled,
-                                       c.curved, c.kept) &&
                              (!c.kept || c.manifold.count == 2),
                          "a contact");
     }

@@ -213,7 +213,8 @@ void remix_all(WorldData& data) {
 void World::set_filter(PairFilter filter) {
     WorldData& data = edit(__func__);
     data.read_all();  // if a refresh callback throws, the old filter stays
-    data.self.filter = std::move(filter);
+    // The old function is destroyed with the argument, after this call: it may hold the world.
+    std::swap(data.self.filter, filter);
     WorldLock lock(data.self, WorldLock::During::change, in_edit);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
@@ -230,18 +231,18 @@ void World::set_filter(PairFilter filter) {
 }
 void World::set_mixing(ContactCallback mix) {
     WorldData& data = edit(__func__);
-    data.self.mix = std::move(mix);
+    std::swap(data.self.mix, mix);
     remix_all(data);
 }
 void World::on_refresh(RefreshCallback callback) {
-    edit(__func__).self.refresh = std::move(callback);
+    std::swap(edit(__func__).self.refresh, callback);
 }
 void World::refresh(const Refresh& wanted) {
     edit(__func__).refresh(wanted);
 }
 void World::set_before_solve(ContactCallback callback) {
     WorldData& data = edit(__func__);
-    data.self.before_solve = std::move(callback);
+    std::swap(data.self.before_solve, callback);
     remix_all(data);
 }
 

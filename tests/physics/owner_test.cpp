@@ -1,3 +1,4 @@
+#include <memory>
 #include <set>
 #include <string>
 
@@ -96,6 +97,45 @@ TEST_CASE("what a field is and whose it is are its owner's, its numbers anybody'
     def.force = DragField{};
     REQUIRE_THROWS_AS(field.set(def), Locked);
     REQUIRE(field.definition().user_data == 7);
+}
+
+TEST_CASE("a callback that holds the last reference of its world may be replaced") {
+    for (int which = 0; which < 4; ++which) {
+        auto world = std::make_shared<World>();
+        const std::weak_ptr<World> life = world;
+        World& of = *world;
+        Body body = of.create_body();
+        body.add(Circle{});
+        if (which == 0) of.set_filter([world](const Shape&, const Shape&) { return true; });
+        if (which == 1) of.set_mixing([world](ContactEdit&) {});
+        if (which == 2) of.set_before_solve([world](ContactEdit&) {});
+        if (which == 3) of.on_refresh([world](const Refresh&) {});
+        world.reset();
+        REQUIRE_FALSE(life.expired());
+        if (which == 0) of.set_filter({});
+        if (which == 1) of.set_mixing({});
+        if (which == 2) of.set_before_solve({});
+        if (which == 3) of.on_refresh({});
+        CHECK(life.expired());
+        CHECK_FALSE(body.is_valid());
+    }
+}
+
+TEST_CASE("the call of an owner may replace itself") {
+    Owner owner("ask it");
+    World world;
+    world.set_owner(&owner);
+    auto held = std::make_shared<int>();
+    const std::weak_ptr<int> life = held;
+    bool lived = false;
+    owner.on_unlocked([held = std::move(held), &owner, &life, &lived] {
+        const std::weak_ptr<int>& watched = life;
+        bool& result = lived;
+        owner.on_unlocked({});
+        result = !watched.expired();
+    });
+    world.step(frame);
+    CHECK(lived);
 }
 
 }  // namespace owner_test

@@ -120,4 +120,31 @@ TEST_CASE("what was saved again behind other bytes is sealed by itself") {
     REQUIRE(target.hash() == world.hash());
 }
 
+TEST_CASE("flags of a sealed world are checked before they are read as flags") {
+    World world;
+    add_floor(world);
+    Body ball = add_ball(world, {0, 0.5f});
+    world.create_revolute_joint({.body_b = ball.id()});
+    world.create_field({.region = Aabb{{-9, -9}, {9, 9}}});
+    world.create_field({}).destroy();
+    world.step(frame);
+    REQUIRE_FALSE(world.contacts().empty());
+    const auto bytes = saved(world);
+    size_t refused = 0, accepted = 0;
+    for (size_t at = sizeof(detail::SavedHeader); at < bytes.size(); ++at) {
+        auto damaged = bytes;
+        damaged[at] ^= std::byte{16};
+        detail::seal(damaged);
+        World target;
+        if (is_refused(target, damaged)) {
+            ++refused;
+            continue;
+        }
+        ++accepted;
+        target.step(frame);
+    }
+    CHECK(refused > 0);
+    CHECK(accepted > 0);
+}
+
 }  // namespace seal_test

@@ -45,7 +45,7 @@ class Owner {
     /// functions. It must not throw.
     void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
     void tell_unlocked() const {
-        if (unlocked_) unlocked_();
+        if (const auto call = unlocked_) call();  // a copy, because it may replace itself
     }
 
     bool acts() const { return acting_ != 0; }
