@@ -77,7 +77,8 @@ struct HostFunctions {
     static void print(void* self, const char* line) {
         HostTable& host = host_of(self);
         const HostTable::Call call(host);
-        if (host.print && line != nullptr) host.print(line);
+        if (line == nullptr) return;
+        if (const auto sink = host.print) sink(line);  // a copy, because it may replace itself
     }
 
     static fettle_status define_class(void* self, const fettle_class* descriptor) {

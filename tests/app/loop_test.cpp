@@ -2,6 +2,8 @@
 
 #include <fettle/app/loop.h>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include "game.h"
 
@@ -176,6 +178,80 @@ TEST_CASE("the hook of step n runs before the callbacks of step n") {
         for (int i = 0; i < 3; ++i) game.loop.turn();
         CHECK(game.get("time.step").integer() == 1);
     }
+}
+
+TEST_CASE("a hook of a loop may replace itself") {
+    Game game;
+    std::weak_ptr<int> life;
+    bool lived = false;
+    // Replaces the hook and then looks whether what the hook holds is still there.
+    const auto hook = [&](auto set) {
+        auto held = std::make_shared<int>();
+        life = held;
+        return [held, set, &life = life, &lived = lived](auto...) {
+            const std::weak_ptr<int>& watched = life;
+            bool& result = lived;
+            set();
+            result = !watched.expired();
+        };
+    };
+    Loop& loop = game.loop;
+    SECTION("between frames") {
+        loop.between_frames(hook([&loop] { loop.between_frames({}); }));
+    }
+    SECTION("before a step") {
+        loop.before_step(hook([&loop] { loop.before_step({}); }));
+    }
+    SECTION("after a barrier") {
+        loop.after_barrier(hook([&loop] { loop.after_barrier({}); }));
+    }
+    loop.turn();
+    CHECK(lived);
+    loop.frame(tick);
+    CHECK(game.get("time.step").integer() == 2);
+}
+
+TEST_CASE("what a loop calls may add modules and layers to it") {
+    struct Adding : Layer {
+        explicit Adding(Loop& to) : loop(to) {}
+        bool handle(const InputEvent&) override {
+            ++handled;
+            if (more.size() < 20) loop.add(*more.emplace_back(std::make_unique<Adding>(loop)));
+            return false;
+        }
+        void draw(Surface&, double) override {}
+        Loop& loop;
+        int handled = 0;
+        std::vector<std::unique_ptr<Adding>> more{};
+    };
+    Game game;
+    int steps = 0, reports = 0;
+    const auto add = [&] {
+        for (int i = 0; i < 10; ++i)
+            game.loop.add(
+                {.name = "more", .step = [&](double) { ++steps; }, .report = [&] { ++reports; }});
+    };
+    game.loop.add({.name = "first",
+                   .step =
+                       [&](double) {
+                           if (++steps == 1) add();
+                       },
+                   .report =
+                       [&] {
+                           if (++reports == 1) add();
+                       }});
+    game.loop.turn();
+    CHECK(steps == 11);
+    CHECK(reports == 21);
+    game.loop.turn();
+    CHECK(steps == 32);
+    Adding layer(game.loop);
+    game.loop.add(layer);
+    game.press("a");
+    CHECK(layer.handled == 1);
+    game.release("a");
+    CHECK(layer.handled == 2);
+    CHECK(layer.more[0]->handled == 1);
 }
 
 TEST_CASE("no step is made beyond the limit") {

@@ -125,6 +125,24 @@ TEST_CASE("what a module prints in its trial is not printed") {
     CHECK(lines() == std::vector<std::string>{"attached", "attached"});
 }
 
+TEST_CASE("the receiver of what a module prints may replace itself") {
+    Game game;
+    game.moody.attach(game.tree);
+    const Handle one = game.make("one");
+    auto held = std::make_shared<int>();
+    const std::weak_ptr<int> life = held;
+    bool lived = false;
+    game.moody.on_print([held = std::move(held), &game, &life, &lived](std::string_view) {
+        const std::weak_ptr<int>& watched = life;
+        bool& result = lived;
+        game.moody.on_print([](std::string_view) {});
+        result = !watched.expired();
+    });
+    game.tree.call(one, "speak", {});
+    CHECK(lived);
+    CHECK(life.expired());
+}
+
 TEST_CASE("a module is not reloaded while one of its functions runs") {
     Game game;
     game.moody.attach(game.tree);

@@ -261,6 +261,21 @@ TEST_CASE("a point written as a list is reported with the right form") {
                contains("got list {1, 2.5} (write vec(1, 2.5))"));
 }
 
+TEST_CASE("the receiver of notes may replace itself") {
+    Stage s;
+    auto held = std::make_shared<int>();
+    const std::weak_ptr<int> life = held;
+    bool lived = false;
+    s.runtime->on_note([held = std::move(held), &s, &life, &lived](std::string_view) {
+        const std::weak_ptr<int>& watched = life;
+        bool& result = lived;
+        s.runtime->on_note({});
+        result = !watched.expired();
+    });
+    s.run("Circle { r = 3 }");
+    CHECK(lived);
+}
+
 TEST_CASE("names from other engines are explained once and change nothing") {
     Stage s;
     std::vector<std::string> notes;

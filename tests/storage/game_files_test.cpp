@@ -2,6 +2,8 @@
 
 #include <catch.h>
 
+#include <memory>
+
 #include <fettle/property/storage/game_files.h>
 
 #include "game_folder.h"
@@ -50,6 +52,24 @@ TEST_CASE("files are reported once when they are read and before they are writte
     CHECK(files.read(folder / "c.json") == "five");
     CHECK(reported(findings) == std::vector<std::string>{"c.json overwritten nothing"});
     CHECK(folder.text("a.json") == "three");
+}
+
+TEST_CASE("a listener of files may replace itself") {
+    const GameFolder folder;
+    folder.write("a.json", "one");
+    GameFiles files;
+    files.take_note();
+    auto held = std::make_shared<int>();
+    const std::weak_ptr<int> life = held;
+    bool lived = false;
+    files.tell([held = std::move(held), &files, &life, &lived](const GameFiles::Finding&) {
+        const std::weak_ptr<int>& watched = life;
+        bool& result = lived;
+        files.tell([](const GameFiles::Finding&) {});
+        result = !watched.expired();
+    });
+    CHECK(files.read(folder / "a.json") == "one");
+    CHECK(lived);
 }
 
 TEST_CASE("a file is the same under every name it has") {

@@ -98,7 +98,7 @@ void Loop::draw(Screen& screen, double seconds) {
     tree_.draw(tree_.root(), painter, clock.alpha);
     if (!halted_ && !runtime_life_.expired()) runtime_.draw(painter);
     if (view.show.timings) draw_timings(screen.surface(), clock);
-    for (Layer* layer : layers_) layer->draw(screen.surface(), seconds);
+    for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     if (seconds > 0)
@@ -107,7 +107,7 @@ void Loop::draw(Screen& screen, double seconds) {
 
 void Loop::draw_layers(Screen& screen, double seconds) {
     screen.begin(services_.view.background);
-    for (Layer* layer : layers_) layer->draw(screen.surface(), seconds);
+    for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
 }
 
 }  // namespace fettle::app

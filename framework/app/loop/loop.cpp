@@ -85,7 +85,11 @@ Loop::~Loop() {
 }
 
 void Loop::step_modules(double dt) {
-    for (const SteppedModule& module : modules_) module.step(dt);
+    // By index and with copies, here and below: what is called may add modules and layers.
+    for (std::size_t i = 0; i < modules_.size(); ++i) {
+        const auto step = modules_[i].step;
+        step(dt);
+    }
 }
 
 void Loop::add(SteppedModule module) {
@@ -106,8 +110,8 @@ void Loop::between_frames(std::function<void()> hook) {
 
 void Loop::handle(const InputEvent& event) {
     bool taken = false;
-    for (auto layer = layers_.rbegin(); layer != layers_.rend() && !taken; ++layer)
-        taken = (*layer)->handle(event);
+    for (std::size_t i = layers_.size(); i > 0 && !taken; --i)
+        taken = layers_[i - 1]->handle(event);
     feed(event, taken);
 }
 
@@ -170,7 +174,8 @@ void Loop::announce_next() {
     const std::uint64_t next = lived_ + 1;
     if (next == announced_ || !before_step_) return;
     announced_ = next;
-    before_step_(next);
+    const auto hook = before_step_;  // a copy, because the hook may replace itself
+    hook(next);
 }
 
 /// Begins the next step or turn. False if there is none.
@@ -225,8 +230,8 @@ bool Loop::make_step(Stopwatch& watch) {
         const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
         timeline_.modules_step(dt);
         step_modules(dt);
-        for (const SteppedModule& module : modules_)
-            if (module.report) module.report();
+        for (std::size_t i = 0; i < modules_.size(); ++i)
+            if (const auto report = modules_[i].report) report();
         tree_.stepped();
     }
     watch.lap(watch.phases.modules);
@@ -239,7 +244,7 @@ bool Loop::make_step(Stopwatch& watch) {
 }
 
 void Loop::frame(double seconds, std::int64_t step_limit) {
-    if (between_frames_) between_frames_();
+    if (const auto hook = between_frames_) hook();
     require_ready();
     if (!std::isfinite(seconds))
         throw property::Error(
@@ -292,7 +297,7 @@ void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
 }
 
 void Loop::turn() {
-    if (between_frames_) between_frames_();
+    if (const auto hook = between_frames_) hook();
     require_ready();
     const Witnessed witnessed(witness_, [](Witness& w) { w.turn_begins(); });
     Stopwatch watch;

@@ -39,8 +39,8 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
 
 void Hints::tell(const std::string& about, const std::string& note) {
     constexpr std::size_t limit = 100;  // a limit for games with very many of them
-    if (given_.size() < limit && given_.insert(about).second && machine_.host.on_note)
-        machine_.host.on_note(note);
+    if (given_.size() >= limit || !given_.insert(about).second) return;
+    if (const auto sink = machine_.host.on_note) sink(note);
 }
 
 void Hints::forget() {

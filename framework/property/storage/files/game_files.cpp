@@ -185,8 +185,8 @@ void GameFiles::tell(std::function<void(const Finding&)> listener) {
 }
 
 void GameFiles::add(Finding finding) {
-    if (listener_)
-        listener_(finding);
+    if (const auto listener = listener_)  // a copy, because it may replace itself
+        listener(finding);
     else
         findings_.push_back(std::move(finding));
 }
