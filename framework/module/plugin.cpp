@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include <fettle/property/bytes.h>
+#include <fettle/property/ended_class.h>
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
@@ -84,6 +85,14 @@ void Plugin::State::give_up() {
     close_native();
 }
 
+void Plugin::State::leave_tree() {
+    property::Tree& tree = *host.tree;
+    if (host.part != nullptr) tree.remove_part(*host.part);
+    host.part = nullptr;
+    for (const auto& c : classes) property::end_class(tree, c->declared());
+    host.tree = nullptr;
+}
+
 void Plugin::State::require_loaded() const {
     if (open.native.attach == nullptr)
         throw std::runtime_error("module " + name + " is not loaded any more");
@@ -117,8 +126,10 @@ std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
 Plugin::Plugin(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Plugin::~Plugin() {
-    state_->host.tree = nullptr;  // the tree has already ended
-    state_->close_native();
+    State& s = *state_;
+    if (s.host.tree != nullptr && !s.tree_life.expired()) s.leave_tree();
+    s.host.tree = nullptr;
+    s.close_native();
 }
 
 const fs::path& Plugin::file() const {
@@ -162,9 +173,10 @@ void Plugin::attach(property::Tree& tree) {
     } catch (...) {  // an error that did not occur in the trial
         const std::string reason = property::exception_text();
         s.give_up();
-        s.host.tree = nullptr;
+        s.leave_tree();
         throw LoadError(s.file, "module " + s.name + ": " + reason);
     }
+    s.tree_life = tree.lifetime();
     if (!s.saves()) return;
     tree.add_part(*this);
     s.host.part = this;

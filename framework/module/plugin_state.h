@@ -26,6 +26,7 @@ struct Plugin::State {
     HostTable host;
     OpenModule open;
     std::vector<std::unique_ptr<BridgedClass>> classes;
+    std::weak_ptr<const property::Tree*> tree_life;  // of `host.tree`
 
     /// Opens the copy and calls its entry point. Throws LoadError.
     OpenModule open_file(const ModuleCopy& copy);
@@ -40,6 +41,8 @@ struct Plugin::State {
     /// After a failure that left the module half attached: ends it. Its instances stay, with the
     /// defaults as values. A later reload may bring the module back.
     void give_up();
+    /// Ends the classes, so that the tree does not use this object any more, and forgets the tree.
+    void leave_tree();
     /// Throws std::runtime_error after `give_up`.
     void require_loaded() const;
     /// Whether the module saves its own rows in snapshots.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fettle/property/ended_class.h>
 #include <fettle/property/error.h>
 
 #include <bodies/body_class.h>
@@ -69,7 +70,13 @@ void require_room(const property::Tree& tree) {
 }  // namespace
 
 PhysicsModule::PhysicsModule() = default;
-PhysicsModule::~PhysicsModule() = default;
+
+PhysicsModule::~PhysicsModule() {
+    if (!hosting_ || hosting_->tree_life.expired()) return;
+    property::Tree& tree = hosting_->tree;
+    tree.remove_part(*this);
+    for (const char* name : class_names) property::end_class(tree, tree.class_named(name));
+}
 
 void PhysicsModule::attach(property::Tree& tree) {
     if (hosting_) throw std::logic_error("physics is attached to a tree already");

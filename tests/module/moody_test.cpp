@@ -99,12 +99,33 @@ TEST_CASE("a module that refuses to attach after its trial is not called any mor
         const Refusing refusing("attach");
         CHECK_THROWS_WITH(game.moody.attach(game.tree), contains("no game today"));
     }
-    CHECK_THROWS_WITH(game.make("one"), contains("not loaded any more"));
+    CHECK_THROWS_WITH(game.make("one"), contains("can have no instances any more"));
     game.moody.step(0.1);
     CHECK(game.tree.children(game.tree.root()).empty());
     CHECK_THROWS_WITH(game.moody.reload(), contains("attached to no tree"));
     property::Tree other;
     CHECK_THROWS_WITH(game.moody.attach(other), contains("moody is not loaded any more"));
+}
+
+TEST_CASE("a plugin that ends before its tree takes its instances with it") {
+    const std::string name = GENERATE("moody", "harbor", "weather");
+    INFO(name);
+    property::Tree tree;
+    auto plugin = module::Plugin::open(built(name));
+    plugin->on_print([](std::string_view) {});
+    const std::size_t before = tree.classes().size();
+    plugin->attach(tree);
+    REQUIRE(tree.classes().size() > before);
+    const property::Class& of = *tree.classes()[before];
+    const Handle one = tree.create(of, tree.root(), "one");
+    const Handle loose = tree.create(of);
+    plugin.reset();
+    CHECK_FALSE(tree.alive(one));
+    CHECK_FALSE(tree.alive(loose));
+    CHECK(tree.children(tree.root()).empty());
+    CHECK(tree.parts().empty());
+    CHECK_THROWS_WITH(tree.create(of), contains("can have no instances any more"));
+    tree.restore(tree.snapshot());
 }
 
 TEST_CASE("what a module prints in its trial is not printed") {

@@ -1,5 +1,8 @@
 // A hosted world and a world of the bare library make the same steps with the same bits.
 
+#include <optional>
+#include <vector>
+
 #include "catch.h"
 #include "game.h"
 
@@ -165,6 +168,54 @@ TEST_CASE("a physics module that was never attached reports this") {
     REQUIRE_FALSE(module.handle(fettle::physics::Shape()));
     module.attach(tree);
     module.step(0.1);
+}
+
+TEST_CASE("physics that ends before its tree takes its instances with it") {
+    const bool watched = GENERATE(false, true);
+    property::Tree tree;
+    std::optional<physics_module::PhysicsModule> physics(std::in_place);
+    physics->attach(tree);
+    tree.define({.name = "Crate", .base = "Body"});
+    const auto make = [&](const char* of, Handle parent) {
+        return tree.create(tree.class_named(of), parent);
+    };
+    const Handle world = tree.child(tree.root(), "world"), group = make("Object", tree.root());
+    const Handle body = make("Body", world), crate = make("Crate", make("World", group));
+    const std::vector<Handle> all = {world,
+                                     body,
+                                     crate,
+                                     make("Circle", body),
+                                     make("Box", crate),
+                                     make("RevoluteJoint", world),
+                                     make("Wind", world),
+                                     make("Body", {}),
+                                     make("Polygon", {}),
+                                     make("Body", group)};
+    std::vector<property::Connection> watchers;
+    int told = 0;
+    if (watched) {
+        watchers.push_back(tree.watch(body, "position", [](const property::Change&) {}));
+        watchers.push_back(
+            tree.watch_deleted(tree.object_class(), [&](const property::Existence&) { ++told; }));
+    }
+    const property::Snapshot before = tree.snapshot();
+    physics->step(0.1);
+    physics->report(tree);
+    tree.barrier();
+    physics.reset();
+    tree.barrier();
+    CHECK(told >= (watched ? 10 : 0));
+    for (const Handle gone : all) CHECK_FALSE(tree.alive(gone));
+    CHECK(tree.children(tree.root()) == std::vector<Handle>{group});
+    CHECK(tree.children(group).empty());
+    CHECK(tree.size() == 2);
+    CHECK(tree.parts().empty());
+    for (const char* of : {"World", "Body", "Crate", "Circle", "WeldJoint", "Drag"})
+        CHECK_THROWS_WITH(tree.create(tree.class_named(of), tree.root()),
+                          Catch::Matchers::Contains("it can have no instances any more"));
+    CHECK_THROWS(tree.restore(before));
+    tree.restore(tree.snapshot());
+    tree.barrier();
 }
 
 }  // namespace hosting_test

@@ -299,6 +299,13 @@ void Tree::remove_part(SnapshotPart&) {
     state_->part = nullptr;
 }
 
+/// The host ends the classes of a module that it closes.
+std::weak_ptr<const Tree*> Tree::lifetime() const {
+    return {};
+}
+
+void end_class(Tree&, const Class&) {}
+
 void Tree::refreshing(SnapshotPart&, std::uint64_t what) {
     const State& s = *state_;
     s.host->refreshing(s.host->self, what);

@@ -13,7 +13,7 @@ constexpr std::uint64_t refresh_code(std::uint32_t world, const physics::Refresh
 }  // namespace
 
 Hosting::Hosting(property::Tree& in, property::SnapshotPart& part)
-    : tree(in), joints(*this), part_(part) {
+    : tree(in), tree_life(in.lifetime()), joints(*this), part_(part) {
     worlds_[limbo] = make_world(limbo);
     const physics::Geometry geometries[] = {
         physics::Circle{},

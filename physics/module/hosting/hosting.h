@@ -214,6 +214,7 @@ class Hosting {
     Kinds field_kinds, joint_kinds;
 
     property::Tree& tree;
+    const std::weak_ptr<const property::Tree*> tree_life;
     Joints joints;
     std::array<ShapeKind, 8> kinds;
 

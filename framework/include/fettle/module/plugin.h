@@ -34,8 +34,9 @@ struct Reloaded {
     std::vector<std::string> notes;
 };
 
-/// A module in a shared object. It stays in the process as long as this object lives, which must be
-/// longer than the life of the tree it is attached to.
+/// A module in a shared object. It stays in the process as long as this object lives. If this
+/// object ends before the tree that it is attached to, its instances are deleted, and its classes
+/// can have no others.
 ///
 /// The module is tested before it is attached: opening, attaching and its own test happen first in
 /// a forked copy of the process, so that a module that crashes does so there and is refused with

@@ -17,7 +17,9 @@ class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 
 /// Registers the classes World, Body, Shape, Joint and Field and all classes that derive from them,
 /// creates `game.world`, and steps every world below the root. Before `attach`, methods that need a
-/// tree throw std::logic_error; after the tree is destroyed, only the destructor may be called.
+/// tree throw std::logic_error; after the tree is destroyed, only the destructor may be called. The
+/// destructor of a module that ends before the tree deletes its instances, with everything below
+/// them; its classes can have no others then.
 class PhysicsModule : public module::Module {
   public:
     PhysicsModule();
