@@ -56,39 +56,49 @@ fs::path existing(Machine& machine, const std::string& file, const std::string& 
                                              property::suggestion(name, modules_of(machine)));
 }
 
+// Counts a module as being loaded while its file runs. The list is no table of Lua: an error of the
+// file leaves the stack of Lua as it was in the innermost function, so its end may not use that.
+class BeingLoaded {
+  public:
+    BeingLoaded(std::vector<std::string>& names, const std::string& name) : names_(names) {
+        names_.push_back(name);
+    }
+    ~BeingLoaded() { names_.pop_back(); }
+    BeingLoaded(const BeingLoaded&) = delete;
+    BeingLoaded& operator=(const BeingLoaded&) = delete;
+
+  private:
+    std::vector<std::string>& names_;
+};
+
+void refuse_cycle(const std::vector<std::string>& loading, const std::string& name) {
+    if (std::find(loading.begin(), loading.end(), name) == loading.end()) return;
+    throw Error(
+        ErrorKind::bad_structure,
+        "require: \"" + name + "\" is being loaded already; " +
+            (loading.back() == name ? "it requires itself" : "two modules require each other"));
+}
+
 int require(lua_State* L) {
     Machine& machine = machine_of(L);
     if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "require: needs the name of a module");
     lua_settop(L, 1);
     push_registry(L, machine.globals.loaded);
     lua_pushvalue(L, 1);
-    if (lua_rawget(L, 2) != LUA_TNIL) {
-        if (lua_islightuserdata(L, -1))
-            throw Error(ErrorKind::bad_structure,
-                        std::string("require: \"") + string_at(L, 1) +
-                            "\" is being loaded already; two modules require each other");
-        return 1;
-    }
+    if (lua_rawget(L, 2) != LUA_TNIL) return 1;
     lua_pop(L, 1);
     const std::string name = string_at(L, 1);
+    refuse_cycle(machine.globals.loading, name);
     machine.tree.require_changeable("load the module \"" + name + "\"");
     if (machine.sources.folder.empty())
         throw Error(ErrorKind::rejected, "require: there is no game folder");
     const std::string file = module_file(name);
     const std::string text = machine.sources.files.read(existing(machine, file, name));
     if (machine.sources.load(L, text, file) != LUA_OK) return lua_error(L);
-    lua_pushvalue(L, 1);
-    lua_pushlightuserdata(L, &machine);  // marks a module that is being loaded
-    lua_rawset(L, 2);
-    try {
+    {
+        const BeingLoaded being_loaded(machine.globals.loading, name);
         lua_pushvalue(L, 1);
         lua_call(L, 1, 1);
-    } catch (...) {
-        // Remove the mark, so that a corrected file can be required again.
-        lua_pushvalue(L, 1);
-        lua_pushnil(L);
-        lua_rawset(L, 2);
-        throw;
     }
     if (lua_isnil(L, -1)) {
         lua_pop(L, 1);
