@@ -319,6 +319,19 @@ bool Journal::commit(const Changes& changes) {
                     .bind(4, row->number)
                     .bind(5, row->now)
                     .run();
+            Statement rename = database_->statement(
+                "UPDATE tweaks SET instance = ?, inside = ?, was = ?, was_text = ? WHERE run = ? "
+                "AND "
+                "number = ? AND now = ?");
+            for (const JournalRow* row : changes.renamed)
+                rename.bind(1, row->instance)
+                    .bind(2, row->inside)
+                    .bind(3, row->was)
+                    .bind(4, row->was_text)
+                    .bind(5, row->run)
+                    .bind(6, row->number)
+                    .bind(7, row->now)
+                    .run();
             transaction.commit();
         } catch (...) {
             run_ = known;

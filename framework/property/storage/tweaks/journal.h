@@ -65,6 +65,7 @@ class Journal {
         std::vector<const JournalRow*> put;      // new or changed rows of this run
         std::vector<std::int64_t> withdrawn;     // numbers of rows of this run to be deleted
         std::vector<const JournalRow*> settled;  // rows of other runs that are now kept or dropped
+        std::vector<const JournalRow*> renamed;  // open rows of other runs: files got other names
         std::vector<const JournalRow*> removed;  // invalid rows of other runs to be deleted
     };
     /// Commits all changes or none. False if another program is writing now. Throws DatabaseError.

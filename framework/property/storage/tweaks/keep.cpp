@@ -218,7 +218,11 @@ class Keeping {
         for (const auto& [row, home] : homes)
             if (row->kind == Kind::moved) row->instance = home;
         paths_ = RowPaths(state_);  // the moves have new home paths
-        for (const auto& [row, home] : homes) row->instance = paths_.said(*row, home);
+        for (const auto& [row, home] : homes) {
+            const std::string said = paths_.said(*row, home);
+            if (std::exchange(row->instance, said) != said || row->kind == Kind::moved)
+                state_.renamed_earlier(*row);
+        }
         return all;
     }
 

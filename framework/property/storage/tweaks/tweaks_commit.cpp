@@ -238,11 +238,13 @@ void Tweaks::State::commit() {
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
     }
-    changes.settled.assign(changed.begin(), changed.end());
+    for (const JournalRow* row : changed)
+        (row->state == RowState::open ? changes.renamed : changes.settled).push_back(row);
     for (const JournalRow& row : removed) changes.removed.push_back(&row);
     try {
         const bool nothing = changes.put.empty() && changes.withdrawn.empty() &&
-                             changes.settled.empty() && changes.removed.empty();
+                             changes.settled.empty() && changes.renamed.empty() &&
+                             changes.removed.empty();
         if (journal && !nothing && !journal->commit(changes))
             return;  // another run is writing; the next barrier tries again
     } catch (const std::exception& error) {

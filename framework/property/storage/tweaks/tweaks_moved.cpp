@@ -1,12 +1,14 @@
 // Tweaks of instances that get another name or parent.
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/path.h>
 
 #include <scenes/scene_edit.h>
 #include <scenes/scene_names.h>
 #include <scenes/scene_text.h>
+#include <tweaks/removed_text.h>
 #include <tweaks/tweaks_state.h>
 
 namespace fettle::property {
@@ -123,27 +125,67 @@ InstanceMoves Tweaks::State::moves() const {
     return all;
 }
 
+/// Whether the row is about an instance that is in no file because its deletion was kept.
+bool Tweaks::State::is_removed(const JournalRow& row) {
+    return (row.kind == Kind::deleted && row.state == RowState::kept) ||
+           (row.kind == Kind::restored && row.state == RowState::open);
+}
+
 void Tweaks::State::homes_changed(const NewPath& now_at) {
     for (const auto& each : entries) {
         JournalRow& row = each->row;
         if (row.kind == Kind::value || row.kind == Kind::created) continue;
-        const std::optional<std::string> now = now_at(row.instance);
-        if (!now || *now == row.instance) continue;
-        if (row.kind != Kind::moved) rekey(*each, *now);
-        row.instance = *now;
-        if (row.kind == Kind::moved) row.was_text = row.instance;
-        if (row.state == RowState::open && !each->gone) touch(*each);
+        const bool in_no_file = is_removed(row) && !each->gone;
+        each->taken_out = with_new_homes(tree, each->taken_out, row.instance, now_at);
+        bool renamed = false;
+        if (row.kind == Kind::restored) {
+            const std::string was = with_new_homes(tree, row.was, row.instance, now_at);
+            renamed = std::exchange(row.was, was) != was;
+        }
+        const std::string now = in_no_file ? home_of_removed(row.instance, now_at)
+                                           : now_at(row.instance).value_or(row.instance);
+        if (now != row.instance) {
+            renamed = true;
+            if (row.kind != Kind::moved) rekey(*each, now);
+            row.instance = now;
+            if (row.kind == Kind::moved) row.was_text = row.instance;
+        }
+        if (renamed && row.state == RowState::open && !each->gone) touch(*each);
     }
+    for (JournalRow& row : earlier) {
+        if (row.kind != Kind::restored) continue;
+        row.was = with_new_homes(tree, row.was, row.instance, now_at);
+        renamed_earlier(row);
+    }
+}
+
+void Tweaks::State::renamed_earlier(JournalRow& row) {
+    if (row.state == RowState::open && row.run != JournalRow::elsewhere) changed.push_back(&row);
 }
 
 void Tweaks::State::steps_renamed(const std::filesystem::path& file,
                                   const SceneOrigins::Names& names) {
-    const auto rename = [&](JournalRow& row) {
-        if (row.file == file.string() && !row.inside.empty())
-            row.inside = steps_text(renamed_steps(read_steps(row.inside), names));
+    const auto rename = [&](JournalRow& row, std::string* taken_out, bool gone) {
+        const bool here = row.file == file.string() && !row.inside.empty();
+        const SceneSteps steps = here ? read_steps(row.inside) : SceneSteps();
+        for (std::string* text : {taken_out, row.kind == Kind::restored ? &row.was : nullptr})
+            if (text != nullptr)
+                *text = with_new_steps(*text, here ? &steps : nullptr, file, names);
+        if (!here) return;
+        row.inside = steps_text(is_removed(row) && !gone ? steps_of_removed(steps, names)
+                                                         : renamed_steps(steps, names));
     };
-    for (const auto& each : entries) rename(each->row);
-    for (JournalRow& row : earlier) rename(row);
+    for (const auto& each : entries) {
+        const std::string before = each->row.inside;
+        rename(each->row, &each->taken_out, each->gone);
+        if (each->row.inside != before && each->row.state == RowState::open && !each->gone)
+            touch(*each);
+    }
+    for (JournalRow& row : earlier) {
+        const std::string before = row.inside;
+        rename(row, nullptr, false);
+        if (row.inside != before) renamed_earlier(row);
+    }
 }
 
 void Tweaks::State::file_says(const JournalRow& row) {

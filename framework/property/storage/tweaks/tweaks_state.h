@@ -92,6 +92,9 @@ struct Tweaks::State : EditObserver {
     bool deleted_by_path(const std::string& home) const;
     void find_again(Entry& its);
     bool rename_scene(Entry& made) const;
+    static bool is_removed(const JournalRow& row);
+    /// The journal gets the row of an earlier run with its new names.
+    void renamed_earlier(JournalRow& row);
     /// Called after files got other names of instances.
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);

@@ -1,0 +1,29 @@
+#pragma once
+// The text of a kept deletion: all that it removed from the files, which is put back when the
+// deletion is undone and that is kept. Instances that it names may get other names in the meantime.
+
+#include <filesystem>
+#include <string>
+
+#include <scenes/instance_paths.h>
+#include <scenes/scene_origins.h>
+
+namespace fettle::property {
+
+/// The home path after renames in the files, for an instance that is in none of them at present:
+/// only the instances above it are renamed. Another one may have its path now.
+std::string home_of_removed(const std::string& home, const NewPath& now_at);
+/// The same for its steps in a scene file.
+SceneSteps steps_of_removed(const SceneSteps& steps, const SceneOrigins::Names& names);
+
+/// The text after instances got other home paths. `removed`: the home path of the deleted instance
+/// before. An invalid text is returned unchanged.
+std::string with_new_homes(const Tree& tree, const std::string& text, const std::string& removed,
+                           const NewPath& now_at);
+
+/// The text after a scene file got other names of instances. `removed`: the steps of the deleted
+/// instance before, or null if it is not from that file.
+std::string with_new_steps(const std::string& text, const SceneSteps* removed,
+                           const std::filesystem::path& file, const SceneOrigins::Names& names);
+
+}  // namespace fettle::property

@@ -1,0 +1,130 @@
+// Names that are kept while other tweaks wait: those of this run, those of earlier runs, and what a
+// kept deletion removed.
+
+#include "catch.h"
+#include "game_folder.h"
+#include "tweak_run.h"
+
+namespace kept_names_test {
+
+using namespace scene_test;
+
+namespace {
+
+const char* const level =
+    "{\n"
+    "  \"fettle_scene\": 1,\n"
+    "  \"class\": \"Object\",\n"
+    "  \"name\": \"level\",\n"
+    "  \"children\": [\n"
+    "    {\"class\": \"Object\", \"name\": \"b\", \"children\": [\n"
+    "      {\"class\": \"Thing\", \"name\": \"c\", \"properties\": {\"number\": 0.5}}\n"
+    "    ]},\n"
+    "    {\"class\": \"Thing\", \"name\": \"d\"},\n"
+    "    {\"class\": \"Thing\", \"name\": \"e\"}\n"
+    "  ]\n"
+    "}\n";
+
+struct Level : GameFolder {
+    Level() { write("level.json", level); }
+};
+
+struct Loaded : Run {
+    explicit Loaded(const GameFolder& folder) : Run(folder) { load(folder, "level.json"); }
+    void number(const std::string& path, double value) {
+        person([&] { tree.set(at(path), "number", value); });
+    }
+    void rename(const std::string& path, const std::string& name) {
+        person([&] { tree.rename(at(path), name); });
+    }
+    void kept(const std::string& pattern) {
+        const TweakReport report = tweaks->keep(pattern);
+        CAPTURE(pattern);
+        CHECK(report.problems == std::vector<std::string>());
+        CHECK(report.count == 1);
+    }
+};
+
+/// The number of the part when the game begins again.
+double number_in(const GameFolder& folder) {
+    Loaded next(folder);
+    CHECK(next.lines() == std::vector<std::string>());
+    const Handle part = next.at("world.level.x.c");
+    return part ? next.tree.get(part, "number").number() : -1;
+}
+
+}  // namespace
+
+TEST_CASE("a value is kept in a later run after the new name above it was kept") {
+    const Level folder;
+    {
+        Loaded run(folder);
+        run.number("world.level.b.c", 2);
+        run.rename("world.level.b", "x");
+        run.kept("world.level.b");
+    }
+    Loaded(folder).kept("**");
+    CHECK(number_in(folder) == 2);
+}
+
+TEST_CASE("a value of an earlier run is kept after the new name above it was kept") {
+    const bool in_the_same_run = GENERATE(false, true);
+    CAPTURE(in_the_same_run);
+    const Level folder;
+    {
+        Loaded run(folder);
+        run.number("world.level.b.c", 2);
+        run.rename("world.level.b", "x");
+    }
+    {
+        Loaded run(folder);
+        run.kept("world.level.b");
+        if (in_the_same_run) run.kept("**");
+    }
+    if (!in_the_same_run) Loaded(folder).kept("**");
+    CHECK(number_in(folder) == 2);
+}
+
+TEST_CASE("a value of an earlier run is kept after a name that a later run gave was kept") {
+    const Level folder;
+    Loaded(folder).number("world.level.b.c", 2);
+    {
+        Loaded run(folder);
+        run.rename("world.level.b", "x");
+        run.kept("world.level.*");
+        CHECK(run.lines().front().find("earlier world.level.x.c.number: ") == 0);
+    }
+    Loaded(folder).kept("**");
+    CHECK(number_in(folder) == 2);
+}
+
+TEST_CASE("an undone deletion returns to its place although its neighbor was renamed meanwhile") {
+    const Level folder;
+    Loaded run(folder);
+    run.person([&] { run.tree.destroy(run.at("world.level.d")); });
+    run.kept("**");
+    run.rename("world.level.b", "x");
+    run.kept("**");
+    (void)run.tree.undo();
+    (void)run.tree.undo();
+    run.barrier();
+    CHECK(run.tweaks->keep("**").problems == std::vector<std::string>());
+    CHECK(folder.text("level.json") == level);
+}
+
+TEST_CASE("a deletion stays what it is when another instance of its name is renamed") {
+    const Level folder;
+    Loaded run(folder);
+    run.person([&] { run.tree.destroy(run.at("world.level.e")); });
+    run.kept("**");
+    run.rename("world.level.d", "e");
+    run.kept("**");
+    run.rename("world.level.e", "f");
+    run.kept("**");
+    for (int i = 0; i < 3; ++i) (void)run.tree.undo();
+    run.barrier();
+    CHECK(run.tweaks->keep("**").problems == std::vector<std::string>());
+    CHECK(folder.text("level.json") == level);
+}
+
+}  // namespace kept_names_test
