@@ -111,6 +111,29 @@ TEST_CASE("a recording that was cut off replays the run up to there") {
     }
 }
 
+TEST_CASE("what a console command writes is recorded as the command alone") {
+    const File file;
+    {
+        Playing playing(game);
+        RunStart start;
+        start.game = "game";
+        Recorder recorder(file.path, start);
+        playing.runtime->on_command([&](std::string_view command) { recorder.command(command); });
+        recorder.begin(playing.tree, *playing.loop);
+        for (const char* command :
+             {"world.hand = MouseJoint { body = world.ball }", "world.ball:delete()", "undo",
+              "world.hand:delete()", "undo", "redo", "undo", "undo", "undo"}) {
+            playing.console(command);
+            playing.loop->frame(0.02);
+        }
+    }
+    const std::string text = file.text();
+    CHECK(text.find("\ncommand \"undo\"") != std::string::npos);
+    CHECK(text.find("\nwrite ") == std::string::npos);
+    CHECK(text.find("\nreset ") == std::string::npos);
+    CHECK(replay(file).difference == "");
+}
+
 TEST_CASE("files that are not recordings are refused with a reason") {
     const File file;
     record(file, 5);

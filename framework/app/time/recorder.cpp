@@ -103,11 +103,12 @@ void Recorder::stepped() {
     line(text);
 }
 
-// Whether a write came from the inspector or another layer between two frames. Commands, events and
-// formulas repeat their own writes in a replay, so those are not recorded.
+// Whether a write came from the inspector or another layer between two frames. Commands (with the
+// undo that they call), events and formulas repeat their own writes in a replay, so those are not
+// recorded.
 bool Recorder::writes_alone() const {
     const property::Cause cause = tree_->cause();
-    return !inside_ && cause.writer != property::Writer::console &&
+    return !inside_ && !loop_->script_runs() && cause.writer != property::Writer::console &&
            cause.writer != property::Writer::formula && cause.where != "window";
 }
 

@@ -246,6 +246,10 @@ std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cu
     return script::complete(machine, input, cursor);
 }
 
+bool Runtime::running() const {
+    return state_->life.uses > 0;
+}
+
 void Runtime::set_it(Handle instance) {
     state_->globals.it = instance;
 }

@@ -110,6 +110,8 @@ class Loop {
     bool stopped() const {
         return halted_ || runtime_life_.expired() || runtime_.quit_status().has_value();
     }
+    /// Whether a script or a console command runs now.
+    bool script_runs() const { return !runtime_life_.expired() && runtime_.running(); }
     /// True after a request to close the window.
     bool closing() const { return closing_; }
 

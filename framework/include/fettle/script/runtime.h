@@ -136,6 +136,8 @@ class Runtime {
     Evaluation evaluate(std::string_view command);
     /// Completions for the text before `cursor` (byte offset), best first.
     std::vector<Completion> complete(std::string_view input, std::size_t cursor);
+    /// Whether a call into the scripts, or a console command, has not returned yet.
+    bool running() const;
     /// Sets the value of `it` in the console.
     void set_it(property::Handle instance);
     property::Handle it() const;
