@@ -212,6 +212,19 @@ void Tree::exchange(int32_t child, int32_t grandchild) {
                                       nodes_[size_t(nodes_[size_t(inner)].right)].box);
 }
 
+bool Tree::meets(const Box4& box) const {
+    if (root_ == none || !overlap(nodes_[size_t(root_)].box, box)) return false;
+    Stack<int32_t> waiting;
+    waiting.push(root_);
+    while (!waiting.empty()) {
+        const Node& node = nodes_[size_t(waiting.pop())];
+        if (node.is_leaf()) return true;
+        for (const int32_t child : {node.left, node.right})
+            if (overlap(nodes_[size_t(child)].box, box)) waiting.push(child);
+    }
+    return false;
+}
+
 void Tree::begin_walk(const Tree& other, size_t enough, std::vector<NodePair>& parts) const {
     if (!has_pairs(other)) return;
     const size_t begin = parts.size();

@@ -84,6 +84,8 @@ class Tree {
     /// history.
     template <typename Visit>
     void query(const Box4& box, Visit&& visit) const;
+    /// True if the box of a leaf overlaps.
+    bool meets(const Box4& box) const;
 
     /// Calls `visit(item, far)` for every leaf whose box meets the segment from + t·(to - from)
     /// with t <= far; `visit` returns the new `far`: smaller to clip, 0 to stop.

@@ -3,6 +3,8 @@
 #include <state/limits.h>
 #include <state/place_shape.h>
 
+#include <cstring>
+
 namespace fettle::physics::detail {
 namespace {
 
@@ -30,10 +32,69 @@ namespace {
             {reach({1.0f, 0.0f}), reach({0.0f, 1.0f})}};
 }
 
+/// Two vectors: one operation computes with both.
+using V2Pair = float __attribute__((vector_size(4 * sizeof(float))));
+
+V2Pair pair_of(const V2& first, const V2& second) {
+    const V2Pair v = {first.x, first.y, second.x, second.y};
+    return v;
+}
+V2Pair load_pair(const V2* from) {
+    V2Pair v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+void store_pair(V2* to, V2Pair v) {
+    to[0] = {v[0], v[1]};
+    to[1] = {v[2], v[3]};
+}
+/// The operations of `rotate`.
+V2Pair rotated(V2Pair v, V2Pair cosine, V2Pair sine) {
+    return v * cosine + __builtin_shufflevector(v, v, 1, 0, 3, 2) * sine;
+}
+
+/// Rotates the vertices and normals of a shape with three or more vertices; returns the box of the
+/// vertices. After an odd number of vertices the first one is repeated, which code that processes
+/// four at a time needs for triangles; the block has room for an even number.
+Box4 rotate_vertices(VertexPool& pool, const ShapeForm& form, V2 local_center, Rotation q) {
+    const V2* const local = &pool.local[form.begin];
+    const V2* const normals = &pool.normals[form.begin];
+    V2* const vertices = &pool.vertices[form.begin];
+    V2* const directions = &pool.directions[form.begin];
+    const V2Pair center = pair_of(local_center, local_center);
+    const V2Pair cosine = {q.c, q.c, q.c, q.c}, sine = {-q.s, q.s, -q.s, q.s};
+    const uint32_t count = form.count;
+    V2Pair low, high;
+    for (uint32_t i = 0; i < count; i += 2) {
+        const bool last = i + 1 == count;
+        const V2Pair at = last ? pair_of(local[i], local[0]) : load_pair(local + i);
+        const V2Pair along = last ? pair_of(normals[i], normals[0]) : load_pair(normals + i);
+        const V2Pair v = rotated(at - center, cosine, sine);
+        const V2Pair d = rotated(along, cosine, sine);
+        store_pair(vertices + i, v);
+        store_pair(directions + i, d);
+        low = i == 0 ? v : (low < v ? low : v);
+        high = i == 0 ? v : (high > v ? high : v);
+    }
+    return {{min(low[0], low[2]), min(low[1], low[3])},
+            {max(high[0], high[2]), max(high[1], high[3])}};
+}
+
 }  // namespace
 
 void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
                  float angle) {
+    const ShapeForm& form = objects.forms[shape];
+    VertexPool& pool = objects.pool;
+    const V2 local_center = form.body != none ? objects.bodies[form.body].local_center : V2{};
+    for (uint32_t i = form.begin; i < form.begin + form.count; ++i)
+        pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
+    move_shape(objects, boxes, shape, q, angle);
+    if (form.count == 3) pool.pad_triangle(form.begin);
+}
+
+void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
+                float angle) {
     ShapeForm& form = objects.forms[shape];
     VertexPool& pool = objects.pool;
     if (form.count == 0) return;
@@ -50,23 +111,23 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
         boxes[shape] = grow({center + box.low, center + box.high}, form.radius);
         return;
     }
-    V2 low, high;
-    for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-        const V2 v = rotate(q, pool.local[i] - local_center);
-        pool.vertices[i] = v;
-        pool.directions[i] = rotate(q, pool.normals[i]);
-        pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
-        low = i == form.begin ? v : V2{min(low.x, v.x), min(low.y, v.y)};
-        high = i == form.begin ? v : V2{max(high.x, v.x), max(high.y, v.y)};
+    Box4 box;
+    if (form.count > 2) {
+        box = rotate_vertices(pool, form, local_center, q);
+    } else {
+        for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
+            const V2 v = rotate(q, pool.local[i] - local_center);
+            pool.vertices[i] = v;
+            pool.directions[i] = rotate(q, pool.normals[i]);
+            box = i == form.begin ? Box4{v, v} : unite(box, {v, v});
+        }
     }
-    if (form.count == 3) pool.pad_triangle(form.begin);
     form.center = center;
     if (form.kind == FormKind::ellipse) {
         const V2 half = half_box(ellipse_of(objects.convex(shape)));
-        low = low - half;
-        high = high + half;
+        box = {box.low - half, box.high + half};
     }
-    boxes[shape] = grow({center + low, center + high}, form.radius);
+    boxes[shape] = grow({center + box.low, center + box.high}, form.radius);
 }
 
 float fat_margin(const Box4& box) {

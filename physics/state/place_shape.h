@@ -6,10 +6,15 @@
 
 namespace fettle::physics::detail {
 
-/// Writes the rotated vertices of the shape, relative to the center of mass of its body, and its
-/// box. `q` and `angle`: of the body.
+/// After an edit of the shape or its body: computes all that depends on the geometry and the pose.
+/// `q` and `angle`: of the body.
 void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
                  float angle);
+
+/// After a motion of the body: writes the rotated vertices of the shape, relative to the center of
+/// mass of its body, and its box.
+void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rotation q,
+                float angle);
 
 /// The fat box of a moving shape is larger than its box by this, m.
 float fat_margin(const Box4& box);

@@ -70,16 +70,28 @@ void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b)
     in.scratch.driven_bodies.push_back(driven);
 }
 
+/// A box around the body on its way. It is larger than those of its shapes, but computed faster.
+Box4 path_of(const BodyRecord& body, V2 shift) {
+    const V2 start = body.center - shift, end = body.center;
+    return grow(unite({start, start}, {end, end}), body.extent + speculative_margin);
+}
+
+bool may_meet_fixed(const FinishInput& in, const Box4& path) {
+    if (in.settings.bounds) {
+        for (uint32_t side = 0; side < 4; ++side)
+            if (overlap(path, in.boxes.fat_boxes[side])) return true;
+    }
+    return in.boxes.fixed_tree.meets(path);
+}
+
 /// True if the motion must be compared with those of moving bodies.
-bool may_meet_moving(const FinishInput& in, const FastBody& fast) {
-    const BodyRecord& record = in.objects.bodies[fast.body];
+bool may_meet_moving(const FinishInput& in, const BodyRecord& record, const Motion& motion,
+                     const Box4& path) {
     const std::vector<DrivenBody>& driven = in.scratch.driven_bodies;
     if (in.bodies.bullets || record.mobility == Mobility::kinematic) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
-    const V2 start = fast.motion.center(0.0f), end = fast.motion.center(1.0f);
-    const Box4 path = grow(unite({start, start}, {end, end}), record.extent + speculative_margin);
     return std::ranges::any_of(driven, [&](const DrivenBody& other) {
-        return is_fast_beside(in, record, fast.motion, path, other);
+        return is_fast_beside(in, record, motion, path, other);
     });
 }
 
@@ -88,12 +100,13 @@ bool may_meet_moving(const FinishInput& in, const FastBody& fast) {
 void stop_or_list(const FinishInput& in, uint32_t body, V2 shift, float turn,
                   FinishedPiece& piece) {
     const BodyRecord& record = in.objects.bodies[body];
+    const Box4 path = path_of(record, shift);
     FastBody fast;
     fast.body = body;
     fast.motion = motion_to(record.center, shift, turn);
     const bool dynamic = record.mobility == Mobility::dynamic;
-    if (dynamic && !in.filter) stop_at_fixed(in, fast, piece);
-    fast.meets_moving = may_meet_moving(in, fast);
+    fast.meets_moving = may_meet_moving(in, record, fast.motion, path);
+    if (dynamic && !in.filter && may_meet_fixed(in, path)) stop_at_fixed(in, fast, piece);
     if (in.filter || fast.meets_moving || in.objects.sensors > 0) piece.fast.push_back(fast);
 }
 

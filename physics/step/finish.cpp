@@ -92,7 +92,7 @@ void finish_shapes(const FinishInput& in, uint32_t body, Rotation q, FinishedPie
     std::vector<Box4>&boxes = in.boxes.boxes, &fat_boxes = in.boxes.fat_boxes;
     for (uint32_t s = objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
         if (!objects.is_solid(s)) continue;
-        place_shape(objects, boxes, s, q, in.columns.states[body].angle);
+        move_shape(objects, boxes, s, q, in.columns.states[body].angle);
         if (!shapes[s].crowded && contains(fat_boxes[s], grow(boxes[s], speculative_margin)))
             continue;
         fat_boxes[s] = grow(boxes[s], fat_margin(boxes[s]));

@@ -72,6 +72,7 @@ TEST_CASE("the tree finds the same boxes as brute force while they come and move
         const Box4 query = random_box();
         std::set<uint32_t> found, expected;
         tree.query(query, [&](uint32_t item) { REQUIRE(found.insert(item).second); });
+        REQUIRE(tree.meets(query) == !found.empty());
         for (const auto& [item, entry] : model) {
             if (overlap(entry.second, query)) expected.insert(item);
         }
