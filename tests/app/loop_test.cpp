@@ -344,4 +344,20 @@ TEST_CASE("the clock refuses invalid values") {
     CHECK_THROWS(game.set("time.dt", std::numeric_limits<double>::infinity()));
 }
 
+TEST_CASE("update gets game time and real time") {
+    Game game("function update(dt, real_dt) print(dt, real_dt) end");
+    game.set("time.scale", 0.5);
+    game.loop.frame(0.25);
+    CHECK(game.heard() == "0.08333333333333333\t0.25");  // at most five steps
+    game.set("time.max_steps", 1000);
+    game.loop.frame(0.25);
+    CHECK(game.heard() == "0.125\t0.25");
+    game.set("time.paused", true);
+    game.loop.frame(0.5);
+    CHECK(game.heard() == "0.0\t0.5");
+    CHECK(game.get("time.real").number() == 1);
+    game.loop.turn();
+    CHECK(game.get("time.real").number() == Approx(1 + tick));
+}
+
 }  // namespace fettle::app

@@ -187,7 +187,8 @@ bool Loop::live_next() {
 }
 
 /// Input, barrier, update and barrier. False if the frame ends here.
-bool Loop::prelude(double dt, Stopwatch& watch) {
+bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
+    services_.clock.real += real_dt;
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect
@@ -199,7 +200,7 @@ bool Loop::prelude(double dt, Stopwatch& watch) {
     barrier();
     watch.lap(watch.phases.handlers);
     if (stopped() || closing_) return false;  // no other callback follows closing()
-    runtime_.call("update", {dt});
+    runtime_.call("update", {dt, real_dt});
     watch.lap(watch.phases.update);
     if (stopped()) return false;
     barrier();
@@ -259,7 +260,7 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
     if (will_step && !halted_ && lived_ < limit) announce_next();
     // `dt` of update is at most the time that this frame may simulate.
-    if (prelude(std::min(passed, clock.max_steps * clock.dt), watch)) {
+    if (prelude(std::min(passed, clock.max_steps * clock.dt), seconds, watch)) {
         if (clock.paused) {
             // A step is due as soon as the game is resumed, and the picture shows the last step.
             owed_ = clock.dt;
@@ -303,7 +304,7 @@ void Loop::turn() {
     Stopwatch watch;
     Clock& clock = services_.clock;
     if (!live_next()) return;
-    if (!prelude(clock.paused ? 0 : clock.dt, watch)) return;
+    if (!prelude(clock.paused ? 0 : clock.dt, clock.dt, watch)) return;
     if (!clock.paused || clock.step_once) {
         const bool once = clock.step_once;
         make_step(watch);

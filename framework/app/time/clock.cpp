@@ -128,6 +128,13 @@ std::vector<Property> kept_by_the_loop(Clock& clock) {
                   .unit = "s",
                   .doc = "Simulation time since the game started.",
                   .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.now; })}),
+        computed({.name = "real",
+                  .type = Type::number,
+                  .unit = "s",
+                  .doc = "Real time since the game started, also while it is paused: the sum of "
+                         "real_dt of all updates. It is never rewound. In a headless run, a frame "
+                         "is as long as a step.",
+                  .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.real; })}),
         computed({.name = "frame",
                   .type = Type::integer,
                   .default_value = 0,

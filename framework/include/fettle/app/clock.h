@@ -37,6 +37,7 @@ struct Clock {
     // Kept by the loop.
     std::int64_t step = 0;           // number of fixed steps
     double now = 0;                  // s, simulation time
+    double real = 0;                 // s of real time, the sum of `real_dt` of all updates
     std::int64_t frame = 0;          // number of frames
     std::int64_t dropped_steps = 0;  // steps that were skipped because the game was too slow
     double alpha = 1;                // position of drawing between the last two steps, 0 to 1

@@ -1,7 +1,7 @@
 #pragma once
 // The loop: one frame of a game, with or without a window.
 //
-//   input -> barrier -> update(dt) -> barrier
+//   input -> barrier -> update(dt, real_dt) -> barrier
 //     -> while a fixed step is due { timers, step(dt) -> barrier -> modules step -> barrier }
 //     -> draw
 
@@ -126,7 +126,7 @@ class Loop {
     class FETTLE_APP_PRIVATE Stopwatch;
     void announce_next();
     bool live_next();
-    bool prelude(double dt, Stopwatch& watch);
+    bool prelude(double dt, double real_dt, Stopwatch& watch);
     bool make_step(Stopwatch& watch);
     void step_modules(double dt);
     void catch_up(std::uint64_t limit, Stopwatch& watch);
