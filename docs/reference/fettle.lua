@@ -194,6 +194,7 @@ function fettle_Pen.text(position, text, height, fill, align) end
 ---@field methods MethodDescription[] Its methods, by number and by name.
 ---@field name string What it is called.
 ---@field properties PropertyDescription[] Its properties, inherited ones included, by number and by name: Body.properties.mass.unit.
+---@field states table<string, table> The states of a class that declares some, each a table with enter(self, from), step(self, dt) and leave(self, to).
 local fettle_Class = {}
 
 ---Calls the function when the event happens to any instance; "created" and "deleted" are events too.
@@ -281,6 +282,12 @@ local fettle_Object = {}
 ---@return Object
 function fettle_Object:add(child, name) end
 
+---Calls the function once with the instance, after that much simulation time, unless the instance is deleted before.
+---@param seconds number
+---@param action fun(self: Object)
+---@return Connection
+function fettle_Object:after(seconds, action) end
+
 ---Whether it has not been deleted.
 ---@return boolean
 function fettle_Object:alive() end
@@ -312,6 +319,12 @@ function fettle_Object:describe() end
 ---@param action fun(instance: Object)
 ---@overload fun(self: Object, action: fun(instance: Object))
 function fettle_Object:each(class, action) end
+
+---Calls the function with the instance repeatedly at that interval of simulation time, 0 meaning every step, until the instance is deleted.
+---@param seconds number
+---@param action fun(self: Object)
+---@return Connection
+function fettle_Object:every(seconds, action) end
 
 ---Everything below of that class for which the condition holds, as a set.
 ---@param class Class|string
@@ -352,6 +365,19 @@ function fettle_Object:on(event, handler) end
 ---@param property string
 ---@return string?
 function fettle_Object:problem(property) end
+
+---Runs the function with the instance as a coroutine, which may call wait(). It ends where it waits when the instance is deleted.
+---@param action fun(self: Object)
+---@return thread
+function fettle_Object:run(action) end
+
+---The same as tween(instance, ...): moves a property to a value. It ends with the instance.
+---@param property string
+---@param to any
+---@param seconds number
+---@param ease? string|fun(time: number): number|number[]
+---@return Tween
+function fettle_Object:tween(property, to, seconds, ease) end
 
 ---Calls the function after that property, or any, has changed.
 ---@param property string
@@ -1337,6 +1363,7 @@ Attractor = {}
 ---@field now number Simulation time since the game started. · s · any finite number · read-only, simulated
 ---@field oldest integer The first step one can go back to. · any integer · read-only, simulated
 ---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false · not saved
+---@field real number Real time since the game started, also while it is paused: the sum of real_dt of all updates. It is never rewound. In a headless run, a frame is as long as a step. · s · any finite number · read-only, simulated
 ---@field rewind_limit number How much of the past is kept, for rewind and the time bar; 0: nothing. · s · 0 to 3600 · default 60 · not saved
 ---@field rewind_memory number How much memory the past and the history of edits may take together; where that is too little, less is kept. Undo has a quarter of it at most. · MiB · 1 to 65536 · default 128 · not saved
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
@@ -1594,6 +1621,81 @@ local fettle_Gamepad = {}
 ---@class Class.Gamepad : Class
 Gamepad = {}
 
+---It has reached its end; it is deleted at the next step.
+---@class Tween.finished
+---@field instance Tween To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Moves a property of an instance from its value to another in some time. tween(...) makes it below `game.tweens`, where it runs.
+---@class Tween : Object
+---@field alternate boolean Whether every second run goes back. · true or false · default false
+---@field curve number[] Parts of the way at equal distances of time, joined by straight lines. A function given as ease is kept here as 257 of its values. · any length · default {}
+---@field ease "linear"|"in_quad"|"out_quad"|"in_out_quad"|"in_cubic"|"out_cubic"|"in_out_cubic"|"in_quart"|"out_quart"|"in_out_quart"|"in_quint"|"out_quint"|"in_out_quint"|"in_sine"|"out_sine"|"in_out_sine"|"in_expo"|"out_expo"|"in_out_expo"|"in_circ"|"out_circ"|"in_out_circ"|"in_back"|"out_back"|"in_out_back"|"in_elastic"|"out_elastic"|"in_out_elastic"|"in_bounce"|"out_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
+---@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil
+---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1000000000 · default 1
+---@field paused boolean Whether it stands still. · true or false · default false
+---@field progress number The part of the time that has passed in this run. Setting it jumps there at the next step. · 0 to 1 · default 0
+---@field property string The name of the property that changes; empty for a pause in a sequence. · any text · default ""
+---@field seconds number How long it takes, in simulation time. · s · 0 to 1000000000 · default 1
+---@field target Object? The instance whose property changes. The tween ends with it. · any Object · default nil
+---@field to any The value at the end. · any value · default nil
+local fettle_Tween = {}
+
+---Ends it where it is, without the event, and deletes it.
+function fettle_Tween:stop() end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Tween, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Tween, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Tween, event: "finished", handler: fun(record: Tween.finished)): Connection
+function fettle_Tween:on(event, handler) end
+
+---Moves a property of an instance from its value to another in some time. tween(...) makes it below `game.tweens`, where it runs.
+---@class Class.Tween : Class
+---@overload fun(members?: table): Tween
+Tween = {}
+
+---All in it have ended; it is deleted at the next step.
+---@class TweenGroup.finished
+---@field instance TweenGroup To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.
+---@class TweenGroup : Object
+---@field kind "sequence"|"parallel" Whether one follows the other or all run together. · "sequence", "parallel" · default "sequence"
+---@field paused boolean Whether it stands still. · true or false · default false
+---@field progress number The part of the time that has passed. · 0 to 1 · read-only, simulated
+local fettle_TweenGroup = {}
+
+---Ends it where it is, without the event, and deletes it.
+function fettle_TweenGroup:stop() end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: TweenGroup, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: TweenGroup, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: TweenGroup, event: "finished", handler: fun(record: TweenGroup.finished)): Connection
+function fettle_TweenGroup:on(event, handler) end
+
+---Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.
+---@class Class.TweenGroup : Class
+---@overload fun(members?: table): TweenGroup
+TweenGroup = {}
+
+---The tweens of the game, in the order in which they run.
+---@class Tweens : Object
+local fettle_Tweens = {}
+
+---The tweens of the game, in the order in which they run.
+---@class Class.Tweens : Class
+---@overload fun(members?: table): Tweens
+Tweens = {}
+
 ---The in-game console and inspector.
 ---@class Console : Object
 ---@field font_size number Height of the text. · px · 8 to 48 · default 15 · not saved
@@ -1802,8 +1904,33 @@ function scene.save(file, instance) end
 ---@return Snapshot
 function snapshot() end
 
+---Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is given only if there is none yet: one that a saved game or a reload has brought stays. Returns the current value.
+---@param name string
+---@param value any
+---@return any
+function state(name, value) end
+
 ---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept.
 function tweaks() end
+
+---Moves a property from its value to another in that much simulation time. The property holds a number, an integer, a vector, a color, or a list of these. An ease is a name such as "out_quad" (`Tween.properties.ease.enumerators` lists them), a function from 0..1 to 0..1, or a list of numbers. It begins at the next step; a tween that begins later with the same property ends it.
+---@param target Object
+---@param property string
+---@param to any
+---@param seconds number
+---@param ease? string|fun(time: number): number|number[]
+---@return Tween
+function tween(target, property, to, seconds, ease) end
+
+---Runs tweens and groups together.
+---@param tweens Object[]
+---@return TweenGroup
+function tween.parallel(tweens) end
+
+---Runs tweens and groups one after the other; a number is a pause in seconds.
+---@param tweens (Object|number)[]
+---@return TweenGroup
+function tween.sequence(tweens) end
 
 ---Reverses the latest edit.
 function undo() end
@@ -2350,9 +2477,10 @@ function xpcall(action, handler, ...) end
 ---Called once, when main.lua has run.
 function start() end
 
----Called every frame; dt is the game time since the last one in seconds: real time times time.scale, 0 while the game is paused.
+---Called every frame; dt is the game time since the last one in seconds: real time times time.scale, 0 while the game is paused. real_dt is the real time, also while the game is paused; in a headless run, one step.
 ---@param dt number
-function update(dt) end
+---@param real_dt number
+function update(dt, real_dt) end
 
 ---Called before every fixed step of the simulation, time.dt seconds long.
 ---@param dt number

@@ -351,7 +351,7 @@ TEST_CASE("callbacks get their arguments and quit ends the game") {
     CHECK_THAT(s.fails("print(undefined_thing)"), contains("undefined_thing: no such name"));
     s.run(
         "maybe = nil; assert(maybe == nil); sometimes = 3; sometimes = nil; assert(not sometimes)");
-    CHECK_THAT(s.fails("tween()"), contains("tween is not available yet"));
+    CHECK_THAT(s.fails("tween()"), contains("tween: needs an instance"));
 }
 
 namespace {

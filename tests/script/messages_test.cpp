@@ -272,8 +272,30 @@ TEST_CASE("the receiver of notes may replace itself") {
         s.runtime->on_note({});
         result = !watched.expired();
     });
-    s.run("Circle { r = 3 }");
+    s.run("local c = Circle {} c.r = 3");
     CHECK(lived);
+}
+
+TEST_CASE("names from other engines are errors in a constructor of a native class") {
+    Stage s;
+    CHECK_THAT(s.fails("Body { pos = vec(1, 2) }"),
+               contains("Body has no property \"pos\" (did you mean position?)"));
+    CHECK_THAT(s.fails("Circle { size = 2 }"), contains("(did you mean radius?)"));
+    CHECK_THAT(s.fails("Circle { r = 2 }"), contains("(did you mean radius?)"));
+    CHECK_THAT(s.fails("Body { x = 2 }"), contains("(did you mean position = vec(x, y)?)"));
+    CHECK_THAT(s.fails("Body { linearVelocity = vec(1, 0) }"),
+               contains("(did you mean velocity?)"));
+    CHECK_THAT(s.fails("Body { hp = 3 }"), contains("goes into props = { hp = ... }"));
+    CHECK_THAT(s.fails("Body { hp = formula(function() return 1 end) }"), contains("props"));
+    CHECK_THAT(s.fails("Body { props = 3 }"), contains("Body.props: expected a table"));
+    CHECK_THAT(s.fails("Body { props = { 3 } }"), contains("Body.props: a value has no name"));
+    CHECK(
+        s.prints("local b = Body { props = { hp = 3, twice = formula(function() return 2 end) } } "
+                 "print(b.hp, b.twice, b.mass)") == "3\t2\t1.0");
+    s.run(
+        "Cat = class('Cat', Body) {} local c = Cat { hp = 9, props = { lives = 7 } } "
+        "assert(c.hp == 9 and c.lives == 7) local o = Object { size = 3 } assert(o.size == 3) "
+        "local b = Body { circle = Circle {} } b.hp = 3 assert(b.hp == 3)");
 }
 
 TEST_CASE("names from other engines are explained once and change nothing") {
@@ -282,11 +304,13 @@ TEST_CASE("names from other engines are explained once and change nothing") {
     s.runtime->on_note([&](std::string_view note) { notes.emplace_back(note); });
     s.run(R"lua(
 for i = 1, 3 do
-    local c = Circle { r = 3 }
+    local c = Circle { props = { r = 3 } }
     assert(c.r == 3 and c.radius == 0.5)
 end
-local b = Body { x = 3, rotation = 1, linearVelocity = vec(1, 0), texture = "brick.png", hp = 5,
-                 radius = 2, Circle {} }
+local b = Body { Circle {} }
+b.linearVelocity = vec(1, 0)
+b.radius = 2
+b.rotation = 1 b.texture = "brick.png" b.hp = 5 b.x = 3
 local o = Object { x = 3, size = 2, r = 1 }
 )lua");
     REQUIRE(notes.size() == 4);

@@ -168,7 +168,7 @@ TEST_CASE("assigning nil restores the default") {
 TEST_CASE("constructors set the named values and refuse wrong ones") {
     Stage s;
     s.run(R"lua(
-world.b = Body { Circle {}, Circle { radius = 2 }, wheel = Circle { radius = 3 }, lives = 3 }
+world.b = Body { Circle {}, Circle { radius = 2 }, wheel = Circle { radius = 3 }, props = { lives = 3 } }
 assert(world.b.circle.radius == 0.5 and world.b.circle_2.radius == 2)
 assert(world.b.wheel.radius == 3 and world.b.lives == 3)
 Mass = class("Mass", Object) {}

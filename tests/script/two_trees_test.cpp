@@ -52,8 +52,9 @@ TEST_CASE("a formula that a snapshot copies to another tree is computed by the s
 }
 
 TEST_CASE("a tree without scripts keeps the values of formulas of another tree and reports it") {
-    Game first;
-    Tree plain;
+    Game first, other;
+    other.runtime = nullptr;
+    Tree& plain = *other.tree;
     first.run("game.x = 1 game.y = formula(function() return game.x + 1 end)");
     first.tree->barrier();
     first.runtime = nullptr;  // otherwise its part of the snapshot is missing here

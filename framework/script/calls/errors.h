@@ -2,6 +2,7 @@
 // Describes errors where they are raised: message, place, traceback, local variables.
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ struct Machine;
 struct Errors {
     std::optional<ScriptError> caught;        // described where it was raised, not reported yet
     std::optional<ScriptError> thread_error;  // raised in a coroutine, now on its way out
-    int reports = 0;                          // running calls of the host's function for errors
+    // Places where an error about an instance that a restore had taken away was told.
+    std::set<std::string> told_gone;
+    int reports = 0;  // running calls of the host's function for errors
     // Functions that pass on a script's own error unchanged: `error`, `assert` and the functions of
     // wrapped coroutines.
     std::vector<lua_CFunction> raise_unchanged;

@@ -49,6 +49,23 @@ std::string Context::text(Machine& machine) const {
 
 namespace {
 
+/// A handler of a game may hold an instance that was made after the step to which the game went
+/// back. The game goes on then, and the place is told once, as a note.
+bool tell_gone(Machine& machine, const Context& context, const ScriptError& error) {
+    if (machine.lua.gone.empty() || context.what == "chunk" || context.what == "load" ||
+        error.message.find(machine.lua.gone) == std::string::npos)
+        return false;
+    const std::string place = error.file + ":" + std::to_string(error.line);
+    constexpr std::size_t limit = 100;
+    auto& told = machine.errors.told_gone;
+    if (told.size() < limit && told.insert(place).second)
+        if (const auto sink = machine.host.on_note)
+            sink(error.message + ", when the game went back in time; " + error.context +
+                 " ended there, and the game goes on. Ask :alive() first, or keep what belongs to "
+                 "the game in the tree, as state(name, value) does");
+    return true;
+}
+
 /// Sets the writer of the tree while the host calls Lua. The position is computed only if it is
 /// needed.
 class ScriptCause {
@@ -86,6 +103,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     lua_State* outer = machine.lua.running;
     machine.lua.running = L;
     machine.errors.caught.reset();
+    machine.lua.gone.clear();
     const int top = lua_gettop(L);
     int status = LUA_ERRMEM;
     if (lua_checkstack(L, 4)) {
@@ -118,6 +136,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     if (report_error) {
         ScriptError error = std::move(*machine.errors.caught);
         machine.errors.caught.reset();
+        if (tell_gone(machine, context, error)) return false;
         report(machine, std::move(error));
     }
     return false;

@@ -52,20 +52,34 @@ void Timers::erase(Queue::iterator entry) {
     queue_.erase(entry);
 }
 
-std::uint64_t Timers::add(lua_State* L, double due, double interval) {
+std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owner) {
     const std::uint64_t id = next_id_++;
     const std::size_t holds = noting_ ? held_memory(L, machine_, -1) : 0;
     const auto function = std::make_shared<FunctionRef>(L, machine_);
     function->set_holds(holds);
-    insert({due, id}, {.interval = interval, .function = function, .thread = LUA_NOREF});
+    insert({due, id},
+           {.interval = interval, .function = function, .thread = LUA_NOREF, .owner = owner});
     return id;
 }
 
 void Timers::wait(lua_State* L, double due) {
     lua_pushthread(L);
     const std::uint64_t id = next_id_++;
-    insert({due, id}, {.interval = -1, .function = {}, .thread = luaL_ref(L, LUA_REGISTRYINDEX)});
+    const auto owner = owners_.find(L);
+    insert({due, id}, {.interval = -1,
+                       .function = {},
+                       .thread = luaL_ref(L, LUA_REGISTRYINDEX),
+                       .owner = owner == owners_.end() ? Handle{} : owner->second});
     waiting_[L] = id;
+}
+
+bool Timers::ended(const Timer& timer) const {
+    return timer.owner && !machine_.tree.alive(timer.owner);
+}
+
+bool Timers::active(std::uint64_t id) const {
+    const auto found = due_.find(id);
+    return found != due_.end() && !ended(queue_.at(Key{found->second, id}));
 }
 
 void Timers::stop(std::uint64_t id) {
@@ -85,6 +99,7 @@ void Timers::clear() {
     queue_.clear();
     due_.clear();
     waiting_.clear();
+    owners_.clear();
     changes_ = {.all = noting_, .queue = {}, .list = {}};
 }
 
@@ -102,6 +117,11 @@ bool Timers::run() {
         }
         const Timer timer = entry->second;
         erase(entry);
+        if (ended(timer)) {
+            forget(timer);
+            entry = queue_.begin();
+            continue;
+        }
         if (timer.interval >= 0) {
             // The interval starts when the timer was due, so that intervals do not drift. 0 means
             // every step.
@@ -181,25 +201,62 @@ int Timers::take_thread() {
     return luaL_ref(machine_.lua.main, LUA_REGISTRYINDEX);
 }
 
+/// To be called for a waiting thread that is not continued.
+void Timers::forget(const Timer& timer) {
+    if (timer.function) return;
+    lua_State* L = machine_.lua.main;
+    push_registry(L, timer.thread);
+    lua_State* thread = lua_tothread(L, -1);
+    lua_pop(L, 1);
+    waiting_.erase(thread);
+    owners_.erase(thread);
+    luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
+}
+
+void Timers::resume(lua_State* L, lua_State* thread, int arguments, Handle owner) {
+    if (owner) owners_[thread] = owner;
+    const auto forget_owner = [&] {
+        if (owner && !waiting_.contains(thread)) owners_.erase(thread);
+    };
+    try {
+        resume_thread(L, thread, arguments);
+    } catch (...) {
+        forget_owner();
+        throw;
+    }
+    forget_owner();
+}
+
+void Timers::start(lua_State* L, Handle owner) {
+    lua_State* thread = lua_newthread(L);
+    lua_insert(L, -2);
+    push_instance(L, owner);
+    lua_xmove(L, thread, 2);
+    resume(L, thread, 1, owner);
+}
+
 // Runs a function as a coroutine, so that it can wait.
 bool Timers::fire(const Timer& timer) {
-    return protected_run(machine_, timer.function ? "timer" : "coroutine", [&](lua_State* L) {
+    const Context context(timer.function ? "timer" : "coroutine", timer.owner);
+    return protected_run(machine_, context, [&](lua_State* L) {
         if (!timer.function) {
             push_registry(L, timer.thread);
             lua_State* thread = lua_tothread(L, -1);
             luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
             waiting_.erase(thread);
-            resume_thread(L, thread, 0);
+            resume(L, thread, 0, timer.owner);
             return;
         }
         const int reference = take_thread();
         push_registry(L, reference);
         lua_State* thread = lua_tothread(L, -1);
         timer.function->push(L);
-        lua_xmove(L, thread, 1);
+        if (timer.owner) push_instance(L, timer.owner);
+        const int arguments = timer.owner ? 1 : 0;
+        lua_xmove(L, thread, 1 + arguments);
         // A thread that waits or failed is left to the garbage collector; a finished one is reused.
         try {
-            resume_thread(L, thread, 0);
+            resume(L, thread, arguments, timer.owner);
         } catch (...) {
             luaL_unref(L, LUA_REGISTRYINDEX, reference);
             throw;
@@ -215,7 +272,8 @@ bool Timers::fire(const Timer& timer) {
 
 namespace {
 
-int timer(lua_State* L, const char* what, bool repeated) {
+/// The arguments are seconds and a function.
+int timer(lua_State* L, const char* what, bool repeated, Handle owner = {}) {
     const double seconds = check_seconds(L, what);
     if (repeated && seconds > 0 && seconds < shortest_interval)
         throw Error(ErrorKind::out_of_range,
@@ -225,7 +283,7 @@ int timer(lua_State* L, const char* what, bool repeated) {
     lua_settop(L, 2);
     Machine& machine = machine_of(L);
     push_timer_connection(
-        L, machine.timers.add(L, machine.timers.now + seconds, repeated ? seconds : -1));
+        L, machine.timers.add(L, machine.timers.now + seconds, repeated ? seconds : -1, owner));
     return 1;
 }
 
@@ -247,7 +305,32 @@ int wait(lua_State* L) {
     return lua_yield(L, 0);
 }
 
+/// Takes the instance from the arguments.
+Handle take_self(lua_State* L, const char* what) {
+    const Handle self = check_instance(L, 1, what);
+    lua_remove(L, 1);
+    return self;
+}
+
 }  // namespace
+
+int after_of_instance(lua_State* L) {
+    const Handle self = take_self(L, "after");
+    return timer(L, "after", false, self);
+}
+
+int every_of_instance(lua_State* L) {
+    const Handle self = take_self(L, "every");
+    return timer(L, "every", true, self);
+}
+
+int run_of_instance(lua_State* L) {
+    const Handle self = take_self(L, "run");
+    check_function(L, 1, "run");
+    lua_settop(L, 1);
+    machine_of(L).timers.start(L, self);
+    return 1;
+}
 
 void open_timers(lua_State* L) {
     add_function<after>(L, "after");

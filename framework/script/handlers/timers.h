@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <fettle/property/value.h>
+
 #include <calls/function_ref.h>
 #include <lua/lua_api.h>
 
@@ -23,12 +25,16 @@ class Timers {
     double now = 0;  // simulation time, seconds
 
     /// Adds the function at the top of the stack `L` and pops it. `interval` below 0: called once.
+    /// With an `owner`, the timer ends when that is deleted, and the function gets it as argument.
     /// Returns the timer's number.
-    std::uint64_t add(lua_State* L, double due, double interval);
+    std::uint64_t add(lua_State* L, double due, double interval, property::Handle owner = {});
+    /// Runs the function at the top of the stack `L` as a coroutine that ends with `owner`, which
+    /// is its argument, and replaces it by the thread. Raises its error.
+    void start(lua_State* L, property::Handle owner);
     /// Resumes the coroutine `L` at `due`.
     void wait(lua_State* L, double due);
     void stop(std::uint64_t id);
-    bool active(std::uint64_t id) const { return due_.contains(id); }
+    bool active(std::uint64_t id) const;
     bool waiting(lua_State* thread) const { return waiting_.contains(thread); }
     /// Runs all timers that are due, in order of time, then of creation. Returns false if one
     /// raised an error.
@@ -42,6 +48,7 @@ class Timers {
         double interval = -1;
         std::shared_ptr<FunctionRef> function;  // null: a waiting thread
         int thread = LUA_NOREF;
+        property::Handle owner{};  // empty: the game
     };
     using Key = std::pair<double, std::uint64_t>;  // time at which it is due, number
     using Queue = std::map<Key, Timer>;
@@ -68,7 +75,11 @@ class Timers {
 
   private:
     bool fire(const Timer& timer);
+    bool ended(const Timer& timer) const;
+    void forget(const Timer& timer);
     int take_thread();
+    /// Resumes a thread that may wait again.
+    void resume(lua_State* L, lua_State* thread, int arguments, property::Handle owner);
 
     void insert(const Key& key, Timer timer);
     void erase(Queue::iterator entry);
@@ -80,11 +91,17 @@ class Timers {
     bool noting_ = false;
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
-    std::vector<int> idle_;  // finished threads, for reuse
+    std::unordered_map<lua_State*, property::Handle> owners_;  // of threads that run or wait
+    std::vector<int> idle_;                                    // finished threads, for reuse
     std::uint64_t next_id_ = 1;
 };
 
 /// Adds `after`, `every` and `wait` to the table of globals at the top of the stack.
 void open_timers(lua_State* L);
+
+// Methods of every instance: self, then the arguments of the functions. `run` takes a function.
+int after_of_instance(lua_State* L);
+int every_of_instance(lua_State* L);
+int run_of_instance(lua_State* L);
 
 }  // namespace fettle::script

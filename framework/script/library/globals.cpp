@@ -29,6 +29,7 @@ std::vector<std::string> global_names(Machine& machine) {
     lua_pop(L, 1);
     names.emplace_back("game");
     names.emplace_back("classes");
+    names.insert(names.end(), machine.globals.stated.begin(), machine.globals.stated.end());
     const property::Tree& tree = machine.tree;
     for (Handle child = tree.first_child(tree.root()); child; child = tree.next_sibling(child))
         names.push_back(tree.name(child));
@@ -95,6 +96,7 @@ int read_global(lua_State* L) {
     }
     const std::string_view name = view_at(L, 2);
     if (push_known_global(L, machine, name)) return 1;
+    if (read_stated(L, machine, name)) return 1;
     push_registry(L, machine.globals.declared);
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) != LUA_TNIL) {
@@ -102,8 +104,6 @@ int read_global(lua_State* L) {
         return 1;
     }
     if (name == "it") throw Error(ErrorKind::unknown_name, "it: nothing is selected");
-    if (among(later_names(), name))
-        throw Error(ErrorKind::unknown_name, std::string(name) + " is not available yet");
     // A missing callback is nil and not an error, because a game may test for it.
     if (among(callback_names(), name)) {
         lua_pushnil(L);
@@ -123,6 +123,7 @@ int write_global(lua_State* L) {
                 std::string(name) + ": is part of the tree; " +
                     (name == "game" ? std::string("it cannot be replaced")
                                     : "assign game." + std::string(name) + " to replace it"));
+        if (write_stated(L, machine, name, 3)) return 0;
         // Fettle would never call a function with a misspelled name such as `keypressed`.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
             if (!among(callback_names(), name))

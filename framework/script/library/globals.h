@@ -19,6 +19,10 @@ void push_last_result(lua_State* L, Machine& machine);
 /// `_`.
 bool push_known_global(lua_State* L, Machine& machine, std::string_view name);
 
+/// Reads or writes a variable that `state` declared; they return false for any other name.
+bool read_stated(lua_State* L, Machine& machine, std::string_view name);
+bool write_stated(lua_State* L, Machine& machine, std::string_view name, int value);
+
 /// Makes the table at the top of the stack the environment of all scripts.
 void open_globals(lua_State* L, Machine& machine);
 

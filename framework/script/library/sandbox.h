@@ -21,6 +21,7 @@ void open_patterns(lua_State* L);
 void open_require(lua_State* L);
 void open_scenes(lua_State* L);
 void open_saves(lua_State* L);
+void open_stated(lua_State* L);
 void open_tweaks(lua_State* L);
 void open_history(lua_State* L);
 

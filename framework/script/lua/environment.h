@@ -16,6 +16,7 @@ struct Environment {
     // Table with the value of `_` at index 1, because the reference itself must not be nil.
     int last_result = 0;
     std::vector<std::string> assigned;  // globals assigned by the game and the console
+    std::vector<std::string> stated;    // variables that are properties of `game`
     property::Handle it;                // the selected instance
 };
 

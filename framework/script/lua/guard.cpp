@@ -1,3 +1,4 @@
+#include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
 #include <lua/guard.h>
@@ -42,6 +43,14 @@ std::string limited(const std::string& message) {
            " bytes left out) ... " + message.substr(end);
 }
 
+/// Notes an error about an instance that a restore has taken away.
+void note_gone(lua_State* L, const std::exception& error, const std::string& message) {
+    const auto* known = dynamic_cast<const property::Error*>(&error);
+    if (known != nullptr && known->kind() == property::ErrorKind::deleted &&
+        message.ends_with(" by restore"))
+        machine_of(L).lua.gone = message;
+}
+
 }  // namespace
 
 void raise(lua_State* L, const std::string& message) {
@@ -51,7 +60,9 @@ void raise(lua_State* L, const std::string& message) {
 void raise_exception(lua_State* L, const std::exception& error) {
     luaL_checkstack(L, 4, "error message");
     {
-        const std::string text = position(L) + limited(property::exception_text(error));
+        const std::string message = limited(property::exception_text(error));
+        note_gone(L, error, message);
+        const std::string text = position(L) + message;
         push_text(L, text);
     }
     lua_error(L);

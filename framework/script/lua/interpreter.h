@@ -18,6 +18,8 @@ struct Interpreter {
     std::shared_ptr<lua_State*> alive;  // contains nullptr once Lua is closed
     int killed = 0;                     // weak table in the registry: coroutines stopped for good
     std::unordered_map<lua_CFunction, std::string> function_names;  // for error messages
+    // The last error about an instance that a restore has taken away.
+    std::string gone;
 };
 
 }  // namespace fettle::script

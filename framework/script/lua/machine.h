@@ -23,6 +23,7 @@ class MemberTables;
 struct Errors;
 struct CountedMemory;
 class Timers;
+class Tweens;
 class Connections;
 class ScriptClasses;
 class Hints;
@@ -48,6 +49,7 @@ struct Machine {
     Errors& errors;
     CountedMemory& counted;
     Timers& timers;
+    Tweens& tweens;
     Connections& connections;
     ScriptClasses& classes;
     Hints& hints;

@@ -118,6 +118,57 @@ void check_documented(const ScriptClasses::Definition& definition,
                             property::suggestion(name, names));
 }
 
+/// Whether the table at `index` has a name for each entry, and at least one: a table of states. A
+/// list is the default of a property called `states`.
+bool has_texts_as_keys(lua_State* L, int index) {
+    bool any = false;
+    index = lua_absindex(L, index);
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) {
+            lua_pop(L, 2);
+            return false;
+        }
+        any = true;
+    }
+    return any;
+}
+
+const Property* among_declared(const std::vector<Property>& properties, const std::string& name) {
+    for (const Property& property : properties)
+        if (property.name == name) return &property;
+    return nullptr;
+}
+
+/// Adds the properties of a class with states that neither it nor its base declares.
+void add_state_properties(ScriptClasses::Definition& definition) {
+    for (Property& property : state_properties()) {
+        if (definition.base->property(property.name) != nullptr) continue;
+        const Property* given = among_declared(definition.properties, property.name);
+        if (given == nullptr) {
+            definition.properties.push_back(std::move(property));
+        } else if (given->type != property.type) {
+            throw Error(ErrorKind::wrong_type,
+                        definition.name + "." + property.name +
+                            ": a class with states has the name of a state there, not a " +
+                            std::string(property::type_name(given->type)));
+        }
+    }
+}
+
+/// The default of `current_state`.
+std::string first_state_of(const ScriptClasses::Definition& definition) {
+    const Property* given = among_declared(definition.properties, "current_state");
+    return given != nullptr && given->default_value.is(Type::text) ? given->default_value.text()
+                                                                   : std::string();
+}
+
+void check_first_state(const ScriptClasses& classes, const Class& of, const std::string& first) {
+    const std::vector<std::string> known = classes.states_of(of);
+    if (!first.empty() && !among(known, first))
+        throw Error(ErrorKind::unknown_name, of.name() + ".current_state: there is no state \"" +
+                                                 first + "\"" + property::suggestion(first, known));
+}
+
 // Upvalue: name.
 int not_defined_yet(lua_State* L) {
     const std::string name = string_at(L, lua_upvalueindex(1));
@@ -141,8 +192,10 @@ int define_class(lua_State* L) {
     refuse_elements(L, definition.name);
     const auto docs = documentation(L, 1, definition.doc);
     std::vector<std::string> functions;
+    const bool states = lua_getfield(L, 1, "states") == LUA_TTABLE && has_texts_as_keys(L, -1);
+    lua_pop(L, 1);
     for (const std::string& key : sorted_keys(L, 1, definition.name)) {
-        if (key == "doc") continue;
+        if (key == "doc" || (states && key == "states")) continue;
         push_text(L, key);
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
@@ -164,12 +217,19 @@ int define_class(lua_State* L) {
         }
         lua_pop(L, 1);
     }
+    if (states) add_state_properties(definition);
     check_documented(definition, docs);
+    const std::string first_state = states ? first_state_of(definition) : std::string();
     const Class& made = machine.classes.define(std::move(definition));
     for (const std::string& function : functions) {
         push_text(L, function);
         lua_rawget(L, 1);
         machine.classes.set_function(L, made, function);
+    }
+    if (states) {
+        lua_getfield(L, 1, "states");
+        machine.classes.set_states(L, made);
+        check_first_state(machine.classes, made, first_state);
     }
     machine.classes.push(L, made);
     return 1;

@@ -13,6 +13,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/class_object.h>
+#include <objects/hints.h>
 #include <objects/instance.h>
 #include <objects/reflection.h>
 #include <objects/script_classes.h>
@@ -127,6 +128,38 @@ void set_declared(lua_State* L, Machine& machine, Handle made, const Property& p
     machine.tree.set(made, property, value);
 }
 
+/// Sets the properties in the table at 3, which need not be declared.
+void set_props(lua_State* L, Machine& machine, Construction& now) {
+    if (!lua_istable(L, 3))
+        throw Error(ErrorKind::wrong_type, now.of.name() +
+                                               ".props: expected a table of values by "
+                                               "name, got " +
+                                               describe_type(L, 3));
+    if (lua_rawlen(L, 3) > 0)
+        throw Error(ErrorKind::bad_name,
+                    now.of.name() + ".props: a value has no name; children stand beside props");
+    for (const std::string& key : sorted_keys(L, 3, now.of.name() + ".props")) {
+        lua_pushvalue(L, 3);
+        push_text(L, key);
+        lua_rawget(L, 3);
+        lua_replace(L, 3);
+        if (is_formula(L, 3))
+            define_formula(L, machine, 3, now.made, key);
+        else
+            write_member(L, machine, now.made, now.of, key);
+        lua_replace(L, 3);
+    }
+}
+
+/// A native class has all the properties that its instances need, so another name is an error. The
+/// classes of scripts and plain objects take any name.
+void refuse_unknown(const Machine& machine, const Class& of, const std::string& name) {
+    if (machine.classes.scripted(of) || &of == &machine.tree.object_class()) return;
+    std::string hint = machine.hints.did_you_mean(of, name);
+    if (hint.empty()) hint = "; a property of your own goes into props = { " + name + " = ... }";
+    throw Error(ErrorKind::unknown_name, of.name() + " has no property \"" + name + "\"" + hint);
+}
+
 // Order: named children, so that the numbers of unnamed ones avoid their names; then unnamed
 // children; then properties, which may depend on children. Names are sorted, so that runs are the
 // same. Declared properties are set in the order of declaration, since the valid values of one may
@@ -161,6 +194,11 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
     for (const std::string& key : others) {
         push_key(L, key);
         lua_replace(L, 3);
+        if (key == "props") {
+            set_props(L, machine, now);
+            continue;
+        }
+        refuse_unknown(machine, of, key);
         if (is_formula(L, 3))
             define_formula(L, machine, 3, now.made, key);
         else
@@ -233,6 +271,7 @@ int class_index(lua_State* L) {
         throw Error(ErrorKind::bad_name, "a class has functions by name");
     const std::string name = string_at(L, 2);
     if (machine.classes.push_function(L, *of, 2)) return 1;
+    if (name == "states" && machine.classes.push_states(L, *of)) return 1;
     if (push_class_field(L, machine, *of, name)) return 1;
     if (name == "on") {
         lua_pushcfunction(L, guarded<effect<subscribe_event>>);
@@ -250,6 +289,11 @@ int class_newindex(lua_State* L) {
         throw Error(ErrorKind::bad_name, "a class has functions by name");
     const std::string name = string_at(L, 2);
     machine_of(L).tree.require_changeable("define " + of->name() + "." + name);
+    if (name == "states" && lua_istable(L, 3)) {
+        lua_settop(L, 3);
+        machine_of(L).classes.set_states(L, *of);
+        return 0;
+    }
     if (lua_type(L, 3) != LUA_TFUNCTION)
         throw Error(ErrorKind::wrong_type,
                     of->name() + "." + name + ": a class takes functions, not " +

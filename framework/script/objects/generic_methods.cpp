@@ -4,9 +4,11 @@
 
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
+#include <handlers/timers.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <motion/tweens.h>
 #include <objects/class_object.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
@@ -301,6 +303,7 @@ struct GenericMethod {
 
 const GenericMethod methods[] = {
     {"add", guarded<effect<add>>},
+    {"after", guarded<effect<after_of_instance>>},
     {"alive", guarded<alive>},
     {"all", guarded<all>},
     {"children", guarded<children>},
@@ -308,6 +311,7 @@ const GenericMethod methods[] = {
     {"delete", guarded<effect<delete_instance>>},
     {"describe", guarded<describe_instance>},
     {"each", guarded<each>},
+    {"every", guarded<effect<every_of_instance>>},
     {"find", guarded<find_below>},
     {"formula", guarded<formula_of>},
     {"has", guarded<has>},
@@ -315,6 +319,8 @@ const GenericMethod methods[] = {
     {"move", guarded<effect<move_instance>>},
     {"on", guarded<effect<subscribe_event>>},
     {"problem", guarded<problem>},
+    {"run", guarded<effect<run_of_instance>>},
+    {"tween", guarded<effect<tween_function>>},
     {"watch", guarded<effect<subscribe_property>>},
 };
 

@@ -24,7 +24,7 @@ std::string_view name_in(std::string_view way_to_write) {
     return way_to_write.substr(0, way_to_write.find(' '));
 }
 
-std::string did_you_mean(std::string_view what) {
+std::string meaning_hint(std::string_view what) {
     return " (did you mean " + std::string(what) + "?)";
 }
 
@@ -64,6 +64,11 @@ std::string Hints::meaning(const Class& of, std::string_view name) const {
     return name.size() < 7 ? std::string() : property::nearest(name, of.member_names());
 }
 
+std::string Hints::did_you_mean(const Class& of, std::string_view name) const {
+    if (const std::string meant = meaning(of, name); !meant.empty()) return meaning_hint(meant);
+    return property::suggestion(name, of.member_names());
+}
+
 /// A hint at a child that has the property: "its Circle has radius".
 std::string Hints::child_with(Handle instance, std::string_view name) const {
     std::vector<std::string_view> names = {name};
@@ -90,7 +95,7 @@ void Hints::property_added(Handle instance, std::string_view name) {
     if (!checked_.insert(both).second) return;
     std::string hint;
     if (const std::string meant = meaning(*native, name); !meant.empty())
-        hint = did_you_mean(meant);
+        hint = meaning_hint(meant);
     else if (const std::string child = child_with(instance, name); !child.empty())
         hint = "; " + child;
     else
@@ -136,7 +141,7 @@ void Hints::check_globals() {
         if (lua_rawget(L, -2) == LUA_TFUNCTION && lua_iscfunction(L, -1) == 0) {
             const std::string meant = meant_by(name, known);
             if (!meant.empty() && !is_called(name))
-                tell(name, definition(L) + "nothing calls " + name + did_you_mean(meant));
+                tell(name, definition(L) + "nothing calls " + name + meaning_hint(meant));
         }
         lua_pop(L, 1);
     }
@@ -157,7 +162,7 @@ void Hints::check_classes() {
             const std::string note =
                 definition(L) + "nothing calls " + of->name() + ":" + name +
                 (meant.empty() ? "; only the global function " + name + " is called"
-                               : did_you_mean(meant));
+                               : meaning_hint(meant));
             lua_pop(L, 1);
             tell(of->name() + ":" + name, note);
         }

@@ -19,6 +19,9 @@ class Hints {
 
     /// To be called when a property that the class does not declare was added to an instance.
     void property_added(property::Handle instance, std::string_view name);
+    /// ` (did you mean position = vec(x, y)?)` for a property that a native class does not have, or
+    /// "".
+    std::string did_you_mean(const property::Class& of, std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks.
     void game_loaded();

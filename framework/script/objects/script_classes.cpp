@@ -158,11 +158,15 @@ void ScriptClasses::forget_functions() {
     for (auto& [of, own] : infos_) {
         if (own.functions != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.functions);
         own.functions = LUA_NOREF;
+        if (own.states != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.states);
+        own.states = LUA_NOREF;
+        own.state_names.clear();
         own.function_names.clear();
         own.connected.clear();
     }
     chains_.clear();
     any_functions_ = false;
+    any_states_ = false;
     waiting_.clear();
     for (const auto& [of, own] : infos_)
         if (own.scripted) observe(*of);

@@ -18,6 +18,9 @@ namespace fettle::script {
 
 struct Machine;
 
+/// The properties of a class with states: the current one, and the one that was entered last.
+std::vector<property::Property> state_properties();
+
 class ScriptClasses {
   public:
     explicit ScriptClasses(Machine& machine) : machine_(machine) {}
@@ -45,6 +48,17 @@ class ScriptClasses {
     const property::Class& define(Definition definition);
     bool scripted(const property::Class& of) const;
 
+    /// Pops the table of states at the top of the stack and gives it to the class, which must have
+    /// `state_properties`.
+    void set_states(lua_State* L, const property::Class& of);
+    /// Pushes the table of the class itself; returns false if there is none.
+    bool push_states(lua_State* L, const property::Class& of) const;
+    /// Whether the class or one of its bases has states.
+    bool has_states(const property::Class& of) const;
+    std::vector<std::string> states_of(const property::Class& of) const;
+    /// Leaves the state of the instance and enters the other, at once. Throws for an unknown one.
+    void change_state(lua_State* L, property::Handle self, const std::string& name);
+
     /// Creates a detached instance with the defaults of the scripts' classes.
     property::Handle create(const property::Class& of);
     /// Throws if a number such as 2.5 is assigned to a property declared as `lives = 3`, which made
@@ -55,6 +69,8 @@ class ScriptClasses {
     /// scripts' classes and emits the event.
     bool deliver_ready();
     bool step(double dt);
+    /// Enters the states that were assigned, and calls `step` of the current ones.
+    bool step_states(double dt);
     /// Calls `draw(pen)` of all placed instances; `pen` is a reference in the registry.
     bool draw(int pen);
     // Snapshots contain the order in which instances are stepped, and those that are not ready yet.
@@ -71,8 +87,10 @@ class ScriptClasses {
     struct Info {
         int object = LUA_NOREF;
         int functions = LUA_NOREF;  // table of the class's own functions
+        int states = LUA_NOREF;     // table of the class's own states
         bool scripted = false;
         std::vector<std::string> function_names;
+        std::vector<std::string> state_names;
         std::vector<std::string> connected;  // events with a handler for this class
         // Defaults that differ from those in the tree, because the class was defined again.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
@@ -84,6 +102,12 @@ class ScriptClasses {
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
     void adopt(property::Handle instance, bool announce);
+    bool push_state_function(lua_State* L, const property::Class& of, std::string_view state,
+                             const char* name) const;
+    void require_state(const property::Class& of, const std::string& where,
+                       const std::string& name) const;
+    void enter_state(lua_State* L, property::Handle self);
+    bool take_assigned_state(property::Handle self);
     /// Calls the function of that name of all placed instances; `push` adds its argument.
     template <class Push>
     bool call_all(const char* name, Push push);
@@ -92,6 +116,7 @@ class ScriptClasses {
     std::unordered_map<const property::Class*, Info> infos_;
     std::unordered_map<const property::Class*, std::vector<int>> chains_;
     bool any_functions_ = false;
+    bool any_states_ = false;
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // size at which deleted members are removed

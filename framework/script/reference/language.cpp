@@ -87,9 +87,27 @@ const std::vector<GlobalDoc>& global_docs() {
          "a scene file; a file of another kind is left unchanged, which is an error."},
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
+        {"state", "state(name: string, value: any): any",
+         "Declares a variable of the game that is a property of `game`: state(\"score\", 0). From "
+         "then on, `score` reads and writes game.score, so it is saved, rewound, watched and "
+         "inspected. The value is given only if there is none yet: one that a saved game or a "
+         "reload has brought stays. Returns the current value."},
         {"tweaks", "tweaks()",
          "Lists what people, and scripts inside edit(), changed while the game ran, in this run "
          "and in earlier ones, and which of these changes are kept."},
+        {"tween",
+         "tween(target: Object, property: string, to: any, seconds: number, ease?: "
+         "string|fun(time: number): number|number[]): Tween",
+         "Moves a property from its value to another in that much simulation time. The property "
+         "holds a number, an integer, a vector, a color, or a list of these. An ease is a name "
+         "such as \"out_quad\" (`Tween.properties.ease.enumerators` lists them), a function from "
+         "0..1 "
+         "to 0..1, or a list of numbers. It begins at the next step; a tween that begins later "
+         "with the same property ends it."},
+        {"tween.parallel", "tween.parallel(tweens: Object[]): TweenGroup",
+         "Runs tweens and groups together."},
+        {"tween.sequence", "tween.sequence(tweens: (Object|number)[]): TweenGroup",
+         "Runs tweens and groups one after the other; a number is a pause in seconds."},
         {"undo", "undo()", "Reverses the latest edit."},
         {"vec",
          "vec(x: number, y: number): vec\n"
@@ -132,9 +150,10 @@ const std::vector<GlobalDoc>& variable_docs() {
 const std::vector<GlobalDoc>& callback_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"start", "start()", "Called once, when main.lua has run."},
-        {"update", "update(dt: number)",
+        {"update", "update(dt: number, real_dt: number)",
          "Called every frame; dt is the game time since the last one in seconds: real time times "
-         "time.scale, 0 while the game is paused."},
+         "time.scale, 0 while the game is paused. real_dt is the real time, also while the game is "
+         "paused; in a headless run, one step."},
         {"step", "step(dt: number)",
          "Called before every fixed step of the simulation, time.dt seconds long."},
         {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
@@ -198,11 +217,6 @@ const std::vector<std::string>& callback_names() {
 
 const std::vector<std::string>& generic_names() {
     static const std::vector<std::string> names = names_of(instance_docs());
-    return names;
-}
-
-const std::vector<std::string>& later_names() {
-    static const std::vector<std::string> names = {"tween"};
     return names;
 }
 

@@ -27,8 +27,6 @@ const std::vector<GlobalDoc>& variable_docs();
 /// Functions of a game that the host calls, in the order in which a game needs them.
 const std::vector<GlobalDoc>& callback_docs();
 const std::vector<std::string>& callback_names();
-/// Reserved names without an implementation yet.
-const std::vector<std::string>& later_names();
 /// Functions of a class made with class(...) that the host calls.
 const std::vector<GlobalDoc>& class_callback_docs();
 /// Methods that every instance has, sorted by name.

@@ -8,6 +8,9 @@ const std::vector<GlobalDoc>& instance_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"add", "add(self: Object, child: Object, name?: string): Object",
          "Gives a new instance its place here and returns it."},
+        {"after", "after(self: Object, seconds: number, action: fun(self: Object)): Connection",
+         "Calls the function once with the instance, after that much simulation time, unless the "
+         "instance is deleted before."},
         {"alive", "alive(self: Object): boolean", "Whether it has not been deleted."},
         {"all", "all(self: Object, class?: Class|string): Set",
          "Everything below of that class, as a set with :set and :add."},
@@ -24,6 +27,9 @@ const std::vector<GlobalDoc>& instance_docs() {
          "each(self: Object, class: Class|string, action: fun(instance: Object))\n"
          "each(self: Object, action: fun(instance: Object))",
          "Calls the function with everything below of that class."},
+        {"every", "every(self: Object, seconds: number, action: fun(self: Object)): Connection",
+         "Calls the function with the instance repeatedly at that interval of simulation time, 0 "
+         "meaning every step, until the instance is deleted."},
         {"find",
          "find(self: Object, class: Class|string, condition?: fun(instance: Object): boolean): Set",
          "Everything below of that class for which the condition holds, as a set."},
@@ -39,6 +45,14 @@ const std::vector<GlobalDoc>& instance_docs() {
          "Calls the function with a record when the instance has the event."},
         {"problem", "problem(self: Object, property: string): string?",
          "What is wrong with the property's formula, or nil."},
+        {"run", "run(self: Object, action: fun(self: Object)): thread",
+         "Runs the function with the instance as a coroutine, which may call wait(). It ends "
+         "where it waits when the instance is deleted."},
+        {"tween",
+         "tween(self: Object, property: string, to: any, seconds: number, ease?: "
+         "string|fun(time: number): number|number[]): Tween",
+         "The same as tween(instance, ...): moves a property to a value. It ends with the "
+         "instance."},
         {"watch",
          "watch(self: Object, property: string, handler: fun(new: any, old: any, change: Change)): "
          "Connection\n"

@@ -121,6 +121,9 @@ TypeDoc class_type() {
          {"properties", "PropertyDescription[]",
           "Its properties, inherited ones included, by number and by name: "
           "Body.properties.mass.unit."},
+         {"states", "table<string, table>",
+          "The states of a class that declares some, each a table with enter(self, from), "
+          "step(self, dt) and leave(self, to)."},
          {"on", "on(self: Class, event: string, handler: fun(record: any)): Connection",
           "Calls the function when the event happens to any instance; \"created\" and \"deleted\" "
           "are events too."},

@@ -58,6 +58,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_coroutines(L);
     open_random(L);
     open_timers(L);
+    open_tweens(L);
     open_watch(L);
     open_query(L);
     open_class_function(L);
@@ -68,6 +69,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_tweaks(L);
     open_saves(L);
     open_time(L);
+    open_stated(L);
     open_help(L);
     open_vec(L);
     open_color(L, machine);
@@ -133,6 +135,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               errors,
               counted,
               timers,
+              tweens,
               connections,
               classes,
               hints,

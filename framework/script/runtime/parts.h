@@ -19,6 +19,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/watchdog.h>
+#include <motion/tweens.h>
 #include <objects/hints.h>
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
@@ -57,6 +58,7 @@ struct Parts {
     Errors errors;
     CountedMemory counted;
     Timers timers{machine};
+    Tweens tweens{machine};
     Connections connections;
     ScriptClasses classes{machine};
     Hints hints{machine};

@@ -22,6 +22,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <motion/tweens.h>
 #include <objects/hints.h>
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
@@ -111,6 +112,8 @@ void forget_game(Machine& machine) {
     machine.classes.forget_functions();
     machine.hints.forget();
     machine.errors.caught.reset();
+    machine.errors.told_gone.clear();
+    machine.boxes.checked_writes = Boxes::most_checked_writes;
     lua_State* L = machine.lua.main;
     for (const int reference : {machine.globals.loaded, machine.globals.declared}) {
         lua_newtable(L);
@@ -125,6 +128,7 @@ void forget_game(Machine& machine) {
     }
     lua_pop(L, 1);
     machine.globals.assigned.clear();
+    machine.globals.stated.clear();
 }
 
 bool run_chunk(Machine& machine, const std::string& text, const std::string& name,
@@ -221,10 +225,12 @@ bool Runtime::step(double now, double dt) {
     machine.timers.now = now;
     collect_unplaced(machine);
     bool ok = machine.classes.deliver_ready();
+    ok &= machine.tweens.run(dt);
     ok &= machine.timers.run();
     const Value arguments[] = {Value(dt)};
     ok &= call_global(machine, "step", arguments);
     ok &= machine.classes.step(dt);
+    ok &= machine.classes.step_states(dt);
     ok &= machine.classes.deliver_ready();
     return ok;
 }

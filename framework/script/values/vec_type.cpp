@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <lua/guard.h>
+#include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <text/columns.h>
@@ -158,6 +159,42 @@ void write_component(Machine& machine, VecBox& v, char component, double number)
     }
 }
 
+/// The name of the variable of the calling function that holds the vector at 1; "" if it is only a
+/// result in between, as in body.position.x = 3.
+std::string variable_with_vec(lua_State* L) {
+    lua_Debug frame;
+    if (lua_getstack(L, 1, &frame) == 0 || !lua_checkstack(L, 4)) return {};
+    const auto holds = [L](const char* name) {
+        const bool found = name[0] != '(' && name[0] != '\0' && lua_rawequal(L, -1, 1) != 0;
+        lua_pop(L, 1);
+        return found;
+    };
+    for (int n = 1; const char* name = lua_getlocal(L, &frame, n); ++n)
+        if (holds(name)) return name;
+    lua_getinfo(L, "f", &frame);
+    const int function = lua_gettop(L);
+    std::string found;
+    for (int n = 1; const char* name = lua_getupvalue(L, function, n); ++n)
+        if (holds(name) && found.empty()) found = name;
+    lua_settop(L, function - 1);
+    return found;
+}
+
+/// Tells the first time that a variable's vector is connected with the property that it was read
+/// from, since other engines make copies.
+void tell_connected(lua_State* L, Machine& machine, const VecBox& v, char component) {
+    int& left = machine.boxes.checked_writes;
+    if (left <= 0) return;
+    --left;
+    const std::string name = variable_with_vec(L);
+    if (name.empty()) return;
+    left = 0;
+    const std::string path = origin_path(machine.tree, v.origin);
+    if (const auto sink = machine.host.on_note)
+        sink(position(L) + name + " was read from " + path + " and stays connected with it, so " +
+             name + "." + component + " = ... writes " + path + "; vec(" + name + ") is a copy");
+}
+
 // Writing a component of a vector that was read from a property writes it to the property; the rest
 // of the property keeps its current value.
 int vec_newindex(lua_State* L) {
@@ -172,6 +209,7 @@ int vec_newindex(lua_State* L) {
         if (lua_type(L, 3) != LUA_TNUMBER)
             refuse_type(L, 3,
                         origin_path(machine.tree, v->origin) + "." + key + ": needs a number");
+        tell_connected(L, machine, *v, key[0]);
         const double number = lua_tonumber(L, 3);
         if (v->origin.depth == 0) {
             write_component(machine, *v, key[0], number);

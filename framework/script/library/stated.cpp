@@ -1,0 +1,91 @@
+// state("score", 0): a variable of a script that is a property of `game`, so that snapshots, saved
+// games, watchers and the inspector know it.
+
+#include <fettle/property/path.h>
+
+#include <library/globals.h>
+#include <library/sandbox.h>
+#include <lua/environment.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <reference/language.h>
+#include <text/words.h>
+#include <values/values.h>
+#include <values/writes.h>
+
+namespace fettle::script {
+
+namespace {
+
+/// Throws if a script cannot have a variable of that name in the tree.
+void check_variable(lua_State* L, Machine& machine, const std::string& name) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ErrorKind::bad_name, "state: \"" + name + "\" " + why);
+    };
+    if (!property::is_identifier(name)) refuse("is no name for a variable");
+    if (among(callback_names(), name)) refuse("is the name of a callback");
+    const property::Tree& tree = machine.tree;
+    if (tree.child(tree.root(), name)) refuse("is a child of game");
+    if (tree.find_class(name) != nullptr) refuse("is a class");
+    if (tree.class_of(tree.root()).property(name) != nullptr ||
+        tree.class_of(tree.root()).method(name) != nullptr)
+        refuse("is part of every game");
+    push_registry(L, machine.globals.table);
+    push_text(L, name);
+    const bool taken = lua_rawget(L, -2) != LUA_TNIL;
+    lua_pop(L, 2);
+    if (taken && !among(machine.globals.assigned, name)) refuse("is a function of Fettle");
+    if (taken) refuse("is a variable already; declare it before it is assigned");
+}
+
+int state(lua_State* L) {
+    Machine& machine = machine_of(L);
+    lua_settop(L, 2);
+    const std::string name = check_text(L, 1, "state: needs a name, as in state(\"score\", 0)");
+    check_variable(L, machine, name);
+    if (lua_isnil(L, 2))
+        throw Error(ErrorKind::wrong_type, "state: \"" + name +
+                                               "\" needs a value to begin with, as in state(\"" +
+                                               name + "\", 0)");
+    const Handle game = machine.tree.root();
+    const Value first = to_value(L, 2, [&] { return "state: " + name; });
+    // After a reload or in a loaded game, the value that is there stays.
+    if (machine.tree.find(game, name) == nullptr) {
+        machine.tree.set_or_add(game, name, first);
+        note_added(machine, game, name);
+    }
+    if (!among(machine.globals.stated, name)) machine.globals.stated.push_back(name);
+    push_instance(L, game);
+    lua_getfield(L, -1, name.c_str());
+    return 1;
+}
+
+}  // namespace
+
+void open_stated(lua_State* L) {
+    add_function<state>(L, "state");
+}
+
+bool read_stated(lua_State* L, Machine& machine, std::string_view name) {
+    if (machine.globals.stated.empty() || !among(machine.globals.stated, name)) return false;
+    push_instance(L, machine.tree.root());
+    push_text(L, name);
+    lua_gettable(L, -2);
+    return true;
+}
+
+bool write_stated(lua_State* L, Machine& machine, std::string_view name, int value) {
+    if (machine.globals.stated.empty() || !among(machine.globals.stated, name)) return false;
+    if (lua_isnil(L, value))
+        throw Error(ErrorKind::wrong_type,
+                    std::string(name) + ": is declared with state(...) and cannot be nil");
+    push_instance(L, machine.tree.root());
+    push_text(L, name);
+    lua_pushvalue(L, value);
+    lua_settable(L, -3);
+    lua_pop(L, 1);
+    return true;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,223 @@
+#include <algorithm>
+
+#include <motion/ease.h>
+#include <motion/tween_classes.h>
+
+namespace fettle::script {
+
+using property::ClassDescriptor;
+using property::Event;
+using property::Method;
+using property::Row;
+using property::Tree;
+
+namespace {
+
+Method stop_method() {
+    return {.name = "stop",
+            .doc = "Ends it where it is, without the event, and deletes it.",
+            .call = [](void*, Tree& tree, Handle self, Row,
+                       std::span<const Value>) -> property::Result {
+                tree.destroy(self);
+                return Value();
+            },
+            .effect = property::Effect::tree};
+}
+
+Property paused_property() {
+    return {.name = "paused",
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = "Whether it stands still."};
+}
+
+Property over_property() {
+    return {.name = "over",
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = "Whether it has come to its end.",
+            .hidden = true};
+}
+
+std::vector<std::string> kinds_of_ease() {
+    std::vector<std::string> names = ease_names();
+    names.emplace_back("curve");
+    return names;
+}
+
+/// What a script gives.
+std::vector<Property> settings_of_tween() {
+    return {{.name = "target",
+             .type = Type::reference,
+             .doc = "The instance whose property changes. The tween ends with it.",
+             .reference_class = "Object"},
+            {.name = "property",
+             .type = Type::text,
+             .default_value = "",
+             .doc = "The name of the property that changes; empty for a pause in a sequence."},
+            {.name = "from",
+             .type = Type::nil,
+             .doc = "The value at the beginning: the one that the property has when the tween "
+                    "begins, unless it is set before.",
+             .any_type = true},
+            {.name = "to", .type = Type::nil, .doc = "The value at the end.", .any_type = true},
+            {.name = "seconds",
+             .type = Type::number,
+             .default_value = 1.0,
+             .unit = "s",
+             .range = {0, 1e9},
+             .doc = "How long it takes, in simulation time."},
+            {.name = "ease",
+             .type = Type::text,
+             .default_value = "linear",
+             .doc = "How the part of the way depends on the part of the time; \"curve\" takes it "
+                    "from `curve`.",
+             .enumerators = kinds_of_ease()},
+            {.name = "curve",
+             .type = Type::list,
+             .default_value = property::List{},
+             .doc = "Parts of the way at equal distances of time, joined by straight lines. A "
+                    "function given as ease is kept here as 257 of its values.",
+             .element = Type::number},
+            {.name = "loops",
+             .type = Type::integer,
+             .default_value = 1,
+             .range = {0, 1'000'000'000},
+             .doc = "How often it runs before it ends; 0: until it is stopped."},
+            {.name = "alternate",
+             .type = Type::boolean,
+             .default_value = false,
+             .doc = "Whether every second run goes back."}};
+}
+
+/// Where it is.
+std::vector<Property> state_of_tween() {
+    return {{.name = "progress",
+             .type = Type::number,
+             .default_value = 0.0,
+             .range = {0, 1},
+             .doc = "The part of the time that has passed in this run. Setting it jumps there at "
+                    "the next step."},
+            paused_property(),
+            {.name = "turn",
+             .type = Type::integer,
+             .default_value = 0,
+             .doc = "How many runs are complete.",
+             .hidden = true},
+            {.name = "shown",
+             .type = Type::number,
+             .default_value = -1.0,
+             .doc = "The progress that the property shows; below 0 before the tween begins.",
+             .hidden = true},
+            over_property()};
+}
+
+ClassDescriptor tween_descriptor() {
+    std::vector<Property> properties = settings_of_tween();
+    for (Property& each : state_of_tween()) properties.push_back(std::move(each));
+    return {.name = "Tween",
+            .doc =
+                "Moves a property of an instance from its value to another in some time. "
+                "tween(...) makes it below `game.tweens`, where it runs.",
+            .properties = std::move(properties),
+            .methods = {stop_method()},
+            .events = {Event{.name = "finished",
+                             .doc = "It has reached its end; it is deleted at the next step."}}};
+}
+
+/// How long a tween or a group takes, and how much of that has passed, s.
+struct Extent {
+    double length = 0, passed = 0;
+};
+
+Extent extent(const Tree& tree, Handle each, int depth) {
+    if (const Property* seconds = tree.find(each, "seconds")) {
+        const double length = tree.get(each, *seconds).as_double();
+        return {length, length * tree.get(each, "progress").as_double()};
+    }
+    const Property* kind = tree.find(each, "kind");
+    if (kind == nullptr || depth >= deepest_tweens) return {};
+    const bool together = tree.get(each, *kind).text() == in_parallel;
+    Extent sum;
+    for (const Handle child : tree.children(each)) {
+        const Extent part = extent(tree, child, depth + 1);
+        sum.length = together ? std::max(sum.length, part.length) : sum.length + part.length;
+        sum.passed = together ? std::max(sum.passed, part.passed) : sum.passed + part.passed;
+    }
+    return sum;
+}
+
+Value progress_of_group(void*, const Tree& tree, Handle self) {
+    if (tree.get(self, "over").boolean()) return 1.0;
+    const Extent all = extent(tree, self, 0);
+    return all.length > 0 ? std::min(all.passed / all.length, 1.0) : 0.0;
+}
+
+ClassDescriptor group_descriptor() {
+    Property progress{.name = "progress",
+                      .type = Type::number,
+                      .range = {0, 1},
+                      .doc = "The part of the time that has passed.",
+                      .read_only = true,
+                      .transient = true,
+                      .simulated = true};
+    progress.binding.kind = property::BindingKind::node;
+    progress.binding.node_get = progress_of_group;
+    return {.name = "TweenGroup",
+            .doc =
+                "Tweens that run one after the other, or together. tween.sequence and "
+                "tween.parallel make it below `game.tweens`, where it runs.",
+            .properties = {{.name = "kind",
+                            .type = Type::text,
+                            .default_value = in_sequence,
+                            .doc = "Whether one follows the other or all run together.",
+                            .enumerators = {in_sequence, in_parallel}},
+                           progress,
+                           paused_property(),
+                           over_property()},
+            .methods = {stop_method()},
+            .events = {Event{.name = "finished",
+                             .doc = "All in it have ended; it is deleted at the next step."}},
+            .stem = "tween_group"};
+}
+
+}  // namespace
+
+TweenClasses define_tween_classes(Tree& tree) {
+    const auto defined = [&tree](ClassDescriptor descriptor) -> const Class& {
+        if (const Class* known = tree.find_class(descriptor.name)) return *known;
+        return tree.define(std::move(descriptor));
+    };
+    const Class& tween = defined(tween_descriptor());
+    const Class& group = defined(group_descriptor());
+    const Class& holder = defined({.name = "Tweens",
+                                   .doc = "The tweens of the game, in the order in which they run.",
+                                   .stem = tweens_name});
+    const auto of = [](const Class& in, const char* name) -> const Property& {
+        return *in.property(name);
+    };
+    return {.tween = tween,
+            .group = group,
+            .holder = holder,
+            .target = of(tween, "target"),
+            .property = of(tween, "property"),
+            .from = of(tween, "from"),
+            .to = of(tween, "to"),
+            .seconds = of(tween, "seconds"),
+            .ease = of(tween, "ease"),
+            .curve = of(tween, "curve"),
+            .progress = of(tween, "progress"),
+            .paused = of(tween, "paused"),
+            .loops = of(tween, "loops"),
+            .alternate = of(tween, "alternate"),
+            .turn = of(tween, "turn"),
+            .shown = of(tween, "shown"),
+            .over = of(tween, "over"),
+            .finished = *tween.event("finished"),
+            .group_kind = of(group, "kind"),
+            .group_paused = of(group, "paused"),
+            .group_over = of(group, "over"),
+            .group_finished = *group.event("finished")};
+}
+
+}  // namespace fettle::script

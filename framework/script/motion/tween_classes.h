@@ -1,0 +1,51 @@
+#pragma once
+// The classes Tween, TweenGroup and Tweens. The tree keeps all their values, so snapshots, saved
+// games and replays contain tweens without further work.
+
+#include <lua/tree_names.h>
+
+namespace fettle::script {
+
+/// Name of the child of the root below which tweens run.
+inline constexpr const char* tweens_name = "tweens";
+
+/// The two kinds of groups.
+inline constexpr const char* in_sequence = "sequence";
+inline constexpr const char* in_parallel = "parallel";
+
+/// Groups within groups beyond this depth do not run.
+inline constexpr int deepest_tweens = 32;
+
+struct TweenClasses {
+    const Class& tween;
+    const Class& group;
+    const Class& holder;
+
+    // Of a tween.
+    const Property& target;
+    const Property& property;
+    const Property& from;
+    const Property& to;
+    const Property& seconds;
+    const Property& ease;
+    const Property& curve;
+    const Property& progress;
+    const Property& paused;
+    const Property& loops;
+    const Property& alternate;
+    const Property& turn;
+    const Property& shown;
+    const Property& over;
+    const property::Event& finished;
+
+    // Of a group.
+    const Property& group_kind;
+    const Property& group_paused;
+    const Property& group_over;
+    const property::Event& group_finished;
+};
+
+/// Defines the classes, unless an earlier runtime of the tree has done so.
+TweenClasses define_tween_classes(property::Tree& tree);
+
+}  // namespace fettle::script

@@ -1,0 +1,159 @@
+// tween(target, property, to, seconds, ease), tween.sequence, tween.parallel.
+
+#include <cmath>
+
+#include <fettle/property/spelling.h>
+
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <motion/ease.h>
+#include <motion/tweens.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+double seconds_at(lua_State* L, int index) {
+    const double seconds = check_number(L, index, "tween");
+    constexpr double longest = 1e9;
+    if (!(seconds >= 0 && seconds <= longest))
+        throw Error(ErrorKind::out_of_range, "tween: expected a time from 0 to 1e9 s, got " +
+                                                 property::number_text(seconds));
+    return seconds;
+}
+
+double part_of_way(lua_State* L, int index) {
+    const bool number = lua_type(L, index) == LUA_TNUMBER;
+    const double part = number ? lua_tonumber(L, index) : 0;
+    if (number && std::isfinite(part)) return part;
+    throw Error(ErrorKind::wrong_type,
+                "tween: an ease gives numbers, not " +
+                    (number ? property::number_text(part) : describe_type(L, index)));
+}
+
+/// The function is called now, so that the tween holds only values and can be saved.
+property::List sampled(lua_State* L, int index) {
+    property::List curve;
+    for (int i = 0; i < ease_samples; ++i) {
+        lua_pushvalue(L, index);
+        lua_pushnumber(L, static_cast<double>(i) / (ease_samples - 1));
+        lua_call(L, 1, 1);
+        curve.emplace_back(part_of_way(L, -1));
+        lua_pop(L, 1);
+    }
+    return curve;
+}
+
+property::List listed(lua_State* L, int index) {
+    const Value given = to_value(L, index, [] { return std::string("tween: its ease"); });
+    property::List curve;
+    for (const Value& each : given.list()) {
+        if (!each.is_numeric() || !std::isfinite(each.as_double()))
+            throw Error(ErrorKind::wrong_type, "tween: an ease that is a list has numbers, not " +
+                                                   property::value_text(each));
+        curve.emplace_back(each.as_double());
+    }
+    if (curve.size() < 2)
+        throw Error(ErrorKind::wrong_type,
+                    "tween: an ease that is a list has two numbers at least");
+    return curve;
+}
+
+void read_ease(lua_State* L, int index, Tweens::Plan& plan) {
+    switch (lua_type(L, index)) {
+        case LUA_TNONE:
+        case LUA_TNIL:
+            return;
+        case LUA_TSTRING:
+            plan.ease = string_at(L, index);
+            for (const std::string& known : ease_names())
+                if (plan.ease == known) return;
+            throw Error(ErrorKind::unknown_name, "tween: no ease \"" + plan.ease + "\"" +
+                                                     property::suggestion(plan.ease, ease_names()));
+        case LUA_TFUNCTION:
+            plan.ease = "curve";
+            plan.curve = sampled(L, index);
+            return;
+        case LUA_TTABLE:
+            plan.ease = "curve";
+            plan.curve = listed(L, index);
+            return;
+        default:
+            refuse_type(L, index, "tween: its ease is a name, a function or a list of numbers");
+    }
+}
+
+/// The tweens and pauses in the list at 1; in a group of the kind "parallel" a pause is an error.
+std::vector<Handle> members(lua_State* L, const char* kind, bool pauses) {
+    Machine& machine = machine_of(L);
+    const std::string what = std::string("tween.") + kind;
+    lua_settop(L, 1);
+    if (!lua_istable(L, 1)) refuse_type(L, 1, what + ": needs a list of tweens");
+    std::vector<Handle> found;
+    const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+    for (lua_Integer i = 1; i <= length; ++i) {
+        lua_rawgeti(L, 1, i);
+        const auto* box = instance_at(L, -1);
+        if (box != nullptr && machine.tweens.groupable(box->handle)) {
+            for (const Handle other : found)
+                if (other == box->handle)
+                    throw Error(ErrorKind::bad_structure, what + ": element " + std::to_string(i) +
+                                                              " is in the list already");
+            found.push_back(box->handle);
+        } else if (pauses && lua_type(L, -1) == LUA_TNUMBER) {
+            found.push_back(machine.tweens.add_pause(seconds_at(L, -1)));
+        } else {
+            throw Error(ErrorKind::wrong_type,
+                        what + ": element " + std::to_string(i) + " is " + describe_type(L, -1) +
+                            ", expected a tween or group that is in no other group" +
+                            (pauses ? ", or a number of seconds" : ""));
+        }
+        lua_pop(L, 1);
+    }
+    return found;
+}
+
+int tween_sequence(lua_State* L) {
+    push_instance(L, machine_of(L).tweens.add_group(in_sequence, members(L, in_sequence, true)));
+    return 1;
+}
+
+int tween_parallel(lua_State* L) {
+    push_instance(L, machine_of(L).tweens.add_group(in_parallel, members(L, in_parallel, false)));
+    return 1;
+}
+
+/// The global `tween` is a table that can be called; the call passes the table first.
+int call_tween(lua_State* L) {
+    lua_remove(L, 1);
+    return tween_function(L);
+}
+
+}  // namespace
+
+int tween_function(lua_State* L) {
+    lua_settop(L, 5);
+    Tweens::Plan plan;
+    plan.target = check_instance(L, 1, "tween");
+    plan.property = check_text(L, 2, "tween: needs the name of a property");
+    plan.to = to_value(L, 3, [] { return std::string("tween"); });
+    plan.seconds = seconds_at(L, 4);
+    read_ease(L, 5, plan);
+    push_instance(L, machine_of(L).tweens.add(plan));
+    return 1;
+}
+
+void open_tweens(lua_State* L) {
+    lua_newtable(L);
+    add_function<tween_sequence>(L, "sequence");
+    add_function<tween_parallel>(L, "parallel");
+    lua_newtable(L);
+    note_name(L, guarded<effect<call_tween>>, "tween");
+    add_function<call_tween>(L, "__call");
+    lua_setmetatable(L, -2);
+    lua_setfield(L, -2, "tween");
+}
+
+}  // namespace fettle::script

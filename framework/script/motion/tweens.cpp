@@ -1,0 +1,310 @@
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include <calls/protected.h>
+#include <lua/machine.h>
+#include <motion/ease.h>
+#include <motion/mixing.h>
+#include <motion/tweens.h>
+
+namespace fettle::script {
+
+using property::Tree;
+
+namespace {
+
+// Sums of steps have rounding errors, so a tween this near its end has reached it.
+constexpr double tolerance = 1e-9;
+
+std::function<std::string()>& where() {
+    static std::function<std::string()> text = [] { return std::string("tween"); };
+    return text;
+}
+
+}  // namespace
+
+Tweens::Tweens(Machine& machine)
+    : machine_(machine), classes_(define_tween_classes(machine.tree)) {}
+
+// --- Making
+
+Handle Tweens::holder() {
+    Tree& tree = machine_.tree;
+    if (const Handle known = tree.child(tree.root(), tweens_name)) {
+        if (&tree.class_of(known) == &classes_.holder) return known;
+        throw Error(ErrorKind::bad_name, std::string("tween: tweens are below game.") +
+                                             tweens_name + ", but that is a " +
+                                             tree.class_of(known).name() +
+                                             " of the game; give it another name");
+    }
+    return tree.create(classes_.holder, tree.root(), tweens_name);
+}
+
+Handle Tweens::make(const Class& of) {
+    const Handle parent = holder();
+    return machine_.tree.create(of, parent);
+}
+
+Handle Tweens::add(const Plan& plan) {
+    Tree& tree = machine_.tree;
+    const Property& property = tree.property(plan.target, plan.property);
+    const auto refuse = [&](ErrorKind kind, const std::string& why) {
+        throw Error(kind, "tween: " + tree.path(plan.target, property) + why);
+    };
+    if (property.read_only) refuse(ErrorKind::read_only, " is read-only");
+    if (tree.formula(plan.target, property) != nullptr)
+        refuse(ErrorKind::formula,
+               " has a formula, which computes its value; assign a plain value first");
+    const Value now = tree.get(plan.target, property);
+    const Value to = tree.coerce(plan.target, property, plan.to);
+    if (!mixable(now, to))
+        refuse(ErrorKind::wrong_type,
+               ": there are no values between " + tree.text(now) + " and " + tree.text(to));
+    const Handle made = make(classes_.tween);
+    tree.set(made, classes_.target, plan.target);
+    tree.set(made, classes_.property, plan.property);
+    tree.set(made, classes_.to, to);
+    tree.set(made, classes_.seconds, plan.seconds);
+    tree.set(made, classes_.ease, plan.ease);
+    tree.set(made, classes_.curve, plan.curve);
+    return made;
+}
+
+Handle Tweens::add_pause(double seconds) {
+    const Handle made = make(classes_.tween);
+    machine_.tree.set(made, classes_.seconds, seconds);
+    return made;
+}
+
+bool Tweens::groupable(Handle each) const {
+    const Tree& tree = machine_.tree;
+    if (!tree.alive(each)) return false;
+    const Class& of = tree.class_of(each);
+    if (!of.is_a(classes_.tween) && !of.is_a(classes_.group)) return false;
+    const Handle parent = tree.parent(each);
+    return parent && &tree.class_of(parent) == &classes_.holder;
+}
+
+namespace {
+
+int levels_below(const Tree& tree, Handle each, int depth) {
+    int most = 0;
+    if (depth > deepest_tweens) return most;
+    for (const Handle child : tree.children(each))
+        most = std::max(most, 1 + levels_below(tree, child, depth + 1));
+    return most;
+}
+
+}  // namespace
+
+Handle Tweens::add_group(const char* kind, const std::vector<Handle>& members) {
+    Tree& tree = machine_.tree;
+    for (const Handle member : members)
+        if (levels_below(tree, member, 0) + 1 >= deepest_tweens)
+            throw Error(ErrorKind::out_of_range, std::string("tween.") + kind +
+                                                     ": groups within groups may be " +
+                                                     std::to_string(deepest_tweens) + " deep");
+    const Handle made = make(classes_.group);
+    tree.set(made, classes_.group_kind, kind);
+    for (const Handle member : members) tree.move(member, made);
+    return made;
+}
+
+// --- Running
+
+bool Tweens::over(Handle each) const {
+    const Tree& tree = machine_.tree;
+    const bool tween = tree.class_of(each).is_a(classes_.tween);
+    return tree.get(each, tween ? classes_.over : classes_.group_over).boolean();
+}
+
+/// What a game adds below `game.tweens` besides tweens is left alone.
+bool Tweens::running(Handle each) const {
+    const Tree& tree = machine_.tree;
+    if (!tree.alive(each)) return false;
+    const Class& of = tree.class_of(each);
+    return of.is_a(classes_.tween) || of.is_a(classes_.group);
+}
+
+bool Tweens::run(double dt) {
+    Tree& tree = machine_.tree;
+    const Handle all = tree.child(tree.root(), tweens_name);
+    if (!all || &tree.class_of(all) != &classes_.holder) return true;
+    ok_ = true;
+    const Tree::CauseScope cause(tree, property::Writer::script, &where());
+    for (const Handle each : tree.children(all)) {
+        if (!running(each)) continue;
+        if (over(each))
+            tree.destroy(each);
+        else
+            advance(each, dt, 0);
+    }
+    return ok_;
+}
+
+/// Deletes a tween that cannot continue. `why` is reported as an error unless it is empty.
+void Tweens::end(Handle each, std::string_view why) {
+    Tree& tree = machine_.tree;
+    if (!why.empty())
+        ok_ &= protected_run(machine_, Context("tween"), [&](lua_State*) {
+            throw Error(ErrorKind::rejected,
+                        tree.path(each) + " ends, since it fails: " + std::string(why));
+        });
+    if (tree.alive(each)) tree.destroy(each);
+}
+
+/// The part of `dt` that is left after its end; nothing if it goes on.
+std::optional<double> Tweens::advance(Handle each, double dt, int depth) {
+    if (machine_.tree.class_of(each).is_a(classes_.group)) return advance_group(each, dt, depth);
+    try {
+        return advance_tween(each, dt);
+    } catch (const std::exception& error) {
+        end(each, error.what());
+        return dt;
+    }
+}
+
+std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) {
+    Tree& tree = machine_.tree;
+    if (depth >= deepest_tweens) return std::nullopt;
+    if (tree.get(group, classes_.group_paused).boolean()) return std::nullopt;
+    const bool together = tree.get(group, classes_.group_kind).text() == in_parallel;
+    double left = dt;
+    bool all_over = true;
+    for (const Handle member : tree.children(group)) {
+        if (!running(member) || over(member)) continue;
+        const std::optional<double> rest = advance(member, together ? dt : left, depth + 1);
+        if (!rest && !together) return std::nullopt;
+        all_over &= rest.has_value();
+        if (rest) left = std::min(left, *rest);
+    }
+    if (!all_over) return std::nullopt;
+    finish(group);
+    return left;
+}
+
+std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
+    Tree& tree = machine_.tree;
+    const bool moves = !tree.get(tween, classes_.property).text().empty();
+    if (moves && !tree.alive(tree.get(tween, classes_.target).reference())) {
+        tree.destroy(tween);
+        return dt;
+    }
+    const double shown = tree.get(tween, classes_.shown).number();
+    if (tree.get(tween, classes_.paused).boolean()) {
+        // A progress that was set meanwhile is shown.
+        if (moves && shown >= 0 && shown != tree.get(tween, classes_.progress).number())
+            show(tween);
+        return std::nullopt;
+    }
+    if (moves && shown < 0 && !begin(tween)) return dt;
+    const std::optional<double> left = pass_time(tween, dt);
+    if (moves) {
+        const Handle target = tree.get(tween, classes_.target).reference();
+        const Property& property = tree.property(target, tree.get(tween, classes_.property).text());
+        if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
+            tree.destroy(tween);
+            return dt;
+        }
+        show(tween);
+    } else {
+        tree.set(tween, classes_.shown, 0.0);
+    }
+    if (left) finish(tween);
+    return left;
+}
+
+/// Moves the progress on, and begins the next run where one ends.
+std::optional<double> Tweens::pass_time(Handle tween, double dt) {
+    Tree& tree = machine_.tree;
+    const double seconds = tree.get(tween, classes_.seconds).number();
+    const std::int64_t loops = tree.get(tween, classes_.loops).integer();
+    std::int64_t turn = tree.get(tween, classes_.turn).integer();
+    double progress = tree.get(tween, classes_.progress).number();
+    // Without a duration, an endless tween makes one run a step.
+    progress = seconds > 0 ? progress + dt / seconds : progress + 1;
+    std::optional<double> left;
+    if (progress >= 1 - tolerance) {
+        double runs = std::floor(progress + tolerance);
+        const auto wanted = static_cast<double>(loops);
+        if (loops > 0 && static_cast<double>(turn) + runs >= wanted) {
+            runs = std::max(wanted - static_cast<double>(turn), 1.0);
+            left = seconds > 0 ? std::max(0.0, (progress - runs) * seconds) : dt;
+            progress = 1;
+            turn += static_cast<std::int64_t>(runs) - 1;
+        } else {
+            progress = std::clamp(progress - runs, 0.0, 1.0);
+            turn += static_cast<std::int64_t>(std::min(runs, 1e15));
+        }
+        tree.set(tween, classes_.turn, turn);
+    }
+    tree.set(tween, classes_.progress, progress);
+    return left;
+}
+
+/// The beginning: notes the value of the property, and ends other tweens of it. False if the tween
+/// has ended.
+bool Tweens::begin(Handle tween) {
+    Tree& tree = machine_.tree;
+    const Handle target = tree.get(tween, classes_.target).reference();
+    const std::string name = tree.get(tween, classes_.property).text();
+    const Property& property = tree.property(target, name);
+    if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
+        tree.destroy(tween);
+        return false;
+    }
+    stop_others(tree.child(tree.root(), tweens_name), 0, tween, target, name);
+    if (tree.get(tween, classes_.from).is_nil())
+        tree.set(tween, classes_.from, tree.get(target, property));
+    return true;
+}
+
+/// Deletes the tweens of that property that have begun and not ended.
+void Tweens::stop_others(Handle within, int depth, Handle tween, Handle target,
+                         std::string_view name) {
+    Tree& tree = machine_.tree;
+    if (depth > deepest_tweens) return;
+    for (const Handle other : tree.children(within)) {
+        if (other == tween || !running(other)) continue;
+        if (tree.class_of(other).is_a(classes_.group)) {
+            stop_others(other, depth + 1, tween, target, name);
+            continue;
+        }
+        if (tree.get(other, classes_.target).reference() == target &&
+            tree.get(other, classes_.property).text() == name &&
+            tree.get(other, classes_.shown).number() >= 0 && !over(other))
+            tree.destroy(other);
+    }
+}
+
+/// Writes the value at the current progress to the property.
+void Tweens::show(Handle tween) {
+    Tree& tree = machine_.tree;
+    const Handle target = tree.get(tween, classes_.target).reference();
+    const Property& property = tree.property(target, tree.get(tween, classes_.property).text());
+    const Value from = tree.get(tween, classes_.from), to = tree.get(tween, classes_.to);
+    if (!mixable(from, to))
+        throw Error(ErrorKind::wrong_type,
+                    "there are no values between " + tree.text(from) + " and " + tree.text(to));
+    const double progress = tree.get(tween, classes_.progress).number();
+    const bool back = tree.get(tween, classes_.alternate).boolean() &&
+                      tree.get(tween, classes_.turn).integer() % 2 != 0;
+    const double time = back ? 1 - progress : progress;
+    const std::string kind = tree.get(tween, classes_.ease).text();
+    const double part =
+        kind == "curve" ? ease(tree.get(tween, classes_.curve).list(), time) : ease(kind, time);
+    tree.set(target, property, mix(from, to, part, property));
+    tree.set(tween, classes_.shown, progress);
+}
+
+void Tweens::finish(Handle each) {
+    Tree& tree = machine_.tree;
+    const bool tween = tree.class_of(each).is_a(classes_.tween);
+    tree.set(each, tween ? classes_.over : classes_.group_over, true);
+    const property::Event& event = tween ? classes_.finished : classes_.group_finished;
+    if (tree.listens(each, event)) tree.emit(each, event, {});
+}
+
+}  // namespace fettle::script

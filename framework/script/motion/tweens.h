@@ -1,0 +1,68 @@
+#pragma once
+// Runs the tweens of a tree, in simulation time.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <lua/lua_api.h>
+#include <motion/tween_classes.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+class Tweens {
+  public:
+    explicit Tweens(Machine& machine);
+
+    /// What a script gives to `tween`.
+    struct Plan {
+        Handle target;
+        std::string property;
+        Value to;
+        double seconds = 0;
+        std::string ease = "linear";
+        property::List curve{};  // for the ease "curve"
+    };
+    /// Makes a tween; it begins at the next step. Throws Error for a property that cannot change
+    /// from its value to this one.
+    Handle add(const Plan& plan);
+    /// Makes a tween without a property, for a sequence.
+    Handle add_pause(double seconds);
+    /// Makes a group of tweens and groups that are below `game.tweens`, not in a group. Throws
+    /// Error if groups would be too deep in one another.
+    Handle add_group(const char* kind, const std::vector<Handle>& members);
+    /// Whether the instance is a tween or a group that `add_group` takes.
+    bool groupable(Handle each) const;
+
+    /// One step of `dt` s. Returns false if one raised an error; that one has ended then.
+    bool run(double dt);
+
+  private:
+    Handle holder();
+    Handle make(const Class& of);
+    bool running(Handle each) const;
+    bool over(Handle each) const;
+    void end(Handle each, std::string_view why);
+    std::optional<double> advance(Handle each, double dt, int depth);
+    std::optional<double> advance_tween(Handle tween, double dt);
+    std::optional<double> advance_group(Handle group, double dt, int depth);
+    std::optional<double> pass_time(Handle tween, double dt);
+    bool begin(Handle tween);
+    void stop_others(Handle within, int depth, Handle tween, Handle target, std::string_view name);
+    void show(Handle tween);
+    void finish(Handle each);
+
+    Machine& machine_;
+    const TweenClasses classes_;
+    bool ok_ = true;
+};
+
+/// Adds `tween` to the table of globals at the top of the stack.
+void open_tweens(lua_State* L);
+/// `tween(target, property, to, seconds, ease)`, also a method of every instance.
+int tween_function(lua_State* L);
+
+}  // namespace fettle::script

@@ -1,0 +1,90 @@
+// Mistakes that users of other engines make are told, once.
+
+#include <fettle/property/snapshot.h>
+
+#include "stage.h"
+
+namespace pitfall_test {
+
+using stage::joined;
+using stage::Stage;
+using stage::Vec2;
+
+namespace {
+
+struct Game : Stage {
+    Game() {
+        runtime->on_note([this](std::string_view note) { notes.emplace_back(note); });
+    }
+    std::vector<std::string> notes;
+};
+
+}  // namespace
+
+TEST_CASE("a handler that touches what a restore took away is told and the game goes on") {
+    Game s;
+    s.run(
+        "function step() if mine then print(mine.mass) end print('step') end mine = nil "
+        "every(0, function() print('timer', mine and mine.mass) end)");
+    s.step();
+    const auto taken = s.tree->snapshot();
+    s.run("world.ball = Body {} mine = world.ball");
+    s.step();
+    s.tree->restore(taken);
+    s.tree->barrier();
+    s.printed.clear();
+    s.errors.clear();
+    s.step(3);
+    CHECK(s.errors.empty());
+    CHECK(s.printed.empty());      // both handlers end where they touch it
+    REQUIRE(s.notes.size() == 1);  // both are in one line
+    CHECK_THAT(s.notes[0], contains("by restore, when the game went back in time") &&
+                               contains("the game goes on. Ask :alive() first"));
+    CHECK(s.prints("print(mine:alive())") == "false");
+    s.run("mine = nil");
+    s.step();
+    CHECK(s.errors.empty());
+    CHECK(s.printed[1] == "timer\tnil");
+}
+
+TEST_CASE("a chunk that touches what a restore took away is an error") {
+    Game s;
+    const auto taken = s.tree->snapshot();
+    s.run("world.ball = Body {} mine = world.ball");
+    s.tree->restore(taken);
+    CHECK_THAT(s.fails("print(mine.mass)"), contains("by restore"));
+}
+
+TEST_CASE("a handler that touches what a script deleted is still an error") {
+    Game s;
+    s.run("world.ball = Body {} mine = world.ball function step() print(mine.mass) end");
+    s.step();
+    s.run("mine:delete()");
+    s.step();
+    CHECK(s.errors.size() == 1);
+    CHECK(s.notes.empty());
+}
+
+TEST_CASE("a vector in a variable is connected and this is told once") {
+    Game s;
+    s.run("world.ball = Body {} world.ball.position.x = 3 world.ball.position.y = 4");
+    CHECK(s.notes.empty());
+    s.run("local v = world.ball.position\nv.x = 7 v.y = 8");
+    REQUIRE(s.notes.size() == 1);
+    CHECK(s.notes[0] ==
+          "main.lua:2: v was read from world.ball.position and stays connected with it, so v.x = "
+          "... writes world.ball.position; vec(v) is a copy");
+    CHECK(s.get("world.ball.position").vec2() == Vec2(7, 8));
+    s.run("local w = vec(world.ball.position) w.x = 1 local u = world.ball.position u.x = 5");
+    CHECK(s.notes.size() == 1);
+    CHECK(s.get("world.ball.position").vec2() == Vec2(5, 8));
+}
+
+TEST_CASE("a vector in a variable of an outer function is told as well") {
+    Game s;
+    s.run("world.ball = Body {} local v = world.ball.position local function f() v.x = 1 end f()");
+    REQUIRE(s.notes.size() == 1);
+    CHECK_THAT(s.notes[0], contains("v was read from world.ball.position"));
+}
+
+}  // namespace pitfall_test
