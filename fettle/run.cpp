@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include <fettle/app/error_screen.h>
+#include <fettle/app/loudspeaker.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
@@ -114,6 +115,13 @@ property::Thumbnail thumbnail(app::Pixels pixels) {
     return property::scaled_down({pixels.width, pixels.height, std::move(pixels.rgba)}, widest);
 }
 
+/// Plays the voices of the game, and tells once why they cannot be heard.
+void be_heard(app::Loudspeaker& loudspeaker, Session& session) {
+    loudspeaker.follow(session.services(), session.loop().halted());
+    if (const std::string problem = loudspeaker.take_problem(); !problem.empty())
+        session.note("note: " + problem);
+}
+
 /// After this time in one call into the scripts, the window offers to stop it, s.
 constexpr double patience = 2;
 
@@ -144,6 +152,7 @@ class WindowRun {
     void start() {
         reload_ = false;
         error_screen_.hide();
+        loudspeaker_.silence();
         scripts_.reset();
         session_.reset();
         window_->release_textures();
@@ -174,6 +183,7 @@ class WindowRun {
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         error_screen_.came_back();
+        be_heard(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;
         window_->set_title(session_->services().view.title);
         window_->set_vsync(session_->services().view.vsync);
@@ -211,6 +221,7 @@ class WindowRun {
     const RunOptions& options_;
     std::unique_ptr<app::Window> window_;
     app::ErrorScreen error_screen_;
+    app::Loudspeaker loudspeaker_;
     std::unique_ptr<Session> session_;
     std::optional<EndRequest::Scripts> scripts_;
     Clock::time_point last_frame_{};
@@ -255,11 +266,13 @@ int run_replay(RunOptions options) {
     const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
+    app::Loudspeaker loudspeaker;
     bool closed = false;
     while (!closed && EndRequest::asked() == 0 && replay.frame()) {
         if (window == nullptr) continue;
         for (app::InputEvent event; window->poll(event);)
             closed = closed || event.kind == app::EventKind::closing;
+        be_heard(loudspeaker, session);
         session.loop().draw(*window, 0);
         window->present();
     }

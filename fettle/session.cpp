@@ -106,7 +106,6 @@ void Session::make_storage() {
                                      .warn = [this](const std::string& text) { note(text); }});
 }
 
-/// Reports something that a person should know and that is not an error of the game.
 void Session::note(const std::string& text) {
     tell(text);
     if (ending_) return;

@@ -41,6 +41,8 @@ class Session {
     script::Runtime& runtime() { return *runtime_; }
     property::GameSaves& saves() { return *saves_; }
     bool console_is_open() const;
+    /// Reports something that a person should know and that is not an error of the game.
+    void note(const std::string& text);
     /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
@@ -58,7 +60,6 @@ class Session {
     void make_files();
     void make_storage();
     void make_recorder();
-    void note(const std::string& text);
     void fail(const script::ScriptError& error);
     void tell_error(const script::ScriptError& error);
 

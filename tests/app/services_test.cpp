@@ -36,8 +36,9 @@ TEST_CASE("services that end before their tree leave none of their instances in 
     CHECK(tree.size() == 2);
     CHECK(tree.parts().empty());
     tree.barrier();
-    for (const char* path : {"time ", "time.timings ", "view ", "view.show ", "audio ", "input ",
-                             "input.keys ", "input.mouse ", "input.gamepad_1 "})
+    for (const char* path :
+         {"time ", "time.timings ", "view ", "view.show ", "audio ", "audio.buses ",
+          "audio.buses.music ", "input ", "input.keys ", "input.mouse ", "input.gamepad_1 "})
         CHECK_THAT(told, contains(path));
     // Nothing can bring them back.
     tree.undo();
@@ -89,7 +90,7 @@ TEST_CASE("services that find no room in a tree leave nothing in it") {
         for (const property::Handle child : tree.children(tree.root()))
             children.push_back(tree.name(child));
     }
-    REQUIRE(classes.size() == 9);
+    REQUIRE(classes.size() == 16);
     REQUIRE(children.size() == 4);
     const auto refused = [](property::Tree& tree) {
         const std::size_t size = tree.size(), count = tree.classes().size();

@@ -145,6 +145,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"window", {"sfml", "draw"}},
              {"input", {}},
              {"time", {}},
+             {"sound", {"sfml"}},
              {"loop", {"time"}},
          }},
         {"console",

@@ -67,6 +67,8 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
       services_(services),
       time_(tree.child(tree.root(), "time")),
       timeline_(tree, services.clock, [this](double dt) { step_modules(dt); }) {
+    runtime_.add_library("sounds", Audio::library());
+    services_.audio.random = [this] { return runtime_life_.expired() ? 0.5 : runtime_.random(); };
     runtime_.on_rewind([this](double seconds) { timeline_.rewind(seconds); });
     // `ordered` ends with this function, which the destructor removes: then the orders are void.
     services_.clock.go_to = [this, ordered = std::make_shared<char>()](std::int64_t step) {
@@ -82,6 +84,7 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
 Loop::~Loop() {
     if (!runtime_life_.expired()) runtime_.on_rewind({});
     services_.clock.go_to = {};
+    services_.audio.random = {};
 }
 
 void Loop::step_modules(double dt) {
@@ -229,6 +232,7 @@ bool Loop::make_step(Stopwatch& watch) {
     if (stopped()) return false;
     {
         const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
+        services_.audio.step(dt);
         timeline_.modules_step(dt);
         step_modules(dt);
         for (std::size_t i = 0; i < modules_.size(); ++i)

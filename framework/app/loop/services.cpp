@@ -8,35 +8,13 @@
 
 namespace fettle::app {
 
-using property::Native;
-using property::Type;
-
 namespace {
-
-void define_audio(property::Tree& tree, Audio& audio) {
-    const property::Class& audio_class = tree.define(
-        {.name = "Audio",
-         .doc = "Everything that is heard.",
-         .creatable = false,
-         .properties = {
-             {.name = "volume",
-              .type = Type::number,
-              .default_value = 1.0,
-              .range = {0, 1},
-              .doc = "Loudness of everything, 1 being that of the recordings.",
-              .binding = column(audio, Native::f64, 0, [](Audio& a) { return &a.volume; })},
-             {.name = "muted",
-              .type = Type::boolean,
-              .default_value = false,
-              .doc = "Silences everything and leaves the volume as it is.",
-              .binding = column(audio, Native::boolean, 0, [](Audio& a) { return &a.muted; })}}});
-    tree.create(audio_class, tree.root(), "audio");
-}
 
 /// The classes of the services, the first one first, and their instances below the root. A test
 /// compares them with the tree.
-constexpr const char* class_names[] = {"Time",  "Timings", "View",  "Show",   "Audio",
-                                       "Input", "Keys",    "Mouse", "Gamepad"};
+constexpr const char* class_names[] = {"Time",  "Timings",     "View",  "Show",   "Audio", "Buses",
+                                       "Bus",   "SoundSource", "Sound", "Music",  "Synth", "Voice",
+                                       "Input", "Keys",        "Mouse", "Gamepad"};
 constexpr const char* instance_names[] = {"time", "view", "audio", "input"};
 
 /// Throws if a name that the services need is already used in the tree. If a constructor failed
@@ -59,7 +37,11 @@ void require_room(const property::Tree& tree) {
 
 // Input uses the view.
 Services::Services(property::Tree& tree, property::Assets* game_assets)
-    : input(define(tree), view), assets(game_assets), tree_(tree), tree_life_(tree.lifetime()) {
+    : audio(define(tree), view, clock, game_assets),
+      input(tree, view),
+      assets(game_assets),
+      tree_(tree),
+      tree_life_(tree.lifetime()) {
     tree.add_part(clock_part_);
 }
 
@@ -79,7 +61,6 @@ property::Tree& Services::define(property::Tree& tree) {
     require_room(tree);
     define_clock(tree, clock);
     define_view(tree, view);
-    define_audio(tree, audio);
     return tree;
 }
 

@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 #include <fettle/property/acceptance.h>
 #include <fettle/property/pinned.h>
+#include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/class_object.h>
 #include <objects/methods.h>
 #include <reference/reference_facts.h>
 #include <values/members.h>
@@ -35,6 +40,33 @@ void check_no_function(lua_State* L, int index, const std::string& path, const M
                             ", " + method.parameters[i].name + ": " + signature(method));
 }
 
+/// True if the only argument is a table of arguments by name, as in sound:play { volume = 0.5 }.
+bool are_named(lua_State* L, const Method& method) {
+    if (lua_gettop(L) != 2 || !lua_istable(L, 2) || method.parameters.empty()) return false;
+    lua_pushnil(L);
+    if (lua_next(L, 2) == 0) return method.parameters.front().type != Type::list;
+    const bool named = lua_type(L, -2) == LUA_TSTRING;
+    lua_pop(L, 2);
+    return named;
+}
+
+/// Replaces that table by its values, in the order of the parameters.
+void put_in_order(lua_State* L, const std::string& path, const Method& method) {
+    std::vector<std::string> names;
+    for (const property::Field& parameter : method.parameters) names.push_back(parameter.name);
+    for (const std::string& key : sorted_keys(L, 2, path + ":" + method.name))
+        if (std::ranges::find(names, key) == names.end())
+            throw Error(ErrorKind::unknown_name,
+                        path + ":" + method.name + ": there is no argument \"" + key + "\"" +
+                            property::suggestion(key, names) + ": " + signature(method));
+    for (const std::string& name : names) {
+        push_text(L, name);
+        lua_rawget(L, 2);
+    }
+    lua_remove(L, 2);
+    while (lua_gettop(L) > 1 && lua_isnil(L, -1)) lua_pop(L, 1);
+}
+
 // Upvalue 1: the method.
 int call_method(lua_State* L) {
     const auto& method = *static_cast<const Method*>(lua_touserdata(L, lua_upvalueindex(1)));
@@ -49,6 +81,7 @@ int call_method(lua_State* L) {
                                                " has no " + method.name);
     if (method.effect != property::Effect::nothing && !machine.tree.changeable())
         machine.tree.require_changeable("call " + method.name);
+    if (are_named(L, method)) put_in_order(L, machine.tree.path(self->handle), method);
     std::array<Value, max_parameters> values;
     const int given = lua_gettop(L) - 1;
     if (given > static_cast<int>(std::min(max_parameters, method.parameters.size())))

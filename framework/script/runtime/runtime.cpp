@@ -34,6 +34,7 @@ namespace fettle::script {
 struct Runtime::State : Parts {
     using Parts::Parts;
     std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the Runtime object
+    std::vector<std::pair<std::string, std::string>> libraries;       // names and chunks
 };
 
 namespace {
@@ -180,6 +181,7 @@ bool Runtime::load(const std::filesystem::path& game) {
     }();
     forget_game(machine);
     machine.sources.folder = folder;
+    for (const auto& [name, chunk] : state_->libraries) run_chunk(machine, chunk, name, "library");
     bool ok = run_chunk(machine, text, file.filename().string(), "load");
     if (ok) ok = machine.classes.deliver_ready() && call_ready(machine, "start", {});
     if (ok) machine.hints.game_loaded();
@@ -193,6 +195,17 @@ bool Runtime::run(std::string_view chunk, const std::string& name) {
                                {.memory = machine.options.memory_limit, .who = "a chunk"});
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes.deliver_ready() && ok;
+}
+
+void Runtime::add_library(const std::string& name, std::string_view chunk) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    state_->libraries.emplace_back(name, chunk);
+    run_chunk(machine, std::string(chunk), name, "library");
+}
+
+double Runtime::random() {
+    return live().random.unit();
 }
 
 bool Runtime::call(std::string_view callback, std::span<const Value> arguments) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include <fettle/app/audio.h>
 #include <fettle/app/clock.h>
 #include <fettle/app/export.h>
 #include <fettle/app/input.h>
@@ -11,16 +12,7 @@
 
 FETTLE_APP_BEGIN
 
-namespace fettle::property {
-class Assets;
-}
-
 namespace fettle::app {
-
-struct Audio {
-    double volume = 1;  // of all sounds, 0 to 1
-    bool muted = false;
-};
 
 /// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
 /// runtime. The destructor deletes the instances of the services, with everything below them; if

@@ -117,6 +117,13 @@ class Runtime {
     /// is given to `on_error`.
     bool run(std::string_view chunk, const std::string& name);
 
+    /// Adds functions that a part above gives to scripts: the chunk runs now, and again before each
+    /// game that is loaded, because loading forgets what the last game defined. It may only add
+    /// functions to classes.
+    void add_library(const std::string& name, std::string_view chunk);
+    /// The next of the game's random numbers, at least 0 and less than 1.
+    double random();
+
     /// Calls a global function of the game, if it is defined ("update", "key_pressed" ...). Returns
     /// false if it raised an error.
     bool call(std::string_view callback, std::span<const property::Value> arguments);

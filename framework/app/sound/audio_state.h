@@ -1,0 +1,104 @@
+#pragma once
+// Sources and voices: what the classes in the tree have in common.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fettle/app/audio.h>
+#include <fettle/property/storage/assets.h>
+
+#include <sound/mixer.h>
+#include <sound/sound_file.h>
+#include <sound/synth.h>
+
+namespace fettle::app {
+
+struct Audio::State {
+    State(Audio& audio, property::Tree& tree, const View& view, const Clock& clock,
+          property::Assets* assets);
+    State(const State&) = delete;  // properties are bound to its members
+
+    /// The values of a source that are checked against files and buses.
+    struct Source {
+        property::Handle self{};
+        std::string file{};
+        std::string bus{};
+        std::shared_ptr<const SoundFile> sound{};
+    };
+    struct SourceProperties {
+        const property::Property *volume, *pitch, *loop, *position, *range, *max_voices;
+    };
+    struct VoiceProperties {
+        const property::Property *volume, *pitch, *time, *playing, *position;
+        const property::Property *fade, *fade_to, *fade_time, *order, *over;
+    };
+
+    // Values of stored properties; if a formula fails, its last valid one.
+    double number(property::Handle of, const property::Property& property) const;
+    property::Value value(property::Handle of, const property::Property& property) const;
+
+    bool is_source(property::Handle instance) const;
+    bool is_music(property::Handle instance) const;
+    /// The source of a voice; null for a voice that hangs nowhere.
+    property::Handle source_of(property::Handle voice) const;
+    double duration(property::Handle source) const;  // s
+    SynthParameters synth_parameters(property::Handle synth) const;
+    void set_file(property::Row row, const std::string& name);
+    void set_bus(property::Row row, const std::string& name);
+
+    /// Living voices, oldest first.
+    std::vector<property::Handle> by_age() const;
+    bool ends(property::Handle voice) const;  // it is over, or fades out
+
+    struct Play {
+        property::Value volume{}, pitch{}, fade{}, time{}, position{};  // nil: not given
+    };
+    property::Handle play(property::Handle source, const Play& how);
+    void stop(property::Handle voice, double fade);
+    void pass(property::Handle voice, double dt);
+
+    /// What is to be heard now. `halted`: every voice pauses.
+    std::vector<Heard> heard(bool halted) const;
+
+    Audio& audio;
+    property::Tree& tree;
+    const View& view;
+    const Clock& clock;
+    SoundFiles files;
+
+    property::Handle service{}, buses{};
+    const property::Class *source_class = nullptr, *sound_class = nullptr, *music_class = nullptr;
+    const property::Class *synth_class = nullptr, *voice_class = nullptr, *bus_class = nullptr;
+    SourceProperties of_source{};
+    VoiceProperties of_voice{};
+    const property::Property *of_music_fade = nullptr, *synth_wave = nullptr, *synth_seed = nullptr;
+    const property::Property *bus_volume = nullptr, *bus_muted = nullptr;
+    std::vector<const property::Property*> synth_numbers_of{};
+
+    std::vector<Source> sources{};  // by row
+    std::vector<property::Row> free_rows{};
+    std::vector<property::Handle> voices{};  // in any order
+
+  private:
+    void make_room(property::Handle voice);
+    void cross_fade(property::Handle voice, double fade);
+    std::optional<property::Vec2> place(property::Handle voice, property::Handle source) const;
+    Stereo loudness(property::Handle voice, property::Handle source) const;
+    double bus_loudness(property::Handle source) const;
+};
+
+// Each defines classes, in this order.
+void define_audio(Audio::State& state);
+void define_sources(Audio::State& state);
+void define_synth(Audio::State& state);
+void define_voice(Audio::State& state);
+
+/// Sets the parameters of a synth to those of a preset; throws std::invalid_argument with the
+/// nearest name if there is none of that name.
+void set_preset(Audio::State& state, property::Handle synth, const std::string& name);
+
+}  // namespace fettle::app

@@ -1,0 +1,162 @@
+#include <sound/sound_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/storage/scene.h>
+
+#include <sfml/sfml_audio.h>
+
+namespace fettle::app {
+
+namespace {
+
+constexpr std::uint64_t block_frames = 4096;
+constexpr double longest = 24 * 3600.0;  // s
+
+/// A WAV file whose samples come before their format. SFML divides by zero there.
+bool lacks_format(const std::string& bytes) {
+    constexpr std::size_t head = 12;  // "RIFF", a size, "WAVE"
+    if (!bytes.starts_with("RIFF")) return false;
+    for (std::size_t at = head; at + 8 <= bytes.size();) {
+        const std::string_view name(bytes.data() + at, 4);
+        if (name == "fmt ") return false;
+        if (name == "data") return true;
+        std::size_t size = 0;
+        for (std::size_t i = 4; i-- > 0;)
+            size = size << 8 | static_cast<unsigned char>(bytes[at + 4 + i]);
+        at += 8 + size;
+    }
+    return true;
+}
+
+/// WAV files state how long they are, and a file that was cut off still states the old length.
+bool cut_off_wave(const std::string& bytes, std::uint64_t samples) {
+    return bytes.starts_with("RIFF") && samples > bytes.size();
+}
+
+}  // namespace
+
+Stereo Samples::frame(std::uint64_t index) const {
+    const std::uint64_t at = index * channels;
+    if (at + channels > values.size()) return {};
+    const auto level = [&](std::uint64_t i) { return static_cast<float>(values[i]) / 32768.0f; };
+    const float left = level(at);
+    return {left, channels == 1 ? left : level(at + 1)};
+}
+
+SoundFile::SoundFile(std::string bytes) : bytes_(std::move(bytes)) {
+    sf::InputSoundFile file;
+    {
+        const sfml::NoMessages quiet;
+        if (lacks_format(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
+            throw std::invalid_argument(
+                "it is damaged, or no sound that can be played: WAV (PCM), OGG (Vorbis) and FLAC "
+                "are, and MP3 with SFML 2.6 or newer");
+    }
+    rate_ = file.getSampleRate();
+    channels_ = file.getChannelCount();
+    if (rate_ < 1000 || rate_ > 400000 || channels_ < 1 || channels_ > 8)
+        throw std::invalid_argument("it is damaged: " + std::to_string(channels_) +
+                                    " channels of " + std::to_string(rate_) + " Hz");
+    const std::uint64_t samples = file.getSampleCount();
+    frames_ = samples / channels_;
+    if (frames_ == 0) throw std::invalid_argument("it is empty or damaged: it has no samples");
+    if (cut_off_wave(bytes_, samples) || duration() > longest)
+        throw std::invalid_argument("it is damaged: it says that it is " +
+                                    property::number_text(std::round(duration())) +
+                                    " s long, and is too short for that");
+}
+
+std::size_t SoundFile::decoded_size() const {
+    return static_cast<std::size_t>(frames_) * channels_ * sizeof(std::int16_t);
+}
+
+std::shared_ptr<const Samples> SoundFile::samples() const {
+    if (samples_ != nullptr) return samples_;
+    const auto all = std::make_shared<Samples>();
+    all->rate = rate_;
+    all->channels = channels_;
+    sf::InputSoundFile file;
+    const sfml::NoMessages quiet;
+    if (file.openFromMemory(bytes_.data(), bytes_.size())) {
+        // A damaged file may have fewer samples than it states.
+        constexpr std::size_t piece = std::size_t{1} << 16;
+        for (std::size_t size = 0; size * sizeof(std::int16_t) < decoded_size();) {
+            all->values.resize(size + piece);
+            const std::uint64_t count = file.read(all->values.data() + size, piece);
+            size += static_cast<std::size_t>(count);
+            all->values.resize(size);
+            if (count == 0) break;
+        }
+    }
+    return samples_ = all;
+}
+
+struct SoundReader::Decoder {
+    sf::InputSoundFile file;
+};
+
+SoundReader::SoundReader(std::shared_ptr<const SoundFile> file)
+    : file_(std::move(file)), decoder_(std::make_unique<Decoder>()) {
+    // It could be opened before, so this cannot fail.
+    (void)decoder_->file.openFromMemory(file_->bytes().data(), file_->bytes().size());
+    block_.rate = file_->rate();
+    block_.channels = file_->channels();
+}
+
+SoundReader::~SoundReader() = default;
+
+Stereo SoundReader::frame(std::uint64_t index) {
+    if (index < first_ || index >= first_ + count_) load(index);
+    return block_.frame(index - first_);
+}
+
+/// Reads the block that begins with the frame. The last frame of the block before stays, since
+/// samples between two frames need both.
+void SoundReader::load(std::uint64_t index) {
+    std::vector<std::int16_t>& values = block_.values;
+    const std::size_t channels = block_.channels;
+    const bool goes_on = count_ > 0 && index == next_;
+    if (goes_on) {
+        values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(channels));
+        first_ = next_ - 1;
+    } else {
+        values.clear();
+        first_ = next_ = index;
+        if (index >= file_->frames()) {
+            count_ = 0;
+            return;
+        }
+        decoder_->file.seek(index * channels);
+    }
+    const std::size_t kept = values.size();
+    values.resize(kept + block_frames * channels);
+    const std::uint64_t read = decoder_->file.read(values.data() + kept, block_frames * channels);
+    values.resize(kept + static_cast<std::size_t>(read / channels) * channels);
+    count_ = values.size() / channels;
+    next_ = first_ + count_;
+}
+
+std::shared_ptr<const SoundFile> SoundFiles::get(const std::string& what, const std::string& name) {
+    if (const auto found = files_.find(name); found != files_.end()) return found->second;
+    if (assets_ == nullptr)
+        throw property::Error(property::ErrorKind::rejected,
+                              what + ": this game has no files, so none can be played");
+    try {
+        auto file = std::make_shared<const SoundFile>(assets_->read(what, name, sound_endings));
+        files_.emplace(name, file);
+        return file;
+    } catch (const std::invalid_argument& problem) {
+        throw property::Error(property::ErrorKind::rejected,
+                              what + ": \"" + name + "\" cannot be played: " + problem.what());
+    } catch (const property::FileError& problem) {
+        throw property::Error(property::ErrorKind::rejected,
+                              what + ": " + property::exception_text(problem));
+    }
+}
+
+}  // namespace fettle::app

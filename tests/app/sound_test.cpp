@@ -1,0 +1,370 @@
+// Sounds of a game: their state, which needs no device.
+
+#include <catch.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include <fettle/app/loop.h>
+#include <fettle/property/path.h>
+#include <fettle/property/storage/assets.h>
+#include <fettle/property/storage/game_files.h>
+
+#include <sound/audio_state.h>
+
+#include "sound_measures.h"
+#include "temporary_folder.h"
+
+namespace sound_test {
+
+using namespace fettle;
+using namespace fettle::app;
+using sound_measures::tone_file;
+
+namespace {
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct SoundGame {
+    TemporaryFolder folder;
+    property::GameFiles files;
+    property::Assets assets{files, folder.path};
+    property::Tree tree;
+    Services services{tree, &assets};
+    script::Runtime runtime{tree, {.seed = 3}};
+    Loop loop{tree, runtime, services};
+    std::string printed, errors;
+
+    SoundGame() {
+        runtime.on_print([this](std::string_view text) {
+            printed += (printed.empty() ? "" : " ") + std::string(text);
+        });
+        runtime.on_error([this](const script::ScriptError& error) { errors += error.message; });
+        write("hit.wav", tone_file(440, 0.25));
+        write("song.wav", tone_file(220, 2));
+    }
+    void write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(folder.path / name, std::ios::binary) << bytes;
+    }
+    void run(std::string_view chunk) { runtime.run(chunk, "test"); }
+    void turns(int count) {
+        for (int i = 0; i < count; ++i) loop.turn();
+    }
+    std::string print(const std::string& expression) {
+        printed.clear();
+        run("print(" + expression + ")");
+        return printed;
+    }
+    std::string error(const std::string& chunk) {
+        errors.clear();
+        run(chunk);
+        return errors;
+    }
+    std::vector<Heard> heard() { return services.audio.state().heard(false); }
+};
+
+}  // namespace
+
+TEST_CASE("a voice lives as long as its sound and then the handlers are called") {
+    SoundGame game;
+    game.run(R"(
+        hit = Sound { file = "hit.wav" }
+        hit:on("finished", function(event) print("source", event.voice == voice, voice.time) end)
+        function start_it()
+            voice = hit:play { volume = 0.5, pitch = 2 }
+            voice:on("finished", function() print("voice", voice.playing) end)
+        end
+        start_it()
+    )");
+    CHECK(game.errors.empty());
+    CHECK(game.print("hit.duration, voice.volume, voice.pitch, voice.parent == hit") ==
+          "0.25\t0.5\t2.0\ttrue");
+    game.printed.clear();
+    game.turns(7);  // 7/60 s at twice the pitch: 0.233 s
+    CHECK(game.printed.empty());
+    CHECK(game.print("voice.time") == "0.2333333333333333");
+    game.printed.clear();
+    game.turns(1);
+    CHECK(game.printed == "voice\tfalse source\ttrue\t0.25");
+    CHECK(game.print("voice:alive(), #audio.voices") == "true\t1");
+    game.turns(1);
+    CHECK(game.print("voice:alive(), #audio.voices, #hit:children()") == "false\t0\t0");
+}
+
+TEST_CASE("a voice pauses and loops and is stopped") {
+    SoundGame game;
+    game.run(R"(hit = Sound { file = "hit.wav", loop = true } a = hit:play() b = hit:play()
+                hit:on("finished", function() print("finished") end))");
+    game.run("b.playing = false");
+    game.turns(60);
+    CHECK(game.print("a.time < 0.25, b.time") == "true\t0.0");
+    game.run("b.playing = true b.time = 0.2");
+    game.turns(1);
+    CHECK(game.print("b.time > 0.21 and b.time < 0.22") == "true");
+    game.run("a:stop() b:stop(0.1)");
+    CHECK(game.print("a:alive(), b:alive()") == "false\ttrue");
+    game.turns(3);
+    CHECK(game.print("b.fade > 0.45 and b.fade < 0.55") == "true");
+    game.turns(4);
+    CHECK(game.print("b:alive()") == "false");
+    game.run("hit:play() hit:play() hit:stop() hit:play() audio:stop()");
+    CHECK(game.print("#audio.voices") == "0");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("nothing passes for voices while the game is paused") {
+    SoundGame game;
+    game.run("v = Synth.explosion():play() time.paused = true");
+    game.turns(10);
+    CHECK(game.print("v.time") == "0.0");
+    CHECK(game.heard().at(0).rate == 0);
+    game.run("time.step_once = true");
+    game.turns(1);
+    CHECK(game.print("v.time > 0.016 and v.time < 0.017") == "true");
+    game.run("time.paused = false time.scale = 0.5");
+    CHECK(game.heard().at(0).rate == 0.5);
+    CHECK(game.services.audio.state().heard(true).at(0).rate == 0);
+}
+
+TEST_CASE("the oldest voice ends where there are too many") {
+    SoundGame game;
+    game.run(R"(
+        hit = Sound { file = "hit.wav", max_voices = 2 }
+        song = Music { file = "song.wav" }
+        m = song:play() a = hit:play() b = hit:play() c = hit:play()
+    )");
+    CHECK(game.print("a:alive(), b:alive(), c:alive(), m:alive()") == "false\ttrue\ttrue\ttrue");
+    game.run("audio.max_voices = 2 blip = Synth.blip() d = blip:play()");
+    CHECK(game.print("b:alive(), c:alive(), d:alive(), m:alive()") == "false\tfalse\ttrue\ttrue");
+    game.run("audio.max_voices = 1 e = blip:play()");
+    CHECK(game.print("d:alive(), e:alive(), m:alive(), #audio.voices") == "false\ttrue\tfalse\t1");
+}
+
+TEST_CASE("music fades over to other music of its bus") {
+    SoundGame game;
+    game.run(R"(
+        one = Music { file = "song.wav", fade = 0.5 }
+        two = Music { file = "song.wav", fade = 0.5 }
+        speech = Music { file = "song.wav", bus = "effects" }
+        a = one:play() s = speech:play()
+    )");
+    game.turns(60);
+    CHECK(game.print("one:play() == a, a.fade, a.time > 0.99") == "true\t1.0\ttrue");
+    game.run("b = two:play()");
+    game.turns(15);
+    CHECK(game.print("a.fade > 0.49 and a.fade < 0.51, b.fade > 0.49 and b.fade < 0.51, s.fade") ==
+          "true\ttrue\t1.0");
+    game.turns(16);
+    CHECK(game.print("a:alive(), b.fade, s:alive()") == "false\t1.0\ttrue");
+    game.turns(200);  // longer than the file: it loops
+    CHECK(game.print("b:alive()") == "true");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("loudness is that of the source and its voice and its bus and everything") {
+    SoundGame game;
+    game.run(R"(
+        audio.volume = 0.5 audio.buses.effects.volume = 0.5
+        audio.buses.speech = Bus { volume = 0.25 }
+        a = Sound { file = "hit.wav", volume = 0.5 } a:play { volume = 0.5 }
+    )");
+    CHECK(game.errors.empty());
+    CHECK(game.heard().at(0).loudness.left == 0.0625f);
+    game.run("a.bus = 'speech'");
+    CHECK(game.heard().at(0).loudness.right == 0.03125f);
+    game.run("audio.buses.speech.muted = true");
+    CHECK(game.heard().at(0).loudness.left == 0);
+    game.run("audio.buses.speech:delete()");  // no bus, no change
+    CHECK(game.heard().at(0).loudness.left == 0.125f);
+    game.run("audio.muted = true");
+    CHECK(game.heard().at(0).loudness.left == 0);
+}
+
+TEST_CASE("a sound is heard from where it is") {
+    SoundGame game;
+    game.run(R"(
+        thing = class("Thing") { position = vec(0, 0), angle = 0.0 }
+        game.ship = thing { gun = Sound { file = "hit.wav", range = 10 } }
+        ship.gun:play()
+    )");
+    CHECK(game.errors.empty());
+    const auto heard = [&] { return game.heard().at(0).loudness; };
+    CHECK((heard().left == 1 && heard().right == 1));
+    game.run("ship.position = vec(5, 0)");
+    CHECK(heard().right == 0.25f);
+    CHECK(heard().left == Approx(0.25 * std::sqrt(0.5)));
+    game.run("ship.position = vec(-5, 0)");
+    CHECK(heard().left == 0.25f);
+    CHECK(heard().right < 0.2f);
+    game.run("view.center = vec(-5, 0)");
+    CHECK((heard().left == 1 && heard().right == 1));
+    game.run("ship.gun.position = vec(0, 5) ship.angle = math.pi / 2");
+    CHECK(heard().left == Approx(0.25));  // turned to the left
+    CHECK(heard().right < 0.2f);
+    game.run("ship.position = vec(100, 0)");
+    CHECK((heard().left == 0 && heard().right == 0));
+    game.run("audio.voices[1].position = vec(-5, 0)");
+    CHECK((heard().left == 1 && heard().right == 1));
+}
+
+TEST_CASE("errors name the value and the nearest name") {
+    SoundGame game;
+    game.write("noise.ogg", "this is no sound");
+    game.write("empty.wav", "");
+    std::string cut = tone_file(440, 1);
+    cut.resize(cut.size() / 4);
+    game.write("cut.wav", cut);
+    const auto fails = [&](const std::string& chunk, const std::string& message) {
+        CHECK_THAT(game.error(chunk), contains(message));
+    };
+    fails("Sound { file = 'hitt.wav' }",
+          "Sound.file: there is no file \"hitt.wav\" (did you mean \"hit.wav\"?)");
+    fails("Sound { file = 'noise.ogg' }", "Sound.file: \"noise.ogg\" cannot be played: it is");
+    fails("Sound { file = 'empty.wav' }", "\"empty.wav\" cannot be played");
+    fails("Sound { file = 'cut.wav' }", "\"cut.wav\" cannot be played: it is damaged");
+    fails("Sound { file = '../hit.wav' }", "is no file below the game's folder");
+    fails("Sound { bus = 'efects' }", "audio.buses has no \"efects\" (did you mean \"effects\"?)");
+    fails("Sound {}:play()", "it has no file to play: set `file`");
+    fails("Synth { sustain = 0, decay = 0 }:play()", "it has no length");
+    fails("Sound { range = 0 }", "from 0.001 to 1000000 m");
+    fails("Sound { pitch = 0 }", "from 0.01 to 100");
+    fails("Synth { frequency = 1e300 }", "from 1 to 20000 Hz");
+    fails("Synth { attack = 0/0 }", "Synth.attack");
+    fails("Synth { wave = 'sqare' }", "did you mean \"square\"");
+    fails("Synth {}:preset('coyn')", "there is no preset \"coyn\" (did you mean \"coin\"?)");
+    fails("Synth {}:play { pich = 2 }", "there is no argument \"pich\" (did you mean \"pitch\"?)");
+    fails("Synth {}:play { pitch = 0 }", "from 0.01 to 100");
+    fails("Synth {}:play { fade = -1 }", "fade = -1: expected a time from 0 to 1000 s");
+    fails("Synth {}:mutate(2)", "amount = 2: expected a number from 0 to 1");
+    fails("Synth.coin(3)", "Synth.coin: takes a table of values");
+    fails("Synth {}:wave_form(0)", "columns = 0: expected a number from 1 to 4096");
+    fails("game.v = Voice {}", "a voice hangs below the Sound");
+    CHECK(game.print("#audio.voices") == "0");
+}
+
+TEST_CASE("compressed files are decoded") {
+    for (const char* name : {"tests/app/sounds/tone.ogg", "tests/app/sounds/tone.flac"}) {
+        INFO(name);
+        const auto file = std::make_shared<const SoundFile>(bytes_of(name));
+        CHECK(file->duration() == Approx(0.25).margin(0.001));
+        for (const bool decoded : {true, false}) {
+            Mixer mixer;
+            Heard heard{.id = 1, .duration = file->duration()};
+            if (decoded) heard.samples = file->samples();
+            if (!decoded) heard.file = file;
+            mixer.hear({heard});
+            const sound_measures::Signal all = sound_measures::mixed(mixer, 0.4);
+            CHECK(sound_measures::frequency(all.part(0.05, 0.2).left) == Approx(440).margin(2));
+            CHECK(sound_measures::length(all.left) == Approx(0.25).margin(0.01));
+        }
+    }
+}
+
+TEST_CASE("damaged files are refused or played and never do harm") {
+    std::mt19937 random(7);
+    const std::vector<std::string> whole = {tone_file(440, 0.05),
+                                            bytes_of("tests/app/sounds/tone.ogg"),
+                                            bytes_of("tests/app/sounds/tone.flac")};
+    for (int i = 0; i < 900; ++i) {
+        std::string bytes = whole[static_cast<std::size_t>(i % 3)];
+        for (int changes = 0; changes < 8; ++changes)
+            bytes[random() % (i % 2 == 0 ? 44 : bytes.size())] = static_cast<char>(random());
+        if (i % 4 == 0) bytes.resize(random() % (bytes.size() + 1));
+        try {
+            const auto file = std::make_shared<const SoundFile>(bytes);
+            if (file->decoded_size() < greatest_decoded) (void)file->samples();
+            SoundReader reader(file);
+            (void)reader.frame(file->frames() / 2);
+            (void)reader.frame(0);
+            (void)reader.frame(file->frames() + 5);
+        } catch (const std::invalid_argument& refused) {
+            CHECK(std::string(refused.what()).size() > 10);
+        }
+    }
+}
+
+TEST_CASE("a file that is too large when it is decoded is played as music only") {
+    SoundGame game;
+    game.write("long.wav",
+               sound_measures::wave_file(800, 2, 22000, [](unsigned, double) { return 0.0; }));
+    CHECK_THAT(game.error("Sound { file = 'long.wav' }"),
+               contains("FileError") || contains("larger than 64 MB"));
+    const SoundFile silent(
+        sound_measures::wave_file(800, 2, 22000, [](unsigned, double) { return 0.0; }));
+    CHECK(silent.decoded_size() > greatest_decoded);
+}
+
+TEST_CASE("presets sound and mutations are those of the seed") {
+    const char* script = R"(
+        for _, name in ipairs { "coin", "jump", "hit", "explosion", "blip", "power_up" } do
+            local synth = Synth[name] { volume = 0.3 }
+            local high = 0
+            for _, column in ipairs(synth:wave_form(50)) do high = math.max(high, column.y) end
+            print(name, high > 0.2 and high < 3, synth.volume, synth.duration < 2)
+            local before = synth.frequency
+            for _ = 1, 4 do synth:mutate(0.2) end
+            print(synth.frequency, synth.decay, synth.slide)
+        end
+    )";
+    SoundGame first, second;
+    first.run(script);
+    second.run(script);
+    CHECK(first.errors.empty());
+    CHECK(first.printed == second.printed);
+    CHECK_THAT(first.printed, contains("coin\ttrue\t0.3\ttrue"));
+    CHECK_THAT(first.printed, contains("power_up\ttrue\t0.3\ttrue"));
+    CHECK(first.print("Synth.coin().frequency") == "988.0");
+}
+
+TEST_CASE("a synth that nothing holds lives until its voices end") {
+    SoundGame game;
+    game.run("Synth.explosion():play()");
+    game.run("for i = 1, 200 do Synth {} end");
+    game.turns(5);
+    CHECK(game.print("#audio.voices") == "1");
+    game.turns(80);
+    CHECK(game.print("#audio.voices") == "0");
+}
+
+TEST_CASE("voices are in snapshots and go on in another game") {
+    SoundGame game;
+    game.run(R"(game.hit = Sound { file = "hit.wav" } hit:play() game.boom = Synth.explosion())");
+    game.run("boom:play { position = vec(3, 0) }");
+    game.turns(6);
+    const std::vector<std::byte> bytes = game.tree.snapshot().to_bytes();
+    SoundGame other;
+    other.write("hit.wav", tone_file(440, 0.25));
+    other.tree.restore(property::Snapshot::from_bytes(bytes));
+    other.loop.timeline().clear();
+    CHECK(other.print("#audio.voices, hit.voice_1 and hit.voice_1.time or hit.voice.time") ==
+          game.print("#audio.voices, hit.voice_1 and hit.voice_1.time or hit.voice.time"));
+    for (int i = 0; i < 70; ++i) {
+        game.turns(1);
+        other.turns(1);
+        CHECK(game.loop.hash() == other.loop.hash());
+    }
+    CHECK(other.print("#audio.voices") == "0");
+}
+
+TEST_CASE("nothing can be played when the services of a tree have ended") {
+    property::Tree tree;
+    {
+        const Services services(tree);
+        tree.create(tree.class_named("Synth"), tree.root(), "loud");
+        const property::Handle loose = tree.create(tree.class_named("Synth"));
+        tree.call(loose, "play", {});
+        tree.create(tree.class_named("Voice"));
+        CHECK(tree.size() > 10);
+    }
+    CHECK(tree.size() == 1);
+    CHECK_FALSE(tree.child(tree.root(), "loud"));
+    CHECK_THROWS_WITH(tree.create(tree.class_named("Synth")),
+                      contains("the services of this tree ended"));
+}
+
+}  // namespace sound_test
