@@ -12,6 +12,7 @@
 #include "exit_status.h"
 #include "game_path.h"
 #include "session.h"
+#include "settings.h"
 #include "terminal.h"
 
 namespace fettle::program {
@@ -81,20 +82,7 @@ Command add_docs(CLI::App& app) {
             "A module whose classes are, too: a shared object, or the name of an installed one "
             "(repeatable)")
         ->trigger_on_parse();
-    return {&command, [options] {
-                try {
-                    return docs(*options);
-                } catch (const FileError& error) {
-                    tell(error.what());
-                } catch (const property::FileError& error) {
-                    tell(error.what());
-                } catch (const module::LoadError& error) {
-                    tell(error.what());
-                } catch (const fs::filesystem_error& error) {
-                    tell(error.path1().string() + ": " + error.code().message());
-                }
-                return static_cast<int>(file_error);
-            }};
+    return {&command, [options] { return with_file_errors([&] { return docs(*options); }); }};
 }
 
 }  // namespace fettle::program

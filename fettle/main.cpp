@@ -10,9 +10,12 @@
 #include "arguments.h"
 #include "docs.h"
 #include "exit_status.h"
+#include "new_game.h"
 #include "run.h"
 #include "terminal.h"
+#include "test.h"
 #include "version.h"
+#include "where.h"
 
 namespace fettle::program {
 namespace {
@@ -37,7 +40,8 @@ int program(int argc, char** argv) {
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
     app.allow_extras();
-    const Command commands[] = {add_run(app), add_docs(app)};
+    const Command commands[] = {add_run(app), add_test(app), add_new_game(app), add_where(app),
+                                add_docs(app)};
     if (argc < 2) return refuse("expected a command, as in fettle run");
     if (const std::string wrong = command_problem(app, argv[1]); !wrong.empty())
         return refuse(wrong);

@@ -16,6 +16,9 @@ namespace {
 constexpr std::string_view own_file_prefix =
     "fettle:";  // prefix of the names of Fettle's own files
 
+constexpr const char* store_name =
+    "fettle:store";  // of the store, which lies in no folder of these
+
 fs::path whole_folder_of(const fs::path& game) {
     std::error_code error;
     return fs::weakly_canonical(folder_of(game), error);
@@ -47,6 +50,16 @@ app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::pat
             .checksum = finding.checksum,
             .overwritten = finding.overwritten,
             .content = finding.content};
+}
+
+app::RunFile recorded_store(const std::string& text) {
+    return {.name = store_name, .overwritten = true, .content = text};
+}
+
+std::string recorded_store(const app::Recording& recording) {
+    for (const app::RunFile& file : recording.files())
+        if (file.name == store_name) return file.content.value_or("");
+    return {};
 }
 
 std::vector<std::string> changed_since(const app::Recording& recording, const fs::path& game) {

@@ -15,6 +15,11 @@ namespace fettle::program {
 app::RunFile recorded(const property::GameFiles::Finding& finding,
                       const std::filesystem::path& game);
 
+/// The entry of a recording with the text of the game's store at the start of the run, and that
+/// text in a recording.
+app::RunFile recorded_store(const std::string& text);
+std::string recorded_store(const app::Recording& recording);
+
 /// The differences from the recorded files, in words: "ball.json differs". Files that the run
 /// itself has overwritten are in the recording, so they are not compared.
 std::vector<std::string> changed_since(const app::Recording& recording,

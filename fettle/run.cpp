@@ -16,8 +16,10 @@
 #include "end_request.h"
 #include "exit_status.h"
 #include "game_path.h"
+#include "game_window.h"
 #include "recorded_files.h"
 #include "session.h"
+#include "settings.h"
 #include "terminal.h"
 
 namespace fettle::program {
@@ -131,11 +133,11 @@ class WindowRun {
   public:
     explicit WindowRun(const RunOptions& options)
         : options_(options),
-          window_(app::open_window({})),
+          game_window_(options.game, read_settings(options.game)),
           error_screen_(
               {.reload = [this] { reload_ = true; },
                .go_on = [this] { session_->loop().resume(); },
-               .copy = [this](const std::string& text) { window_->clipboard().write(text); }}) {}
+               .copy = [this](const std::string& text) { window().clipboard().write(text); }}) {}
 
     int play() {
         start();
@@ -143,11 +145,13 @@ class WindowRun {
             last = frame();
             if (reload_) start();
         }
-        return finish(*session_, options_, window_.get());
+        return finish(*session_, options_, &window());
     }
 
   private:
     using Clock = std::chrono::steady_clock;
+
+    app::Window& window() { return game_window_.screen(); }
 
     void start() {
         reload_ = false;
@@ -155,17 +159,18 @@ class WindowRun {
         loudspeaker_.silence();
         scripts_.reset();
         session_.reset();
-        window_->release_textures();
+        window().release_textures();
         session_ = std::make_unique<Session>(
-            options_, &window_->clipboard(),
+            options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
         session_->add_layer(error_screen_);
-        session_->services().view.screen = window_->size();
+        game_window_.before_start(*session_);
         scripts_.emplace(session_->runtime());
         if (!limit_calls(session_->runtime(), options_))
             session_->runtime().limit_calls(
                 patience, [this](const script::LongCall& call) { return may_go_on(call); });
         session_->start();
+        game_window_.started(*session_);
         error_screen_.came_back();
         idle_steps_ = 0;
         last_frame_ = Clock::now();
@@ -178,15 +183,15 @@ class WindowRun {
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - last_frame_).count();
         last_frame_ = now;
-        for (app::InputEvent event; window_->poll(event);) loop.handle(event);
+        for (app::InputEvent event; window().poll(event);)
+            if (!game_window_.handle(event, *session_)) loop.handle(event);
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         error_screen_.came_back();
         be_heard(loudspeaker_, *session_);
         if (clock.paused) idle_steps_ += seconds / clock.dt;
-        window_->set_title(session_->services().view.title);
-        window_->set_vsync(session_->services().view.vsync);
+        game_window_.follow(*session_);
         // A run with a given number of steps is not interactive: it also ends if the game is
         // halted.
         const bool made =
@@ -194,11 +199,11 @@ class WindowRun {
                                                     static_cast<double>(*options_.steps));
         const bool last = made || loop.closing() || session_->runtime().quit_status().has_value();
         const bool saves = session_->saves().waits();
-        if (saves || (last && !options_.screenshot.empty())) window_->keep_frame();
-        loop.draw(*window_, seconds);
+        if (saves || (last && !options_.screenshot.empty())) window().keep_frame();
+        loop.draw(window(), seconds);
         error_screen_.came_back();
-        window_->present();
-        if (saves) session_->saves().finish(thumbnail(window_->pixels()));
+        window().present();
+        if (saves) session_->saves().finish(thumbnail(window().pixels()));
         return last;
     }
 
@@ -211,15 +216,15 @@ class WindowRun {
             return error_screen_.stop_wanted() || loop.closing() || EndRequest::asked() != 0;
         };
         do {
-            for (app::InputEvent event; window_->poll(event);) loop.handle(event);
-            loop.draw_layers(*window_, 0);
-            window_->present();
+            for (app::InputEvent event; window().poll(event);) loop.handle(event);
+            loop.draw_layers(window(), 0);
+            window().present();
         } while (session_->console_is_open() && !ends());
         return !ends();
     }
 
     const RunOptions& options_;
-    std::unique_ptr<app::Window> window_;
+    GameWindow game_window_;
     app::ErrorScreen error_screen_;
     app::Loudspeaker loudspeaker_;
     std::unique_ptr<Session> session_;
@@ -239,6 +244,9 @@ std::string join_first(const std::vector<std::string>& all) {
     return text;
 }
 
+/// Number of the last steps of a test that a replay in a window shows; it skips the others.
+constexpr std::uint64_t last_steps = 180;
+
 /// Plays a recording, with or without a window, and checks that the run is the same.
 int run_replay(RunOptions options) {
     require_file(options.replay, "a recording");
@@ -254,28 +262,36 @@ int run_replay(RunOptions options) {
     options.seed = start.seed;
     options.evals = start.evals;
     options.at = start.at;
+    if (!start.test.empty()) options.test = {.file = start.test[0], .name = start.test[1]};
     const bool seen = !options.headless || !options.screenshot.empty();
     if (seen && !app::display_available())
         return complain(bad_usage,
                         "there is no display for a window: set DISPLAY, use xvfb-run, "
                         "or replay with --headless");
     std::unique_ptr<app::Window> window;
-    if (!options.headless) window = app::open_window({});
+    if (!options.headless) window = app::open_window(window_state(read_settings(options.game)));
     Session session(options, nullptr, {}, &recording);
-    session.services().view.screen = {start.width, start.height};
+    session.set_screen({start.width, start.height});
     const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
     app::Loudspeaker loudspeaker;
     bool closed = false;
-    while (!closed && EndRequest::asked() == 0 && replay.frame()) {
-        if (window == nullptr) continue;
+    const auto show = [&] {
         for (app::InputEvent event; window->poll(event);)
             closed = closed || event.kind == app::EventKind::closing;
         be_heard(loudspeaker, session);
         session.loop().draw(*window, 0);
         window->present();
+    };
+    const bool test = window != nullptr && !start.test.empty();
+    const auto ended = [&] { return closed || EndRequest::asked() != 0; };
+    while (!ended() && replay.frame()) {
+        const bool skipped = test && replay.steps() + last_steps < recording.steps();
+        if (window != nullptr && !skipped) show();
     }
+    // The picture in which a test failed stays until the window is closed.
+    while (test && options.screenshot.empty() && !ended()) show();
     if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
     if (!replay.difference().empty()) return complain(script_error, replay.difference());
     std::printf("%" PRIu64 " steps, each as it was recorded\n", replay.steps());
@@ -309,8 +325,8 @@ std::filesystem::path parse_picture(const std::string& text) {
 }  // namespace
 
 int run(const RunOptions& given) {
-    RunOptions options = given;
-    try {
+    return with_file_errors([&] {
+        RunOptions options = given;
         const EndRequest end_request;
         for (const std::filesystem::path& file : {options.screenshot, options.record})
             if (!file.empty()) require_file(file, "a file to write");
@@ -332,17 +348,7 @@ int run(const RunOptions& given) {
                                 : "there is no display for a window: set DISPLAY, use xvfb-run, or "
                                   "run with --headless");
         return options.headless ? run_headless(options) : WindowRun(options).play();
-    } catch (const FileError& error) {
-        return complain(file_error, error.what());
-    } catch (const property::FileError& error) {
-        return complain(file_error, error.what());
-    } catch (const app::RecordingError& error) {
-        return complain(file_error, error.what());
-    } catch (const module::LoadError& error) {
-        return complain(file_error, error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        return complain(file_error, error.path1().string() + ": " + error.code().message());
-    }
+    });
 }
 
 Command add_run(CLI::App& app) {
@@ -397,9 +403,12 @@ Command add_run(CLI::App& app) {
            [](RunOptions& to, const std::string& text) {
                to.budget = whole_number("--budget", text, 1, max_milliseconds);
            });
-    option("--seed", "Of random(); 0 unless given", [](RunOptions& to, const std::string& text) {
-        to.seed = whole_number("--seed", text, 0, UINT64_MAX);
-    });
+    option("--seed", "Of random(); without it that of game.json, or 0",
+           [](RunOptions& to, const std::string& text) {
+               to.seed = whole_number("--seed", text, 0, UINT64_MAX);
+           });
+    command.add_flag("--developer", options->developer,
+                     "Have the console in a game that has it for developers only");
     option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
            [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
     option("--record",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.h"
+#include "test_driver.h"
 
 namespace fettle::program {
 
@@ -20,12 +21,14 @@ struct RunOptions {
     std::vector<std::pair<std::uint64_t, std::string>> at{};       // step, chunk
     std::vector<std::pair<std::uint64_t, std::string>> console{};  // step, command
     std::optional<std::uint64_t> budget{};  // ms; limit of each call into the scripts
-    std::uint64_t seed = 0;
-    std::vector<std::string> modules{};  // files or names, in addition to the game's manifest
+    std::optional<std::uint64_t> seed{};    // of random(); none: that of game.json, else 0
+    bool developer = false;                 // for the console, where game.json asks for it
+    std::vector<std::string> modules{};     // files or names, in addition to the game's manifest
     std::filesystem::path screenshot{};
     bool hash = false;
-    std::filesystem::path record{};  // recording to write; empty: none
-    std::filesystem::path replay{};  // recording to play instead of a new run; empty: none
+    std::filesystem::path record{};    // recording to write; empty: none
+    std::filesystem::path replay{};    // recording to play instead of a new run; empty: none
+    std::optional<TestChoice> test{};  // the run is this test
 };
 
 Command add_run(CLI::App& app);

@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -12,10 +13,18 @@
 
 #include "exit_status.h"
 #include "game_path.h"
+#include "game_window.h"
 #include "recorded_files.h"
 #include "terminal.h"
 
 namespace fettle::program {
+
+namespace {
+
+constexpr std::string_view icon_setting = "game.json: icon";
+constexpr std::array<std::string_view, 5> image_endings = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+
+}  // namespace
 
 #ifdef FETTLE_WITH_CONSOLE
 struct Session::ConsoleLayer : console::Console {
@@ -37,8 +46,11 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
       assets_(files_, folder_of(options.game), assets()),
       modules_(options.game, options.modules) {
     make_files();
+    read_settings();
     modules_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_, &assets_);
+    services_->view.window = window_state(settings_);
+    services_->view.screen = services_->view.window.size;
     tree_.on_handler_error([this](const property::HandlerError& error) {
         script::ScriptError report;
         report.message = error.message;
@@ -54,12 +66,13 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     });
     make_storage();
     runtime_ = std::make_unique<script::Runtime>(
-        tree_, script::Options{.seed = options.seed,
+        tree_, script::Options{.seed = seed(),
                                // No limit here; a window sets one, and so does --budget.
                                .call_seconds = 0,
                                .assets = assets(),
                                .saves = saves_.get(),
                                .tweaks = tweaks_.get(),
+                               .store = store_.get(),
                                .files = &files_,
                                .replay = options.replay.filename().string()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
@@ -71,6 +84,9 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_->after_barrier([this] { tweaks_->barrier(); });
     add_modules();
     make_console(clipboard);
+    if (options.test)
+        test_ = std::make_unique<TestDriver>(*options.test, folder_of(options.game), files_,
+                                             *services_, *runtime_);
 }
 
 /// From now on messages go to stderr only, because the console ends before objects that report to
@@ -83,31 +99,75 @@ Session::~Session() {
 void Session::make_files() {
     files_.stay_below(folder_of(options_.game), assets());
     if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
+    if (options_.test) files_.stay_in_memory();
     if (options_.record.empty()) return;
     files_.take_note();
     for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);
 }
 
+void Session::read_settings() {
+    if (options_.game.empty()) return;
+    settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
+    if (settings_.icon.empty()) return;
+    try {
+        files_.looks_at(assets_.find(icon_setting, settings_.icon, image_endings));
+    } catch (const property::Error& error) {
+        throw FileError(error.what());
+    }
+}
+
+std::uint64_t Session::seed() const {
+    return options_.seed.value_or(settings_.seed.value_or(0));
+}
+
+std::string Session::icon() {
+    if (settings_.icon.empty()) return {};
+    return assets_.read(icon_setting, settings_.icon, image_endings);
+}
+
+void Session::set_screen(const property::Vec2& size) {
+    app::View& view = services_->view;
+    view.screen = size;
+    if (!view.window.fullscreen) view.window.size = size;
+}
+
 void Session::make_storage() {
-    // The original run has already written its tweaks and saves, so a replay writes none.
-    const bool replay = replayed_ != nullptr;
+    // The original run has already written its tweaks and saves, so a replay writes none. A test
+    // begins with nothing of earlier runs and leaves nothing to later ones.
+    const bool writes = replayed_ == nullptr && !options_.test;
     property::TweakOptions of_tweaks{.files = &files_};
-    if (replay) of_tweaks.earlier = replayed_->start().tweaks;
+    if (options_.test) of_tweaks.earlier.emplace();
+    if (replayed_ != nullptr) of_tweaks.earlier = replayed_->start().tweaks;
     tweaks_ = std::make_unique<property::Tweaks>(
         tree_, options_.game, [this](const std::string& warning) { note(warning); },
         std::move(of_tweaks));
-    const std::filesystem::path folder = property::user_folder(options_.game);
+    const std::filesystem::path folder = property::player_folder(options_.game, settings_.id);
     saves_ = std::make_unique<property::GameSaves>(
         tree_,
         property::Saves(folder.empty() ? folder : folder / "saves",
-                        property::game_title(options_.game), FETTLE_VERSION),
-        property::GameSaves::Options{.writes = !replay,
+                        settings_.id.empty() ? property::game_title(options_.game) : settings_.id,
+                        FETTLE_VERSION),
+        property::GameSaves::Options{.writes = writes,
                                      .pictures = !options_.headless,
                                      .warn = [this](const std::string& text) { note(text); }});
+    make_store(folder);
+}
+
+/// A replay has the store that the recorded run began with.
+void Session::make_store(const std::filesystem::path& folder) {
+    property::Store::Options options{.writes = replayed_ == nullptr && !options_.test,
+                                     .warn = [this](const std::string& text) { note(text); }};
+    if (options_.test) options.content.emplace();
+    if (replayed_ != nullptr) options.content = recorded_store(*replayed_);
+    store_ = std::make_unique<property::Store>(folder.empty() ? folder : folder / "store.json",
+                                               std::move(options));
 }
 
 void Session::note(const std::string& text) {
-    tell(text);
+    if (output_)
+        output_(text);
+    else
+        tell(text);
     if (ending_) return;
     if (console_)
         console_->print(text);
@@ -124,13 +184,31 @@ void Session::add_modules() {
     modules_.on_print([this](std::string_view text) { print(text); });
     loop_->between_frames([this] {
         modules_.renew();
+        store_->tick();
         type_what_is_due();
     });
 }
 
+/// Whether `game.json` allows the console in this run. Commands given to the program are those of a
+/// developer.
+bool Session::has_console() const {
+    switch (settings_.console) {
+        case property::ConsoleUse::on:
+            return true;
+        case property::ConsoleUse::developer:
+            return options_.developer || !options_.console.empty();
+        case property::ConsoleUse::off:
+            break;
+    }
+    return false;
+}
+
 void Session::make_console(app::Clipboard* clipboard) {
     (void)clipboard;
+    if (settings_.console == property::ConsoleUse::off && !options_.console.empty())
+        throw FileError("--console: this game has no console, as its game.json says");
 #ifdef FETTLE_WITH_CONSOLE
+    if (!has_console()) return;
     app::View& view = services_->view;
     console::Options options{
         .clipboard = clipboard,
@@ -162,15 +240,19 @@ void Session::add_layer(app::Layer& layer) {
 void Session::make_recorder() {
     if (options_.record.empty()) return;
     const property::Vec2 size = services_->view.screen;
+    std::vector<std::string> test;
+    if (options_.test) test = {options_.test->file, options_.test->name};
     recorder_ = std::make_unique<app::Recorder>(
         options_.record, app::RunStart{.game = std::filesystem::absolute(options_.game),
                                        .modules = modules_.named(),
-                                       .seed = options_.seed,
+                                       .seed = seed(),
                                        .width = size.x(),
                                        .height = size.y(),
                                        .evals = options_.evals,
                                        .at = options_.at,
-                                       .tweaks = tweaks_->earlier_in_words()});
+                                       .tweaks = tweaks_->earlier_in_words(),
+                                       .test = test});
+    recorder_->file(recorded_store(store_->initial()));
     files_.tell([this](const property::GameFiles::Finding& finding) {
         recorder_->file(recorded(finding, options_.game));
     });
@@ -181,7 +263,7 @@ void Session::start() {
     make_recorder();
 #ifdef FETTLE_WITH_CONSOLE
     // A replay gets the console's input from the recording.
-    if (options_.replay.empty()) loop_->add(*console_);
+    if (console_ && options_.replay.empty()) loop_->add(*console_);
 #endif
     if (!runtime_->load(options_.game) && !runtime_->interrupted()) failed_ = true;
     tweaks_->game_loaded();
@@ -194,11 +276,15 @@ void Session::start() {
         if (loop_->stopped() || failed_) return;
         if (!runtime_->run(chunk, "eval") && !runtime_->interrupted()) failed_ = true;
     }
+    if (test_ && !loop_->stopped() && !failed_ && !test_->start()) failed_ = true;
     if (recorder_) recorder_->begin(tree_, *loop_);
 }
 
 void Session::print(std::string_view text) {
-    print_line(text);
+    if (output_)
+        output_(text);
+    else
+        print_line(text);
     if (!options_.headless) std::fflush(stdout);
     if (console_) console_->print(text);
 }
@@ -207,6 +293,7 @@ void Session::run_at(std::uint64_t step) {
     for (const auto& [when, chunk] : options_.at)
         if (when == step && !loop_->stopped())
             (void)runtime_->run(chunk, "at " + std::to_string(step));
+    if (test_ && !loop_->stopped()) test_->turn();
 }
 
 /// Runs the commands of --console that are due, between frames as if they were typed. So a
@@ -245,7 +332,7 @@ void Session::fail(const script::ScriptError& error) {
 }
 
 void Session::tell_error(const script::ScriptError& error) {
-    tell_lines(app::error_text(error));
+    if (!output_) tell_lines(app::error_text(error));
     if (console_) console_->report(error);
 }
 

@@ -12,6 +12,8 @@
 #include <fettle/property/storage/assets.h>
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/game_saves.h>
+#include <fettle/property/storage/game_settings.h>
+#include <fettle/property/storage/store.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
@@ -40,9 +42,19 @@ class Session {
     app::Services& services() { return *services_; }
     script::Runtime& runtime() { return *runtime_; }
     property::GameSaves& saves() { return *saves_; }
-    bool console_is_open() const;
+    const property::GameSettings& settings() const { return settings_; }
+    /// Sets the size of the screen, and that of the window unless it is fullscreen.
+    void set_screen(const property::Vec2& size);
+    /// Content of the file of the game's icon; "" if it has none.
+    std::string icon();
     /// Reports something that a person should know and that is not an error of the game.
     void note(const std::string& text);
+    bool console_is_open() const;
+    /// The test that the run is; null if it is none.
+    TestDriver* test() { return test_.get(); }
+    /// Receives what the game prints, and notes, in place of the terminal. Errors are then given to
+    /// `errors` only.
+    void on_output(std::function<void(std::string_view)> sink) { output_ = std::move(sink); }
     /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
@@ -58,7 +70,11 @@ class Session {
     void run_at(std::uint64_t step);
     void type_what_is_due();
     void make_files();
+    void read_settings();
+    bool has_console() const;
+    std::uint64_t seed() const;
     void make_storage();
+    void make_store(const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);
     void tell_error(const script::ScriptError& error);
@@ -68,17 +84,21 @@ class Session {
     const app::Recording* replayed_;  // null unless the run is a replay
     property::GameFiles files_;
     property::Assets assets_;
+    property::GameSettings settings_;
     // Modules must outlive the tree, which calls them when its instances are deleted.
     GameModules modules_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
     std::unique_ptr<property::Tweaks> tweaks_;
     std::unique_ptr<property::GameSaves> saves_;
+    std::unique_ptr<property::Store> store_;
     std::unique_ptr<script::Runtime> runtime_;
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;
     std::unique_ptr<ConsoleLayer> console_;
+    std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
+    std::function<void(std::string_view)> output_;
     std::vector<std::string> early_notes_;  // notes from before the console existed
     std::uint64_t typed_ = 0;               // the last step whose --console commands were run
     bool failed_ = false;

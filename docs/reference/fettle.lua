@@ -84,6 +84,19 @@ function fettle_Set:each(action) end
 ---@return Set
 function fettle_Set:set(property, value) end
 
+---Values that outlive a run, in the player's folder for the game: texts, numbers, booleans, vecs, colors, and tables of these with texts or whole numbers as keys. Assigning copies a table into the store; what is read from there is the table in the store, and assigning to it writes: store.levels[3] = true. A name that was never assigned is nil, and assigning nil removes one. The store is written within a second and at the end of the run. Going back in time, loading a saved game and restoring a snapshot leave it as it is. A replay begins with the values of the recorded run and writes nothing. Formulas cannot read it.
+---@class Store
+---@field [string] any The values, by names or numbers.
+local fettle_Store = {}
+
+---Removes everything.
+function fettle_Store:clear() end
+
+---Whether there is a value of that name.
+---@param name string|integer
+---@return boolean
+function fettle_Store:has(name) end
+
 ---What watch, on, after and every return.
 ---@class Connection
 local fettle_Connection = {}
@@ -1402,12 +1415,11 @@ Timings = {}
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
 ---@field lower vec The corner of the world seen at the bottom left. · m · any finite vec · read-only
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
----@field title string Title of the window. · any text · default "Fettle"
 ---@field upper vec The corner of the world seen at the top right. · m · any finite vec · read-only
----@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
+---@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 local fettle_View = {}
 
 ---Where a point of the world is on the screen, from the top left corner, y down.
@@ -1440,6 +1452,20 @@ local fettle_Show = {}
 ---What is shown over the picture, for looking into a game.
 ---@class Class.Show : Class
 Show = {}
+
+---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---@class GameWindow : Object
+---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
+---@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
+---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
+---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
+---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
+---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true · not saved
+local fettle_GameWindow = {}
+
+---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---@class Class.GameWindow : Class
+GameWindow = {}
 
 ---Everything that is heard.
 ---@class Audio : Object
@@ -1739,6 +1765,10 @@ game = nil
 ---In the console: the instance that is selected.
 ---@type Object
 it = nil
+
+---Values that outlive the run: store.best = 100.
+---@type Store
+store = nil
 
 ---Everything that is heard.
 ---@type Audio

@@ -112,6 +112,8 @@ const std::vector<DividedPart>& divided_parts() {
          {
              {"json", {}},
              {"files", {"json"}},
+             {"settings", {"json", "files"}},
+             {"store", {"json", "files"}},
              {"database", {"files"}},
              {"scenes", {"json", "files"}},
              {"saves", {"files", "database"}},

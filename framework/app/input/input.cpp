@@ -145,6 +145,7 @@ void Input::apply(const InputEvent& event) {
             break;
         case EventKind::resized:
             s.view.screen = {std::max(1.0f, event.x), std::max(1.0f, event.y)};
+            if (!s.view.window.fullscreen) s.view.window.size = s.view.screen;
             s.queue("resized", {s.view.screen.x(), s.view.screen.y()});
             break;
         case EventKind::focus:

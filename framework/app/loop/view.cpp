@@ -127,18 +127,6 @@ std::vector<Property> looks(View& view) {
          .read_only = true,
          .transient = true,
          .simulated = true},
-        {.name = "title",
-         .type = Type::text,
-         .default_value = view.title,
-         .doc = "Title of the window.",
-         .binding = accessor(
-             view, [](View& v, property::Row) { return v.title; },
-             [](View& v, property::Row, const Value& title) { v.title = title.text(); })},
-        {.name = "vsync",
-         .type = Type::boolean,
-         .default_value = true,
-         .doc = "Whether frames wait for the screen. Off, they are drawn as fast as they go.",
-         .binding = column(view, Native::boolean, 0, [](View& v) { return &v.vsync; })},
     };
 }
 
@@ -226,6 +214,7 @@ property::Handle define_view(property::Tree& tree, View& view) {
                      .properties = overlays(view.show)});
     const property::Handle instance = tree.create(view_class, tree.root(), "view");
     tree.create(show_class, instance, "show");
+    define_window(tree, instance, view);
     return instance;
 }
 

@@ -64,12 +64,22 @@ inline unsigned height(const sf::VideoMode& mode) {
     return mode.size.y;
 }
 
-inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
-                 unsigned height, unsigned samples) {
+/// How a window is opened.
+struct Frame {
+    unsigned width = 0, height = 0;  // px
+    bool fullscreen = false, resizable = true;
+};
+inline void open(sf::RenderWindow& window, const std::string& title, const Frame& frame,
+                 unsigned samples) {
     sf::ContextSettings settings;
     settings.antiAliasingLevel = samples;
-    window.create(sf::VideoMode({width, height}), sf::String::fromUtf8(title.begin(), title.end()),
-                  sf::Style::Default, sf::State::Windowed, settings);
+    window.create(sf::VideoMode({frame.width, frame.height}),
+                  sf::String::fromUtf8(title.begin(), title.end()),
+                  frame.resizable ? sf::Style::Default : sf::Style::Titlebar | sf::Style::Close,
+                  frame.fullscreen ? sf::State::Fullscreen : sf::State::Windowed, settings);
+}
+inline void set_icon(sf::RenderWindow& window, const sf::Image& image) {
+    window.setIcon(image.getSize(), image.getPixelsPtr());
 }
 inline bool create(sf::RenderTexture& target, unsigned width, unsigned height, unsigned samples) {
     sf::ContextSettings settings;
@@ -208,10 +218,23 @@ inline unsigned height(const sf::VideoMode& mode) {
     return mode.height;
 }
 
-inline void open(sf::RenderWindow& window, const std::string& title, unsigned width,
-                 unsigned height, unsigned samples) {
-    window.create(sf::VideoMode(width, height), sf::String::fromUtf8(title.begin(), title.end()),
-                  sf::Style::Default, sf::ContextSettings(0, 0, samples));
+/// How a window is opened.
+struct Frame {
+    unsigned width = 0, height = 0;  // px
+    bool fullscreen = false, resizable = true;
+};
+inline void open(sf::RenderWindow& window, const std::string& title, const Frame& frame,
+                 unsigned samples) {
+    const sf::Uint32 framed = sf::Style::Titlebar | sf::Style::Close;
+    const sf::Uint32 style = frame.fullscreen  ? sf::Uint32{sf::Style::Fullscreen}
+                             : frame.resizable ? framed | sf::Style::Resize
+                                               : framed;
+    window.create(sf::VideoMode(frame.width, frame.height),
+                  sf::String::fromUtf8(title.begin(), title.end()), style,
+                  sf::ContextSettings(0, 0, samples));
+}
+inline void set_icon(sf::RenderWindow& window, const sf::Image& image) {
+    window.setIcon(image.getSize().x, image.getSize().y, image.getPixelsPtr());
 }
 inline bool create(sf::RenderTexture& target, unsigned width, unsigned height, unsigned samples) {
     return target.create(width, height, sf::ContextSettings(0, 0, samples));

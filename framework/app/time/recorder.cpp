@@ -28,6 +28,11 @@ Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : f
         for (const std::string& word : words) text += " " + in_quotes(word);
         line(text);
     }
+    if (!start.test.empty()) {
+        std::string text = "test";
+        for (const std::string& word : start.test) text += " " + in_quotes(word);
+        line(text);
+    }
     line("begin");
     flush();
     if (!problem_.empty()) {

@@ -178,6 +178,9 @@ void Recording::read_start(const std::string& word, const std::string& rest, int
         const auto chunk = words.text();
         require(step && *step > 0 && chunk);
         start_.at.emplace_back(static_cast<std::uint64_t>(*step), *chunk);
+    } else if (word == "test") {
+        while (auto text = words.text()) start_.test.push_back(std::move(*text));
+        require(start_.test.size() == 2);
     } else {
         fail(number, "is damaged: \"" + word + "\" is nothing known");
     }

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include <draw/canvas.h>
 #include <sfml/sfml.h>
@@ -133,14 +134,9 @@ class Pacer {
 
 class SfmlWindow : public Window {
   public:
-    explicit SfmlWindow(const WindowOptions& options) : title_(options.title) {
-        const Silence silence;
-        const sf::VideoMode desktop = sf::VideoMode::getDesktopMode();
-        sfml::open(window_, title_, std::min(options.width, sfml::width(desktop)),
-                   std::min(options.height, sfml::height(desktop)), samples);
-        keep_on(desktop);
-        window_.setVerticalSyncEnabled(true);
-        window_.setKeyRepeatEnabled(true);  // for the console; the game gets only the first press
+    explicit SfmlWindow(const WindowState& state) : state_(state) {
+        open();
+        told_ = size();
         canvas_ = std::make_unique<Canvas>(window_);
     }
     property::Vec2 size() const override {
@@ -162,7 +158,7 @@ class SfmlWindow : public Window {
             keep_frame_ = false;
         }
         window_.display();
-        pacer_.wait(vsync_);
+        pacer_.wait(state_.vsync);
     }
     void save(const std::filesystem::path& file) override {
         if (!frame_) throw std::runtime_error(file.string() + ": no frame was kept for a picture");
@@ -174,29 +170,77 @@ class SfmlWindow : public Window {
     Clipboard& clipboard() override { return clipboard_; }
 
     bool poll(InputEvent& event) override {
-        if (!sfml::poll(window_, event)) return false;
+        if (!sfml::poll(window_, event)) return poll_size(event);
         if (event.kind == EventKind::key_pressed)
             event.repeated = !down_.insert(event.name).second;
         else if (event.kind == EventKind::key_released)
             down_.erase(event.name);
         else if (event.kind == EventKind::focus && !event.focused)
             down_.clear();
+        else if (event.kind == EventKind::resized)
+            told_ = {event.x, event.y};
         return true;
     }
     bool focused() const override { return window_.hasFocus(); }
-    void set_title(const std::string& title) override {
-        if (title == title_) return;
-        title_ = title;
-        window_.setTitle(sf::String::fromUtf8(title_.begin(), title_.end()));
-    }
-    void set_vsync(bool on) override {
-        if (on == vsync_) return;
-        vsync_ = on;
+    void follow(const WindowState& state) override {
         const Silence silence;
-        window_.setVerticalSyncEnabled(on);
+        const WindowState before = std::exchange(state_, state);
+        if (state.fullscreen != before.fullscreen || state.resizable != before.resizable) {
+            open();
+            return;
+        }
+        if (!state.fullscreen && state.size != told_) {
+            told_ = state.size;
+            window_.setSize(
+                {static_cast<unsigned>(state.size.x()), static_cast<unsigned>(state.size.y())});
+        }
+        if (state.title != before.title)
+            window_.setTitle(sf::String::fromUtf8(state_.title.begin(), state_.title.end()));
+        if (state.vsync != before.vsync) window_.setVerticalSyncEnabled(state.vsync);
+        if (state.cursor_visible != before.cursor_visible)
+            window_.setMouseCursorVisible(state.cursor_visible);
+    }
+    bool set_icon(const std::string& bytes) override {
+        const Silence silence;
+        sf::Image image;
+        if (!image.loadFromMemory(bytes.data(), bytes.size())) return false;
+        icon_ = std::make_unique<sf::Image>(std::move(image));
+        sfml::set_icon(window_, *icon_);
+        return true;
     }
 
   private:
+    /// Opens the window, or opens it again: a change of its frame needs that.
+    void open() {
+        const Silence silence;
+        const sf::VideoMode desktop = sf::VideoMode::getDesktopMode();
+        sfml::Frame frame{.width = sfml::width(desktop),
+                          .height = sfml::height(desktop),
+                          .fullscreen = state_.fullscreen,
+                          .resizable = state_.resizable};
+        if (!state_.fullscreen) {
+            frame.width = std::min(frame.width, static_cast<unsigned>(state_.size.x()));
+            frame.height = std::min(frame.height, static_cast<unsigned>(state_.size.y()));
+        }
+        sfml::open(window_, state_.title, frame, samples);
+        if (!state_.fullscreen) keep_on(desktop);
+        window_.setVerticalSyncEnabled(state_.vsync);
+        window_.setMouseCursorVisible(state_.cursor_visible);
+        window_.setKeyRepeatEnabled(true);  // for the console; the game gets only the first press
+        if (icon_) sfml::set_icon(window_, *icon_);
+        told_ = state_.fullscreen ? property::Vec2(0, 0) : state_.size;
+        reopened_ = true;
+    }
+    /// A window that was opened again tells its size, since the system may not.
+    bool poll_size(InputEvent& event) {
+        if (!std::exchange(reopened_, false) || size() == told_) return false;
+        told_ = size();
+        event = {};
+        event.kind = EventKind::resized;
+        event.x = static_cast<float>(told_.x());
+        event.y = static_cast<float>(told_.y());
+        return true;
+    }
     /// Without a window manager, SFML 2 may put a window partly outside of the screen.
     void keep_on(const sf::VideoMode& desktop) {
         const int spare_x = static_cast<int>(sfml::width(desktop) - window_.getSize().x);
@@ -205,22 +249,35 @@ class SfmlWindow : public Window {
         if (at.x > spare_x || at.y > spare_y) window_.setPosition({spare_x / 2, spare_y / 2});
     }
 
-    std::string title_;
+    WindowState state_;
+    property::Vec2 told_{0, 0};  // px, the size that the game knows
+    bool reopened_ = false;
+    std::unique_ptr<sf::Image> icon_;
     sf::RenderWindow window_;
     std::unique_ptr<Canvas> canvas_;
     std::unique_ptr<sf::Texture> frame_;
     SystemClipboard clipboard_;
     Pacer pacer_;
     std::set<std::string> down_;
-    bool vsync_ = true;
     bool keep_frame_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Window> open_window(const WindowOptions& options) {
+Pixels read_picture(const std::filesystem::path& file) {
+    const Silence silence;
+    sf::Image image;
+    if (!image.loadFromFile(file.string()))
+        throw std::runtime_error(file.string() + ": this file is no image that can be read");
+    Pixels pixels{image.getSize().x, image.getSize().y, {}};
+    const std::size_t bytes = std::size_t{pixels.width} * pixels.height * 4;
+    pixels.rgba.assign(image.getPixelsPtr(), image.getPixelsPtr() + bytes);
+    return pixels;
+}
+
+std::unique_ptr<Window> open_window(const WindowState& state) {
     require_display();
-    return std::make_unique<SfmlWindow>(options);
+    return std::make_unique<SfmlWindow>(state);
 }
 
 std::unique_ptr<Screen> make_picture(unsigned width, unsigned height) {

@@ -2,6 +2,7 @@
 // Functions of the host, and values that scripts set for the host.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ struct Host {
     std::string memory_property;                  // path of the property with this limit
     std::function<void(double)> on_rewind;        // empty: there is no timeline
     std::optional<int> quit_status;
+    std::map<std::string, HostFunction> functions;  // Lua holds the addresses
 };
 
 }  // namespace fettle::script

@@ -143,6 +143,7 @@ const std::vector<GlobalDoc>& variable_docs() {
          "All classes, by number and by name: classes.Body.properties. Read-only."},
         {"game", "Game", "The root of the tree."},
         {"it", "Object", "In the console: the instance that is selected."},
+        {"store", "Store", "Values that outlive the run: store.best = 100."},
     };
     return docs;
 }

@@ -53,6 +53,22 @@ TypeDoc set_type() {
               "Writes that property of each; nil restores the default."}}};
 }
 
+TypeDoc store_type() {
+    return {"Store",
+            "Values that outlive a run, in the player's folder for the game: texts, numbers, "
+            "booleans, vecs, colors, and tables of these with texts or whole numbers as keys. "
+            "Assigning copies a table into the store; what is read from there is the table in the "
+            "store, and assigning to it writes: store.levels[3] = true. A name that was never "
+            "assigned is nil, and assigning nil removes one. The store is written within a second "
+            "and at the end of the run. Going back in time, loading a saved game and restoring a "
+            "snapshot leave it as it is. A replay begins with the values of the recorded run and "
+            "writes nothing. Formulas cannot read it.",
+            {{"[string]", "any", "The values, by names or numbers."},
+             {"clear", "clear(self: Store)", "Removes everything."},
+             {"has", "has(self: Store, name: string|integer): boolean",
+              "Whether there is a value of that name."}}};
+}
+
 TypeDoc connection_type() {
     return {"Connection",
             "What watch, on, after and every return.",
@@ -238,10 +254,22 @@ TypeDoc pen_type() {
 
 const std::vector<TypeDoc>& type_docs() {
     static const std::vector<TypeDoc> docs = {
-        vec_type(),           color_type(),        set_type(),          connection_type(),
-        change_type(),        deletion_type(),     formula_type(),      snapshot_type(),
-        saved_game_type(),    pen_type(),          class_type(),        property_description(),
-        method_description(), event_description(), field_description(),
+        vec_type(),
+        color_type(),
+        set_type(),
+        store_type(),
+        connection_type(),
+        change_type(),
+        deletion_type(),
+        formula_type(),
+        snapshot_type(),
+        saved_game_type(),
+        pen_type(),
+        class_type(),
+        property_description(),
+        method_description(),
+        event_description(),
+        field_description(),
     };
     return docs;
 }

@@ -28,6 +28,7 @@
 #include <values/description.h>
 #include <values/members.h>
 #include <values/records.h>
+#include <values/store_type.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -74,6 +75,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_vec(L);
     open_color(L, machine);
     open_list(L, machine);
+    open_store(L, machine);
     note_names(L);
     open_globals(L, machine);
     lua_pushvalue(L, -1);

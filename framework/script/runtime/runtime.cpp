@@ -12,6 +12,7 @@
 #include <console/evaluate.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
+#include <library/host_functions.h>
 #include <library/pen.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
@@ -275,6 +276,12 @@ void Runtime::set_it(Handle instance) {
 
 Handle Runtime::it() const {
     return state_->globals.it;
+}
+
+void Runtime::add_function(const std::string& name, HostFunction function) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    add_host_function(machine, name, std::move(function));
 }
 
 // --- Callbacks of the host

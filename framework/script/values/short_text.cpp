@@ -9,6 +9,7 @@
 #include <values/description.h>
 #include <values/members.h>
 #include <values/short_text.h>
+#include <values/store_type.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -135,6 +136,7 @@ std::string brief(lua_State* L, int index, int depth) {
             return std::string("(") + error.what() + ")";
         }
     }
+    if (const auto* box = store_at(L, index)) return cut(stored_text(machine, *box), line_width);
     if (luaL_getmetafield(L, index, "__name") == LUA_TSTRING) {
         std::string name = string_at(L, -1);
         lua_pop(L, 1);

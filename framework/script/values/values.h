@@ -23,7 +23,7 @@ struct Machine;
 /// instances.
 struct Boxes {
     int vec = 0, color = 0, list = 0, instance = 0, set = 0, class_object = 0;
-    int record = 0, connection = 0, snapshot = 0, description = 0;
+    int record = 0, connection = 0, snapshot = 0, description = 0, store = 0;
     int proxies = 0;  // weak table from handles to userdata
     // Writes of components that are still checked for a variable that holds the vector, which costs
     // as much as some writes.
@@ -41,7 +41,8 @@ enum class Tag : std::uint32_t {
     pen,
     formula,
     snapshot,
-    description
+    description,
+    store
 };
 
 /// A handle as one number, for use in sets.

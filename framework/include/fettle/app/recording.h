@@ -37,6 +37,7 @@ struct RunStart {
     std::vector<std::string> evals;
     std::vector<std::pair<std::uint64_t, std::string>> at;
     std::vector<std::vector<std::string>> tweaks;  // of earlier runs, each as a list of words
+    std::vector<std::string> test{};  // the file and the name of the test that the run is; or empty
 };
 
 /// A file that the run has read, so that the run depends on its content.

@@ -13,6 +13,7 @@
 #include <fettle/app/layer.h>
 #include <fettle/app/surface.h>
 #include <fettle/app/view.h>
+#include <fettle/app/window_state.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/value.h>
 
@@ -50,27 +51,27 @@ class Screen {
     virtual Clipboard& clipboard() = 0;
 };
 
-struct WindowOptions {
-    std::string title = "Fettle";
-    unsigned width = 1280, height = 800;  // px
-};
-
 class Window : public Screen {
   public:
     /// The next event since the last call; false when there is none.
     virtual bool poll(InputEvent& event) = 0;
     virtual bool focused() const = 0;
-    virtual void set_title(const std::string& title) = 0;
-    /// Frames wait for the screen; if the system does not support it, the window waits itself. Off:
-    /// no waiting.
-    virtual void set_vsync(bool on) = 0;
+    /// Makes the window as the state says. If its size is another one afterwards, an event tells
+    /// it. With vertical synchronization, frames wait for the screen; if the system does not
+    /// support that, the window waits itself.
+    virtual void follow(const WindowState& state) = 0;
+    /// Shows an image, the content of a file, in the task bar. False if it is no image.
+    virtual bool set_icon(const std::string& image) = 0;
 };
+
+/// The pixels of an image file. Throws std::runtime_error that names file and reason.
+Pixels read_picture(const std::filesystem::path& file);
 
 /// True if a window or a picture can be created. Creates neither and is safe without a display.
 bool display_available();
 
 /// Both throw std::runtime_error when there is no display.
-std::unique_ptr<Window> open_window(const WindowOptions& options);
+std::unique_ptr<Window> open_window(const WindowState& state);
 std::unique_ptr<Screen> make_picture(unsigned width, unsigned height);
 
 }  // namespace fettle::app

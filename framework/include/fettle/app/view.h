@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fettle/app/export.h>
+#include <fettle/app/window_state.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
@@ -32,8 +33,7 @@ struct View {
     double height = 20;           // m, visible from bottom to top
     property::Color background{0.105f, 0.122f, 0.153f, 1};
     property::Vec2 screen{1280, 800};  // px
-    std::string title = "Fettle";      // of the window
-    bool vsync = true;                 // frames wait for the screen
+    WindowState window{};
     Show show{};
 
     double zoom() const { return screen.y() / height; }   // px/m
@@ -45,7 +45,8 @@ struct View {
     property::Vec2 to_world(const property::Vec2& pixels) const;
 };
 
-/// Adds the view to the tree as `view`, with `view.show`. It must outlive all use by the tree.
+/// Adds the view to the tree as `view`, with `view.show` and `view.window`. It must outlive all use
+/// by the tree.
 property::Handle define_view(property::Tree& tree, View& view);
 
 }  // namespace fettle::app

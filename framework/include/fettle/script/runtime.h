@@ -21,6 +21,7 @@ FETTLE_SCRIPT_BEGIN
 namespace fettle::property {
 class GameFiles;
 class GameSaves;
+class Store;
 class Tweaks;
 }  // namespace fettle::property
 
@@ -42,6 +43,7 @@ struct Options {
     // Not owned; null if the game has none.
     property::GameSaves* saves = nullptr;
     property::Tweaks* tweaks = nullptr;
+    property::Store* store = nullptr;
     property::GameFiles* files = nullptr;  // null: the files on the disk
     /// Name of the recording that this run replays; "" in a normal run. A replay does not write the
     /// game's files again: functions that would write them report this and continue.
@@ -86,6 +88,9 @@ struct Completion {
     std::string doc;
     std::size_t replace_from = 0;  // byte offset
 };
+
+/// A function of the host that scripts can call. Its exceptions become errors of the script.
+using HostFunction = std::function<property::Value(std::span<const property::Value> arguments)>;
 
 /// **Lifetimes.** A tree has one runtime at a time: a second throws Error(bad_structure); after the
 /// first is destroyed, another may be made. Watchers, timers and handlers of the scripts end with
@@ -159,6 +164,10 @@ class Runtime {
     /// with a limit has its own thread from its first call on, and uses the signal SIGURG, whose
     /// handler it sets.
     void limit_calls(double seconds, std::function<bool(const LongCall&)> go_on);
+
+    /// Gives scripts a function of the host as the global `name`, in place of anything that has the
+    /// name. It cannot be called in a formula. It must not destroy the runtime or the tree.
+    void add_function(const std::string& name, HostFunction function);
 
     // --- Callbacks of the host
 

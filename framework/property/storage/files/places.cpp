@@ -1,5 +1,8 @@
 #include <files/places.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -46,8 +49,13 @@ std::string game_title(const fs::path& game) {
     return name == "main" ? game_folder(game).filename().string() : name;
 }
 
-fs::path user_folder(const fs::path& game) {
+fs::path fettle_data() {
     const fs::path data = user_data();
+    return data.empty() ? data : data / "fettle";
+}
+
+fs::path user_folder(const fs::path& game) {
+    const fs::path data = fettle_data();
     if (data.empty()) return {};
     std::string readable;
     for (const char c : game_title(game))
@@ -55,13 +63,23 @@ fs::path user_folder(const fs::path& game) {
     char hash[9];
     std::snprintf(hash, sizeof hash, "%08x",
                   hash_of((game_folder(game) / game_name(game)).string()));
-    return data / "fettle" / (readable + "-" + hash);
+    return data / (readable + "-" + hash);
 }
 
 std::vector<fs::path> journal_folders(const fs::path& game) {
     std::vector<fs::path> folders{game_folder(game) / ".fettle"};
     if (const fs::path own = user_folder(game); !own.empty()) folders.push_back(own);
     return folders;
+}
+
+fs::path journal_of(const fs::path& game) {
+    const std::string name = game_name(game) + ".tweaks.sqlite";
+    const std::vector<fs::path> folders = journal_folders(game);
+    std::error_code error;
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / name, error)) return folder / name;
+    const bool beside = ::faccessat(AT_FDCWD, game_folder(game).c_str(), W_OK, AT_EACCESS) == 0;
+    return (beside ? folders.front() : folders.back()) / name;
 }
 
 }  // namespace fettle::property

@@ -11,6 +11,8 @@ namespace fettle::property {
 std::filesystem::path game_folder(const std::filesystem::path& game);
 /// "main", or the name of the .lua file without its ending.
 std::string game_name(const std::filesystem::path& game);
+/// The user's folder for the data of Fettle; empty if the user has none.
+std::filesystem::path fettle_data();
 /// The folder of the game, then the user's own folder for the game.
 std::vector<std::filesystem::path> journal_folders(const std::filesystem::path& game);
 

@@ -27,6 +27,10 @@ class GameFiles;
 /// user has no such folder. `game`: a folder, or a .lua file.
 std::filesystem::path user_folder(const std::filesystem::path& game);
 
+/// The journal of a game's tweaks: the one that exists, else the file that the first tweak would
+/// make. Beside the game in `.fettle`, or in `user_folder(game)` if nothing can be written there.
+std::filesystem::path journal_of(const std::filesystem::path& game);
+
 /// Title of a game: the name of its folder, or of its file if that is not main.lua.
 std::string game_title(const std::filesystem::path& game);
 

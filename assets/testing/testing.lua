@@ -1,0 +1,256 @@
+-- The functions of tests: test, expect, and the object t. `fettle test` runs this file after the game, and then a
+-- file of tests. A test is a coroutine: while it waits, the game makes a step. `fettle_test` is a function of the host.
+
+local tests, names = {}, {}
+local running
+
+function test(name, body)
+    if type(name) ~= "string" or name == "" then
+        error("test: the first argument is the name of the test", 2)
+    end
+    if type(body) ~= "function" then
+        error("test: the second argument is the function of the test, which gets t", 2)
+    end
+    if tests[name] then error("test: there are two tests with the name \"" .. name .. "\"", 2) end
+    tests[name] = body
+    names[#names + 1] = name
+    fettle_test("test", name)
+end
+
+function fettle_test_begin(name)
+    local body = tests[name]
+    if not body then error("there is no test \"" .. name .. "\" in this file") end
+    running = coroutine.wrap(function()
+        body(fettle_test_object)
+        fettle_test("done")
+    end)
+end
+
+-- Goes on with the test before a step. `answer`: why a picture differs, or nil.
+function fettle_test_turn(answer)
+    if running then running(answer) end
+end
+
+-- Values in messages --------------------------------------------------------------------------------------------
+
+local function shown(value, exact, depth)
+    depth = depth or 0
+    if type(value) == "string" then return "\"" .. value .. "\"" end
+    if exact and math.type(value) == "float" then return string.format("%.17g", value) end
+    if type(value) ~= "table" or depth > 4 then return tostring(value) end
+    local parts, length = {}, 0
+    for key, each in pairs(value) do
+        local text = shown(each, exact, depth + 1)
+        if key == length + 1 then
+            length = key
+        else
+            text = "[" .. shown(key) .. "] = " .. text
+        end
+        parts[#parts + 1] = text
+    end
+    return "{" .. table.concat(parts, ", ") .. "}"
+end
+
+local function both(wanted, got, words)
+    local a, b = shown(wanted), shown(got)
+    if a == b then a, b = shown(wanted, true), shown(got, true) end
+    return "expected " .. (words or "") .. a .. ", got " .. b
+end
+
+local function equal(a, b, depth)
+    if a == b then return true end
+    if type(a) ~= "table" or type(b) ~= "table" or depth > 20 then return false end
+    for key, value in pairs(a) do
+        if not equal(value, b[key], depth + 1) then return false end
+    end
+    for key in pairs(b) do
+        if a[key] == nil then return false end
+    end
+    return true
+end
+
+-- How far two numbers or two vecs are from each other; nil for other values.
+local function distance(a, b)
+    if type(a) == "number" and type(b) == "number" then return math.abs(a - b) end
+    local ok, length = pcall(function() return (a - b):length() end)
+    return ok and length or nil
+end
+
+-- The function of that name; an unknown name is an error, two calls above, that lists the known ones.
+local function member(members, name, noun)
+    local found = members[name]
+    if found then return found end
+    local known = {}
+    for each in pairs(members) do known[#known + 1] = each end
+    error(noun .. " has no " .. tostring(name) .. "; it has " .. table.concat(known, ", "), 3)
+end
+
+-- expect --------------------------------------------------------------------------------------------------------
+
+local expectations = {}
+
+function expectations:is(wanted)
+    if not equal(self.value, wanted, 0) then error(both(wanted, self.value), 2) end
+end
+
+function expectations:is_not(other)
+    if equal(self.value, other, 0) then error("expected anything but " .. shown(other), 2) end
+end
+
+function expectations:near(wanted, tolerance)
+    tolerance = tolerance or 0.001
+    local apart = distance(self.value, wanted)
+    if not apart then
+        error("near compares two numbers or two vecs, not " .. shown(self.value) .. " with " .. shown(wanted), 2)
+    end
+    if not (apart <= tolerance) then
+        error(both(wanted, self.value) .. ", which is " .. tostring(apart) .. " away; " .. tostring(tolerance) ..
+            " is allowed", 2)
+    end
+end
+
+function expectations:above(limit)
+    if type(self.value) ~= "number" or not (self.value > limit) then
+        error(both(limit, self.value, "more than "), 2)
+    end
+end
+
+function expectations:below(limit)
+    if type(self.value) ~= "number" or not (self.value < limit) then
+        error(both(limit, self.value, "less than "), 2)
+    end
+end
+
+function expectations:truthy()
+    if not self.value then error("expected a value that is true, got " .. shown(self.value), 2) end
+end
+
+function expectations:falsy()
+    if self.value then error("expected false or nil, got " .. shown(self.value), 2) end
+end
+
+function expectations:contains(part)
+    local found = type(self.value) == "string" and string.find(self.value, part, 1, true)
+    if type(self.value) ~= "string" then
+        for _, each in pairs(self.value) do found = found or equal(each, part, 0) end
+    end
+    if not found then error("expected " .. shown(part) .. " in " .. shown(self.value), 2) end
+end
+
+function expectations:fails(part)
+    if type(self.value) ~= "function" then error("fails needs a function: expect(function() ... end):fails()", 2) end
+    local ok, why = pcall(self.value)
+    if ok then error("expected an error, and there was none", 2) end
+    if part and not string.find(tostring(why), part, 1, true) then
+        error("expected an error with " .. shown(part) .. ", got " .. shown(tostring(why)), 2)
+    end
+end
+
+local expectation = {
+    __index = function(_, name)
+        if name ~= "value" then return member(expectations, name, "expect") end
+    end
+}
+
+function expect(...)
+    if select("#", ...) == 0 then error("expect: needs the value that is tested", 2) end
+    return setmetatable({ value = (...) }, expectation)
+end
+
+-- t -------------------------------------------------------------------------------------------------------------
+
+local t = {}
+
+local function check_number(value, what, level)
+    if type(value) ~= "number" or value ~= value or value < 0 or value == math.huge then
+        error(what .. ", not " .. shown(value), level + 1)
+    end
+end
+
+-- Sets a property of the input. An error is one of the line of the test.
+local function set_input(device, name, value)
+    local ok, why = pcall(function() device[name] = value end)
+    if not ok then error((string.gsub(tostring(why), "^[%w_/.-]+%.lua:%d+: ", "")), 3) end
+end
+
+local function wait_steps(count)
+    for _ = 1, count do coroutine.yield() end
+end
+
+function t:steps(count)
+    check_number(count, "t:steps needs a number of steps", 2)
+    wait_steps(math.floor(count))
+end
+
+function t:wait(seconds)
+    check_number(seconds, "t:wait needs a time in seconds", 2)
+    wait_steps(math.ceil(seconds / game.time.dt - 1e-9))
+end
+
+function t:wait_until(condition, seconds)
+    seconds = seconds or 10
+    check_number(seconds, "t:wait_until needs a time in seconds", 2)
+    for _ = 1, math.ceil(seconds / game.time.dt - 1e-9) do
+        if condition() then return end
+        coroutine.yield()
+    end
+    if not condition() then
+        error("what the test waits for did not come true within " .. tostring(seconds) .. " s", 2)
+    end
+end
+
+function t:press(key) set_input(game.input.keys, key, true) end
+function t:release(key) set_input(game.input.keys, key, false) end
+
+function t:hold(key, steps)
+    check_number(steps, "t:hold needs a key and a number of steps", 2)
+    set_input(game.input.keys, key, true)
+    wait_steps(math.floor(steps))
+    set_input(game.input.keys, key, false)
+end
+
+function t:tap(key)
+    set_input(game.input.keys, key, true)
+    coroutine.yield()
+    set_input(game.input.keys, key, false)
+    coroutine.yield()
+end
+
+function t:move_mouse(position) set_input(game.input.mouse, "world", position) end
+
+function t:click(position, button)
+    set_input(game.input.mouse, "world", position)
+    set_input(game.input.mouse, button or "left", true)
+    coroutine.yield()
+    set_input(game.input.mouse, button or "left", false)
+    coroutine.yield()
+end
+
+function t:type(text)
+    if type(text) ~= "string" then error("t:type needs a text, not " .. shown(text), 2) end
+    fettle_test("type", text)
+    coroutine.yield()
+end
+
+-- The step in which the game goes back is a paused one, so that the test sees the state of the past.
+function t:rewind(seconds)
+    check_number(seconds, "t:rewind needs a time in seconds", 2)
+    local paused = game.time.paused
+    game.time.paused = true
+    rewind(seconds)
+    coroutine.yield()
+    game.time.paused = paused
+end
+
+function t:screenshot(name, tolerance)
+    if type(name) ~= "string" or not string.find(name, "^[%w_-]+$") then
+        error("t:screenshot needs a name of letters, digits, - and _, not " .. shown(name), 2)
+    end
+    tolerance = tolerance or 0.001
+    check_number(tolerance, "t:screenshot needs the share of pixels that may differ", 2)
+    fettle_test("picture", name, tolerance)
+    local why = coroutine.yield()
+    if why then error(why, 2) end
+end
+
+fettle_test_object = setmetatable({}, { __index = function(_, name) return member(t, name, "t") end })

@@ -1,0 +1,80 @@
+#include "game_window.h"
+
+#include <fettle/property/exception_text.h>
+
+#include "session.h"
+#include "terminal.h"
+
+namespace fettle::program {
+
+app::WindowState window_state(const property::GameSettings& settings) {
+    app::WindowState state;
+    if (const std::string title = settings.title(); !title.empty()) state.title = title;
+    const property::WindowSettings& window = settings.window;
+    state.size = window.size.value_or(state.size);
+    state.fullscreen = window.fullscreen.value_or(state.fullscreen);
+    state.resizable = window.resizable.value_or(state.resizable);
+    state.vsync = window.vsync.value_or(state.vsync);
+    return state;
+}
+
+namespace {
+
+app::WindowState at_start(const property::GameSettings& settings,
+                          const property::PlayerSettings& player) {
+    app::WindowState state = window_state(settings);
+    state.fullscreen = player.fullscreen.value_or(state.fullscreen);
+    return state;
+}
+
+}  // namespace
+
+GameWindow::GameWindow(const std::filesystem::path& game, const property::GameSettings& settings)
+    : folder_(property::player_folder(game, settings.id)),
+      player_(property::read_player_settings(folder_)),
+      window_(app::open_window(at_start(settings, player_))),
+      fullscreen_(at_start(settings, player_).fullscreen) {}
+
+void GameWindow::before_start(Session& session) {
+    app::View& view = session.services().view;
+    view.screen = window_->size();
+    if (!fullscreen_) view.window.size = view.screen;
+    if (const std::string icon = session.icon(); !icon.empty() && !window_->set_icon(icon))
+        session.note("game.json: icon: this file is no image that can be shown");
+}
+
+/// The recording of a run holds this as a write, so that a replay does not depend on the player.
+void GameWindow::started(Session& session) {
+    if (player_.fullscreen) set_fullscreen(session, *player_.fullscreen);
+    fullscreen_ = session.services().view.window.fullscreen;
+}
+
+void GameWindow::set_fullscreen(Session& session, bool on) {
+    property::Tree& tree = session.tree();
+    static std::function<std::string()> where = [] { return std::string("the player"); };
+    const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
+    const property::Handle window = tree.child(tree.child(tree.root(), "view"), "window");
+    if (tree.alive(window)) tree.set(window, "fullscreen", on);
+}
+
+bool GameWindow::handle(const app::InputEvent& event, Session& session) {
+    const bool wanted = event.kind == app::EventKind::key_pressed && !event.repeated &&
+                        (event.name == "f11" || (event.name == "enter" && event.alt));
+    if (wanted) set_fullscreen(session, !session.services().view.window.fullscreen);
+    return wanted;
+}
+
+void GameWindow::follow(Session& session) {
+    const app::WindowState& state = session.services().view.window;
+    window_->follow(state);
+    if (state.fullscreen == fullscreen_) return;
+    fullscreen_ = state.fullscreen;
+    player_.fullscreen = fullscreen_;
+    try {
+        property::write_player_settings(folder_, player_);
+    } catch (const std::exception& error) {
+        session.note("the setting of the window is not kept: " + property::exception_text(error));
+    }
+}
+
+}  // namespace fettle::program

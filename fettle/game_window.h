@@ -1,0 +1,42 @@
+#pragma once
+// The window in which a game runs. It follows `view.window`, and remembers what the player sets.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fettle/app/screen.h>
+#include <fettle/property/storage/game_settings.h>
+
+namespace fettle::program {
+
+class Session;
+
+/// The window that `game.json` describes.
+app::WindowState window_state(const property::GameSettings& settings);
+
+class GameWindow {
+  public:
+    /// Opens the window as the game and the player want it.
+    GameWindow(const std::filesystem::path& game, const property::GameSettings& settings);
+
+    app::Window& screen() { return *window_; }
+    /// Connects a session that was made and not started yet.
+    void before_start(Session& session);
+    /// Sets what the player has set in earlier runs.
+    void started(Session& session);
+    /// Whether the event is a key of the window: F11 and Alt+Enter change `fullscreen`.
+    bool handle(const app::InputEvent& event, Session& session);
+    /// Call once a frame, before drawing.
+    void follow(Session& session);
+
+  private:
+    void set_fullscreen(Session& session, bool on);
+
+    std::filesystem::path folder_;  // of the player
+    property::PlayerSettings player_;
+    std::unique_ptr<app::Window> window_;
+    bool fullscreen_;  // as last seen
+};
+
+}  // namespace fettle::program

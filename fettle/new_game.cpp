@@ -1,0 +1,168 @@
+#include "new_game.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <fettle/property/spelling.h>
+#include <fettle/script/reference.h>
+
+#include "arguments.h"
+#include "exit_status.h"
+#include "game_path.h"
+#include "session.h"
+#include "settings.h"
+#include "terminal.h"
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* common_files = "common";  // the folder with files that every new game gets
+
+fs::path templates() {
+    const fs::path own = assets();
+    std::error_code error;
+    if (own.empty() || !fs::is_directory(own / "templates" / common_files, error))
+        throw FileError("the templates of games are missing from the installation");
+    return own / "templates";
+}
+
+std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const auto& each : fs::directory_iterator(templates()))
+        if (each.is_directory() && each.path().filename() != common_files)
+            names.push_back(each.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+void require_template(const std::string& name) {
+    const std::vector<std::string> names = template_names();
+    if (std::ranges::find(names, name) != names.end()) return;
+    std::string all;
+    for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
+    throw FileError("--template: there is no template \"" + on_one_line(name) + "\"; there are " +
+                    all + property::suggestion(name, names));
+}
+
+/// A part of an id: letters and digits of the name in lower case, the rest as dashes.
+std::string id_of(const std::string& name) {
+    std::string id;
+    for (const char c : name) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const bool plain = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
+        if (plain || (!id.empty() && id.back() != '-')) id += plain ? lower : '-';
+    }
+    while (!id.empty() && id.back() == '-') id.pop_back();
+    constexpr std::size_t longest = 60;
+    return id.empty() ? "game" : id.substr(0, longest);
+}
+
+void replace_all(std::string& text, std::string_view what, const std::string& with) {
+    for (std::size_t at = text.find(what); at != std::string::npos;
+         at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+}
+
+void write_new(const fs::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
+}
+
+void fill_in_settings(const fs::path& folder, const std::string& name) {
+    const fs::path file = folder / "game.json";
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string quoted =
+        nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    replace_all(text, "\"GAME_NAME\"", quoted);
+    replace_all(text, "GAME_ID", id_of(name));
+    replace_all(text, "FETTLE_VERSION", FETTLE_VERSION);
+    write_new(file, text);
+}
+
+/// What an editor completes and checks: the classes and functions of this version.
+void write_annotations(const fs::path& folder) {
+    fs::create_directories(folder / ".editor");
+    RunOptions run;
+    run.headless = true;
+    Session session(run, nullptr, {});
+    write_new(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
+}
+
+void make(const fs::path& folder, const std::string& pattern, const std::string& name) {
+    for (const std::string& from : {std::string(common_files), pattern})
+        fs::copy(templates() / from, folder,
+                 fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    // Those of an installation may be write-protected.
+    for (const auto& each : fs::recursive_directory_iterator(folder))
+        fs::permissions(each.path(), fs::perms::owner_write, fs::perm_options::add);
+    fill_in_settings(folder, name);
+    write_annotations(folder);
+}
+
+}  // namespace
+
+int new_game(const NewGameOptions& options) {
+    require_template(options.pattern);
+    fs::path folder = fs::absolute(options.folder).lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    std::error_code error;
+    if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
+        throw FileError(options.folder.string() +
+                        ": there is something already, so nothing was made");
+    const std::string name = folder.filename().string();
+    fs::create_directories(folder.parent_path());
+    // Made under another name, so that an error leaves nothing half made.
+    const fs::path draft = folder.parent_path() / ("." + name + ".fettle-new");
+    fs::remove_all(draft);
+    fs::create_directory(draft);
+    try {
+        make(draft, options.pattern, name);
+        fs::rename(draft, folder);
+    } catch (...) {
+        fs::remove_all(draft, error);
+        throw;
+    }
+    const std::string shown = options.folder.string();
+    print_line(shown + ": a game to begin with. Play it with fettle run " + shown +
+               ", test it with fettle test " + shown);
+    return success;
+}
+
+Command add_new_game(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "new", "Make a small game to begin with, with a test and settings for editors.");
+    command.allow_extras();
+    const auto options = std::make_shared<NewGameOptions>();
+    command
+        .add_option_function<std::string>(
+            "name",
+            [options](const std::string& text) {
+                options->folder = checked_text("name", text, "a folder that is not there yet");
+            },
+            "The folder of the game, which is made")
+        ->required();
+    command.add_option_function<std::string>(
+        "--template",
+        [options](const std::string& text) {
+            options->pattern = checked_text("--template", text, "the name of a template");
+        },
+        "empty, physics, platformer or topdown; empty unless given");
+    return {&command, [options] { return with_file_errors([&] { return new_game(*options); }); }};
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,159 @@
+#include "test.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <system_error>
+
+#include "arguments.h"
+#include "end_request.h"
+#include "exit_status.h"
+#include "game_path.h"
+#include "junit.h"
+#include "settings.h"
+#include "terminal.h"
+#include "test_run.h"
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The files of tests, relative to the folder of the game.
+std::vector<std::string> test_files(const fs::path& game) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (fs::directory_iterator it(folder_of(game) / "tests", error), end; !error && it != end;
+         it.increment(error))
+        if (it->path().extension() == ".lua")
+            files.push_back((fs::path("tests") / it->path().filename()).generic_string());
+    std::ranges::sort(files);
+    if (files.empty())
+        throw FileError(folder_of(game).string() +
+                        ": this game has no tests; they are in files tests/NAME.lua");
+    return files;
+}
+
+void print_indented(const std::string& lines, const char* indent) {
+    for (std::size_t start = 0; start < lines.size();) {
+        const std::size_t end = std::min(lines.find('\n', start), lines.size());
+        print_line(indent + lines.substr(start, end - start));
+        start = end + 1;
+    }
+}
+
+void print_outcome(const TestOutcome& outcome) {
+    const std::string name = outcome.file + (outcome.name.empty() ? "" : ": " + outcome.name);
+    print_line((outcome.passed ? "ok    " : "FAIL  ") + name);
+    for (const std::string& picture : outcome.skipped)
+        print_line("      the picture " + picture + " was not compared: there is no display");
+    if (outcome.passed) return;
+    print_indented(outcome.message, "      ");
+    print_indented(outcome.details, "      ");
+    if (!outcome.output.empty()) {
+        print_line("      it printed");
+        print_indented(outcome.output, "        ");
+    }
+    if (!outcome.recording.empty())
+        print_line("      fettle run --replay " + outcome.recording.string());
+}
+
+class Suite {
+  public:
+    explicit Suite(const TestOptions& options) : options_(options) {}
+
+    int run() {
+        for (const std::string& file : test_files(options_.game))
+            if (EndRequest::asked() == 0) run(file);
+        if (!options_.junit.empty()) write_junit(options_.junit, outcomes_);
+        if (EndRequest::asked() != 0) return 128 + EndRequest::asked();
+        const auto failed = std::ranges::count(outcomes_, false, &TestOutcome::passed);
+        if (outcomes_.empty()) {
+            print_line(options_.filter.empty()
+                           ? "there is no test in the files of tests"
+                           : "no test has \"" + options_.filter + "\" in its file or its name");
+            return script_error;
+        }
+        print_line(std::to_string(outcomes_.size()) +
+                   (outcomes_.size() == 1 ? " test, " : " tests, ") + std::to_string(failed) +
+                   " failed");
+        return failed == 0 ? success : script_error;
+    }
+
+  private:
+    void run(const std::string& file) {
+        const TestList list = list_tests(options_, file);
+        // Nothing can be tested if the game or the file cannot be loaded.
+        if (!list.outcome.passed) return add(list.outcome);
+        for (const std::string& name : list.names) {
+            if (EndRequest::asked() != 0) return;
+            const bool wanted = file.find(options_.filter) != std::string::npos ||
+                                name.find(options_.filter) != std::string::npos;
+            if (wanted) add(run_test(options_, {.file = file, .name = name}));
+        }
+    }
+    void add(TestOutcome outcome) {
+        print_outcome(outcome);
+        (void)all_printed();  // shown while the next test runs
+        outcomes_.push_back(std::move(outcome));
+    }
+
+    const TestOptions& options_;
+    std::vector<TestOutcome> outcomes_;
+};
+
+constexpr std::uint64_t longest_test = 86'400;  // s
+
+}  // namespace
+
+int test(const TestOptions& given) {
+    const EndRequest end_request;
+    TestOptions options = given;
+    options.game = found_game(given.game);
+    return Suite(options).run();
+}
+
+Command add_test(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("test", "Run the tests of a game: tests/*.lua beside main.lua.");
+    command.allow_extras();
+    const auto options = std::make_shared<TestOptions>();
+    command.add_option_function<std::string>(
+        "path",
+        [options](const std::string& text) {
+            options->game = checked_text("path", text, "a folder with main.lua, or a .lua file");
+        },
+        "A folder with main.lua, or one .lua file; without it, this folder");
+    command.add_option_function<std::string>(
+        "--filter",
+        [options](const std::string& text) {
+            options->filter = checked_text("--filter", text, "a part of a name");
+        },
+        "Only tests with this text in the name of their file or in their own");
+    command.add_option_function<std::string>(
+        "--junit",
+        [options](const std::string& text) {
+            options->junit = checked_text("--junit", text, "a file");
+        },
+        "Write a report in the format JUnit XML there");
+    command.add_flag("--update", options->update,
+                     "Write the pictures of t:screenshot instead of comparing them");
+    command.add_option_function<std::string>(
+        "--timeout",
+        [options](const std::string& text) {
+            options->timeout = whole_number("--timeout", text, 1, longest_test);
+        },
+        "Stop a test that takes longer than so many seconds; 60 unless given");
+    command
+        .add_option_function<std::string>(
+            "--module",
+            [options](const std::string& name) {
+                options->modules.push_back(checked_text("--module", name, "a file or a name"));
+            },
+            "Plug in a module: a shared object, or the name of an installed one (repeatable)")
+        ->trigger_on_parse();
+    return {&command, [options] { return with_file_errors([&] { return test(*options); }); }};
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,90 @@
+#include "test_driver.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "game_path.h"
+
+namespace fettle::program {
+
+namespace {
+
+/// The characters of a text in UTF-8. Invalid bytes are left out.
+std::u32string characters(const std::string& text) {
+    std::u32string all;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i]);
+        const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+        if ((first >= 0x80 && first < 0xC2) || first > 0xF4 || i + length > text.size()) {
+            ++i;
+            continue;
+        }
+        char32_t character = length == 1 ? first : first & (0xFFu >> (length + 1));
+        for (std::size_t k = 1; k < length; ++k)
+            character = character << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+        all += character;
+        i += length;
+    }
+    return all;
+}
+
+}  // namespace
+
+TestDriver::TestDriver(TestChoice choice, const std::filesystem::path& game_folder,
+                       property::GameFiles& files, app::Services& services,
+                       script::Runtime& runtime)
+    : choice_(std::move(choice)),
+      folder_(game_folder),
+      files_(files),
+      services_(services),
+      runtime_(runtime) {}
+
+bool TestDriver::start() {
+    const std::filesystem::path library = assets() / "testing" / "testing.lua";
+    runtime_.add_function("fettle_test", [this](std::span<const property::Value> arguments) {
+        return request(arguments);
+    });
+    if (!runtime_.run(files_.read(library), "testing.lua")) return false;
+    if (!runtime_.run(files_.read(folder_ / choice_.file), choice_.file)) return false;
+    return choice_.name.empty() || runtime_.call("fettle_test_begin", {choice_.name});
+}
+
+void TestDriver::turn() {
+    if (done_ || choice_.name.empty()) return;
+    if (!runtime_.call("fettle_test_turn", {})) return;
+    // A picture is drawn while no script runs.
+    while (const std::optional<Picture> picture = std::exchange(picture_, std::nullopt)) {
+        const std::string why = compare_ ? compare_(picture->name, picture->tolerance) : "";
+        const property::Value answer = why.empty() ? property::Value() : property::Value(why);
+        if (!runtime_.call("fettle_test_turn", {answer})) return;
+    }
+}
+
+/// What the functions of tests ask of the host.
+property::Value TestDriver::request(std::span<const property::Value> arguments) {
+    const std::string what = arguments.empty() ? "" : arguments[0].text();
+    if (what == "test" && arguments.size() == 2)
+        names_.push_back(arguments[1].text());
+    else if (what == "type" && arguments.size() == 2)
+        type(arguments[1].text());
+    else if (what == "picture" && arguments.size() == 3)
+        picture_ = {.name = arguments[1].text(), .tolerance = arguments[2].as_double()};
+    else if (what == "done" && arguments.size() == 1)
+        done_ = true;
+    else
+        throw std::invalid_argument("fettle_test is called by the functions of tests only");
+    return {};
+}
+
+/// The game gets the text as if it were typed. It is not an event of the loop, which a recording
+/// would hold as well: a replay makes the test again.
+void TestDriver::type(const std::string& text) {
+    for (const char32_t character : characters(text)) {
+        app::InputEvent event;
+        event.kind = app::EventKind::text;
+        event.character = character;
+        services_.input.apply(event);
+    }
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,217 @@
+#include "test_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+#include <fettle/app/screen.h>
+#include <fettle/property/exception_text.h>
+
+#include "end_request.h"
+#include "game_path.h"
+#include "session.h"
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The longest test: 28 minutes of a game with 60 steps a second.
+constexpr std::uint64_t most_steps = 100'000;
+
+/// The traceback without the frames of the functions of tests.
+std::string without_library(const std::string& traceback) {
+    std::string text;
+    for (std::size_t start = 0; start < traceback.size();) {
+        const std::size_t end = std::min(traceback.find('\n', start), traceback.size() - 1) + 1;
+        const std::string_view line = std::string_view(traceback).substr(start, end - start);
+        start = end;
+        // Behind this line are only frames that go on with the coroutine of the test.
+        if (line.starts_with("  (coroutine started from)") &&
+            traceback.find("  testing.lua:", start) != std::string::npos)
+            break;
+        if (!line.starts_with("  testing.lua:")) text += line;
+    }
+    return text;
+}
+
+std::string lines_of(const script::ScriptError& error) {
+    std::string text;
+    const std::vector<std::string> lines = script::error_lines(error);
+    for (std::size_t i = 1; i < lines.size(); ++i) text += lines[i] + "\n";
+    return text + without_library(error.traceback);
+}
+
+/// A name of a file for a test: letters and digits of both, the rest as dashes.
+std::string file_name_of(const TestChoice& choice) {
+    std::string name;
+    for (const char c : fs::path(choice.file).stem().string() + "-" + choice.name) {
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        if (plain || (!name.empty() && name.back() != '-')) name += plain ? c : '-';
+    }
+    constexpr std::size_t longest = 100;
+    return name.substr(0, longest);
+}
+
+/// The folder for what failed tests leave: beside the game, or one for temporary files.
+fs::path folder_for_failures(const fs::path& game) {
+    std::error_code error;
+    for (const fs::path& above : {folder_of(game), fs::temp_directory_path(error) / "fettle"}) {
+        const fs::path folder = above / ".fettle" / "tests";
+        fs::create_directories(folder, error);
+        if (!error) return folder;
+    }
+    return ".";
+}
+
+/// The share of the pixels of which a channel differs visibly, 0 to 1.
+double difference(const app::Pixels& a, const app::Pixels& b) {
+    constexpr int visible = 16;  // of 255
+    if (a.width != b.width || a.height != b.height) return 1;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < a.rgba.size(); i += 4) {
+        bool differs = false;
+        for (std::size_t k = i; k < i + 4; ++k)
+            differs = differs || std::abs(int{a.rgba[k]} - int{b.rgba[k]}) > visible;
+        count += differs ? 1 : 0;
+    }
+    return static_cast<double>(count) / std::max<double>(1, static_cast<double>(a.rgba.size()) / 4);
+}
+
+class TestRun {
+  public:
+    TestRun(const TestOptions& options, TestChoice choice)
+        : options_(options), failures_(folder_for_failures(options.game)) {
+        outcome_.file = choice.file;
+        outcome_.name = choice.name;
+        run_.game = options.game;
+        run_.headless = true;
+        run_.modules = options.modules;
+        if (!choice.name.empty()) run_.record = failures_ / (file_name_of(choice) + ".recording");
+        run_.test = std::move(choice);
+    }
+
+    /// Loads the game and the file, and makes the test if it has a name.
+    TestOutcome make() {
+        const Clock::time_point begun = Clock::now();
+        {
+            Session session(run_, nullptr,
+                            [this](const script::ScriptError& error) { fail(error); });
+            const EndRequest::Scripts scripts(session.runtime());
+            session.on_output(
+                [this](std::string_view text) { outcome_.output += std::string(text) + "\n"; });
+            session.runtime().limit_calls(static_cast<double>(options_.timeout), {});
+            session.test()->on_picture([&](const std::string& name, double tolerance) {
+                return compare(session, name, tolerance);
+            });
+            session.start();
+            names_ = session.test()->names();
+            if (session.failed() && outcome_.message.empty()) outcome_.message = "it failed";
+            if (!run_.test->name.empty()) go_on(session, begun);
+        }
+        outcome_.passed = outcome_.message.empty();
+        outcome_.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+        if (outcome_.passed) {
+            std::error_code error;
+            fs::remove(run_.record, error);
+        } else {
+            outcome_.recording = run_.record;
+        }
+        return std::move(outcome_);
+    }
+    const std::vector<std::string>& names() const { return names_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void go_on(Session& session, Clock::time_point begun) {
+        app::Loop& loop = session.loop();
+        const auto limit = std::chrono::seconds(options_.timeout);
+        while (outcome_.message.empty() && !session.test()->done()) {
+            if (EndRequest::asked() != 0) return fail("it was interrupted");
+            if (loop.lived() >= most_steps)
+                return fail("the test did not end within " + std::to_string(most_steps) + " steps");
+            if (Clock::now() - begun > limit)
+                return fail("the test did not end within " + std::to_string(options_.timeout) +
+                            " s");
+            loop.turn();
+            if (loop.stopped() && !session.test()->done())
+                return fail("the game called quit() before the test ended");
+        }
+    }
+
+    void fail(const std::string& message) {
+        if (outcome_.message.empty()) outcome_.message = message;
+    }
+    /// Later errors are often caused by the first one.
+    void fail(const script::ScriptError& error) {
+        if (!outcome_.message.empty()) return;
+        outcome_.message = error.message.empty() ? "an error without a message" : error.message;
+        outcome_.details = lines_of(error);
+    }
+
+    std::string compare(Session& session, const std::string& name, double tolerance) {
+        if (!app::display_available()) {
+            outcome_.skipped.push_back(name);
+            return {};
+        }
+        try {
+            return compare_drawn(session, name, tolerance);
+        } catch (const std::exception& error) {
+            return property::exception_text(error);
+        }
+    }
+
+    std::string compare_drawn(Session& session, const std::string& name, double tolerance) {
+        const property::Vec2 size = session.services().view.screen;
+        const auto picture =
+            app::make_picture(static_cast<unsigned>(size.x()), static_cast<unsigned>(size.y()));
+        session.loop().draw(*picture, 0);
+        picture->present();
+        const fs::path folder = folder_of(options_.game) / "tests" / "pictures";
+        const fs::path kept = folder / (name + ".png");
+        std::error_code error;
+        if (options_.update) {
+            fs::create_directories(folder, error);
+            picture->save(kept);
+            return {};
+        }
+        const fs::path drawn = failures_ / (name + ".png");
+        if (!fs::exists(kept, error)) {
+            picture->save(drawn);
+            return "there is no picture " + kept.string() + " yet: look at " + drawn.string() +
+                   ", and keep it with fettle test --update";
+        }
+        const double share = difference(picture->pixels(), app::read_picture(kept));
+        if (share <= tolerance) return {};
+        picture->save(drawn);
+        return "the picture " + kept.string() + " differs in " +
+               property::number_text(std::round(share * 1e5) / 1e3) + " % of its pixels, and " +
+               property::number_text(tolerance * 100) + " % are allowed; what was drawn is " +
+               drawn.string();
+    }
+
+    const TestOptions& options_;
+    fs::path failures_;
+    RunOptions run_;
+    TestOutcome outcome_;
+    std::vector<std::string> names_;
+};
+
+}  // namespace
+
+TestList list_tests(const TestOptions& options, const std::string& file) {
+    TestRun run(options, {.file = file, .name = {}});
+    TestOutcome outcome = run.make();
+    return {.names = run.names(), .outcome = std::move(outcome)};
+}
+
+TestOutcome run_test(const TestOptions& options, const TestChoice& choice) {
+    return TestRun(options, choice).make();
+}
+
+}  // namespace fettle::program

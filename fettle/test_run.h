@@ -1,0 +1,34 @@
+#pragma once
+// The run of one test in a fresh game.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "test.h"
+#include "test_driver.h"
+
+namespace fettle::program {
+
+struct TestOutcome {
+    std::string file, name;
+    bool passed = false;
+    std::string message{};               // of the failure: one line
+    std::string details{};               // source line and traceback: lines
+    std::string output{};                // what the game printed: lines
+    std::filesystem::path recording{};   // of a failed run
+    std::vector<std::string> skipped{};  // pictures that were not compared
+    double seconds = 0;
+};
+
+/// The tests of a file. With a failed outcome if the game or the file cannot be loaded.
+struct TestList {
+    std::vector<std::string> names{};
+    TestOutcome outcome{};
+};
+TestList list_tests(const TestOptions& options, const std::string& file);
+
+/// Runs the test. The store, the saves and the files of the game that it writes stay in memory.
+TestOutcome run_test(const TestOptions& options, const TestChoice& choice);
+
+}  // namespace fettle::program

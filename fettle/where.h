@@ -1,0 +1,15 @@
+#pragma once
+// The subcommand `fettle where`, which prints where the files about a game lie.
+
+#include <filesystem>
+
+#include "command.h"
+
+namespace fettle::program {
+
+Command add_where(CLI::App& app);
+
+/// Prints one line for each place. Throws what reading the settings of the game throws.
+int where(const std::filesystem::path& game);
+
+}  // namespace fettle::program

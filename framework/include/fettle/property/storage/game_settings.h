@@ -1,0 +1,77 @@
+#pragma once
+// The file `game.json` of a game: name, version, window and other settings that are needed before
+// its scripts run. And the settings that a player makes, which are kept for the next run.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fettle/property/storage/export.h>
+#include <fettle/property/value.h>
+
+FETTLE_STORAGE_BEGIN
+
+namespace fettle::property {
+
+class GameFiles;
+
+/// Whether a game has the console: always, in developer runs only, or never.
+enum class ConsoleUse : std::uint8_t { on, developer, off };
+
+/// What `game.json` says about the window; empty: nothing.
+struct WindowSettings {
+    static constexpr double largest = 16384;  // px, of each side
+    std::optional<std::string> title{};
+    std::optional<Vec2> size{};  // px
+    std::optional<bool> fullscreen{};
+    std::optional<bool> resizable{};
+    std::optional<bool> vsync{};
+};
+
+struct GameSettings {
+    std::string name{};     // shown to players
+    std::string id{};       // names the player's folder for the game; "" if it has none
+    std::string version{};  // of the game
+    std::string author{};
+    std::string icon{};    // an image below the game's folder
+    std::string fettle{};  // the version of Fettle that the game was written for
+    ConsoleUse console = ConsoleUse::on;
+    std::optional<std::uint64_t> seed{};  // of random()
+    WindowSettings window{};
+
+    /// Title of the window: that of the window, else the name; "" if there is neither.
+    std::string title() const { return window.title.value_or(name); }
+};
+
+/// Reads `game.json` in the folder of `game`; without the file all settings have their defaults.
+/// `program`: the version of this program. Throws SceneError for a text that is not JSON, unknown
+/// keys (with the nearest one), values of another type or out of range, and for a game that needs a
+/// newer version. Throws FileError.
+GameSettings read_game_settings(GameFiles& files, const std::filesystem::path& game,
+                                std::string_view program);
+
+/// The same from a text; `file_name` appears in messages.
+GameSettings game_settings(std::string text, const std::string& file_name,
+                           std::string_view program);
+
+/// The folder for what a player has of a game: saves, store, settings. It belongs to the `id`,
+/// wherever the game lies; without an id it is `user_folder(game)`. Not created. Empty if the user
+/// has no such folder.
+std::filesystem::path player_folder(const std::filesystem::path& game, const std::string& id);
+
+/// Settings that the player has made in earlier runs; empty: never made.
+struct PlayerSettings {
+    std::optional<bool> fullscreen{};
+};
+
+/// Reads `settings.json` in that folder; a file that is missing or damaged has no settings.
+PlayerSettings read_player_settings(const std::filesystem::path& folder);
+
+/// Writes it, and creates the folder. Other keys of the file stay. Throws FileError.
+void write_player_settings(const std::filesystem::path& folder, const PlayerSettings& settings);
+
+}  // namespace fettle::property
+
+FETTLE_STORAGE_END

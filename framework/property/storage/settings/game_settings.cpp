@@ -1,0 +1,209 @@
+#include <fettle/property/storage/game_settings.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/game_files.h>
+
+#include <files/places.h>
+#include <json/document.h>
+
+namespace fettle::property {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads the members of one object. Each function checks the type of the value.
+class SettingsReader {
+  public:
+    using Node = Document::Node;
+    using Kind = Document::Kind;
+    explicit SettingsReader(const Document& document) : document_(document) {}
+
+    /// Calls `take(reader, key, node)` for each member; it returns false for unknown keys.
+    template <class Take>
+    void members(const Node& object, const std::vector<std::string>& keys, Take take) {
+        if (object.kind != Kind::object) refuse(object, "an object with settings");
+        const std::string above = path_;
+        for (const Node* node = document_.first(object); node != nullptr;
+             node = document_.next(*node)) {
+            const std::string& key = document_.key(*node);
+            path_ = above.empty() ? key : above + "." + key;
+            if (!take(*node, key))
+                document_.fail(ErrorKind::unknown_name, node->key_begin,
+                               path_ + ": there is no such setting" + suggestion(key, keys));
+        }
+        path_ = above;
+    }
+
+    std::string text(const Node& node) {
+        if (node.kind != Kind::text) refuse(node, "a text");
+        return document_.text(node);
+    }
+    bool boolean(const Node& node) {
+        if (node.kind != Kind::boolean) refuse(node, "true or false");
+        return node.boolean;
+    }
+    std::uint64_t natural(const Node& node) {
+        if (node.kind != Kind::integer || node.integer < 0)
+            refuse(node, "a whole number that is not negative");
+        return static_cast<std::uint64_t>(node.integer);
+    }
+    Vec2 size(const Node& node) {
+        constexpr const char* wanted = "width and height from 1 to 16384 pixels, as in [1280, 800]";
+        if (node.kind != Kind::array || document_.count(node) != 2) refuse(node, wanted);
+        Vec2 size;
+        Eigen::Index i = 0;
+        for (const Node* side = document_.first(node); side != nullptr;
+             side = document_.next(*side)) {
+            if (side->kind != Kind::integer || side->integer < 1 ||
+                static_cast<double>(side->integer) > WindowSettings::largest)
+                refuse(*side, wanted);
+            size[i++] = static_cast<double>(side->integer);
+        }
+        return size;
+    }
+    [[noreturn]] void refuse(const Node& node, const std::string& expected) {
+        constexpr std::size_t longest = 60;
+        std::string found(kind_words(node.kind));
+        const std::string_view raw = document_.raw(node);
+        if (node.kind != Kind::object && node.kind != Kind::array && raw.size() <= longest)
+            found += " (" + std::string(raw) + ")";
+        document_.fail(
+            ErrorKind::wrong_type, node.begin,
+            (path_.empty() ? "" : path_ + ": ") + "expected " + expected + ", found " + found);
+    }
+    [[noreturn]] void reject(const Node& node, const std::string& why) {
+        document_.fail(ErrorKind::rejected, node.begin, path_ + ": " + why);
+    }
+
+  private:
+    const Document& document_;
+    std::string path_;
+};
+
+/// The numbers of a version like "1.2.3"; empty if the text is no version.
+std::vector<unsigned> version_numbers(std::string_view text) {
+    std::vector<unsigned> numbers;
+    while (true) {
+        unsigned number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stopped, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc()) return {};
+        numbers.push_back(number);
+        if (stopped == end) return numbers;
+        if (*stopped != '.' || numbers.size() == 3) return {};
+        text.remove_prefix(static_cast<std::size_t>(stopped - text.data()) + 1);
+    }
+}
+
+/// Whether the name can be a folder on every system.
+bool is_id(std::string_view id) {
+    constexpr std::size_t longest = 100;
+    const auto letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    return !id.empty() && id.size() <= longest && letter(id.front()) && id.back() != '.' &&
+           std::ranges::all_of(
+               id, [&](char c) { return letter(c) || c == '.' || c == '-' || c == '_'; });
+}
+
+std::string read_id(SettingsReader& reader, const Document::Node& node) {
+    std::string id = reader.text(node);
+    if (!is_id(id))
+        reader.refuse(node,
+                      "an id of letters, digits, \".\", \"-\" and \"_\", as in "
+                      "\"org.example.marbles\"");
+    return id;
+}
+
+std::string read_fettle(SettingsReader& reader, const Document::Node& node,
+                        std::string_view program) {
+    std::string version = reader.text(node);
+    const std::vector<unsigned> wanted = version_numbers(version);
+    if (wanted.empty()) reader.refuse(node, "a version, as in \"1.2\"");
+    if (version_numbers(program) < wanted)
+        reader.reject(node, "the game was written for Fettle " + version + ", and this is Fettle " +
+                                std::string(program));
+    return version;
+}
+
+ConsoleUse read_console(SettingsReader& reader, const Document::Node& node) {
+    const std::vector<std::string> names = {"on", "developer", "off"};
+    const std::string name = reader.text(node);
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        reader.refuse(node, "\"on\", \"developer\" or \"off\"" + suggestion(name, names));
+    return static_cast<ConsoleUse>(found - names.begin());
+}
+
+WindowSettings read_window(SettingsReader& reader, const Document::Node& object) {
+    WindowSettings window;
+    reader.members(object, {"title", "size", "fullscreen", "resizable", "vsync"},
+                   [&](const Document::Node& node, const std::string& key) {
+                       if (key == "title")
+                           window.title = reader.text(node);
+                       else if (key == "size")
+                           window.size = reader.size(node);
+                       else if (key == "fullscreen")
+                           window.fullscreen = reader.boolean(node);
+                       else if (key == "resizable")
+                           window.resizable = reader.boolean(node);
+                       else if (key == "vsync")
+                           window.vsync = reader.boolean(node);
+                       else
+                           return false;
+                       return true;
+                   });
+    return window;
+}
+
+}  // namespace
+
+GameSettings game_settings(std::string text, const std::string& file_name,
+                           std::string_view program) {
+    const Document document(std::move(text), file_name);
+    SettingsReader reader(document);
+    GameSettings settings;
+    reader.members(
+        document.root(),
+        {"name", "id", "version", "author", "window", "icon", "console", "fettle", "seed"},
+        [&](const Document::Node& node, const std::string& key) {
+            if (key == "name")
+                settings.name = reader.text(node);
+            else if (key == "id")
+                settings.id = read_id(reader, node);
+            else if (key == "version")
+                settings.version = reader.text(node);
+            else if (key == "author")
+                settings.author = reader.text(node);
+            else if (key == "window")
+                settings.window = read_window(reader, node);
+            else if (key == "icon")
+                settings.icon = reader.text(node);
+            else if (key == "console")
+                settings.console = read_console(reader, node);
+            else if (key == "fettle")
+                settings.fettle = read_fettle(reader, node, program);
+            else if (key == "seed")
+                settings.seed = reader.natural(node);
+            else
+                return false;
+            return true;
+        });
+    return settings;
+}
+
+GameSettings read_game_settings(GameFiles& files, const fs::path& game, std::string_view program) {
+    std::error_code error;
+    fs::path file = (fs::is_directory(game, error) ? game : game.parent_path()) / "game.json";
+    if (!files.exists(file)) return {};
+    return game_settings(files.read(file), file.string(), program);
+}
+
+}  // namespace fettle::property

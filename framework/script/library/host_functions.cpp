@@ -1,0 +1,39 @@
+#include <library/host_functions.h>
+
+#include <vector>
+
+#include <calls/protected.h>
+#include <lua/environment.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+// Upvalue: the address of the function, which the host's parts keep.
+int call_host(lua_State* L) {
+    const auto& function = *static_cast<HostFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
+    std::vector<Value> arguments;
+    for (int i = 1; i <= lua_gettop(L); ++i) arguments.push_back(to_value(L, i));
+    push_value(L, function(arguments));
+    return 1;
+}
+
+}  // namespace
+
+void add_host_function(Machine& machine, const std::string& name, HostFunction function) {
+    HostFunction& kept = machine.host.functions[name];
+    kept = std::move(function);
+    protected_run(machine, "a function of the host", [&](lua_State* L) {
+        push_registry(L, machine.globals.table);
+        push_text(L, name);
+        lua_pushlightuserdata(L, &kept);
+        lua_pushcclosure(L, guarded<effect<call_host>>, 1);
+        lua_rawset(L, -3);
+    });
+}
+
+}  // namespace fettle::script

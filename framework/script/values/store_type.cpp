@@ -1,0 +1,292 @@
+#include <values/store_type.h>
+
+#include <fettle/property/path.h>
+#include <fettle/script/runtime.h>
+
+#include <lua/budget.h>
+#include <lua/guard.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <text/columns.h>
+#include <values/recording.h>
+#include <values/short_text.h>
+
+namespace fettle::script {
+
+using property::Store;
+
+namespace {
+
+Store& store_of(lua_State* L) {
+    Store* const store = machine_of(L).options.store;
+    if (store == nullptr) throw Error(ErrorKind::rejected, "store: this game has no place for one");
+    return *store;
+}
+
+Store::Table store_self(lua_State* L, const char* what) {
+    const auto* box = store_at(L, 1);
+    if (box == nullptr) refuse_type(L, 1, std::string(what) + ": needs a table of the store");
+    return box->table;
+}
+
+void push_table(lua_State* L, Store::Table table) {
+    auto* box = static_cast<StoreBox*>(lua_newuserdatauv(L, sizeof(StoreBox), 0));
+    box->tag = Tag::store;
+    box->table = table;
+    push_registry(L, machine_of(L).boxes.store);
+    lua_setmetatable(L, -2);
+}
+
+void push_entry(lua_State* L, const Store::Entry& entry) {
+    if (entry.content)
+        push_table(L, entry.table);
+    else
+        push_value(L, entry.value);
+}
+
+/// The key at `index`; throws for what is neither a text nor a whole number.
+Store::Key key_at(lua_State* L, int index, const std::string& where) {
+    if (lua_type(L, index) == LUA_TSTRING) return string_at(L, index);
+    if (lua_isinteger(L, index)) return std::int64_t{lua_tointeger(L, index)};
+    int whole = 0;
+    const lua_Integer number =
+        lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &whole) : 0;
+    if (whole != 0) return std::int64_t{number};
+    throw Error(
+        ErrorKind::wrong_type,
+        where + ": a key in the store is a text or a whole number, not " + describe_type(L, index));
+}
+
+Store::Entry entry_of(const Value& value) {
+    if (!value.is(Type::list)) return {.value = value};
+    Store::Entry table{.content = std::make_shared<Store::Content>()};
+    std::int64_t place = 0;
+    for (const Value& each : value.list()) table.content->entries[++place] = entry_of(each);
+    return table;
+}
+
+/// A copy of a table that is in the store already.
+Store::Entry copy_of(const Store& store, Store::Table of) {
+    Store::Entry table{.content = std::make_shared<Store::Content>()};
+    for (const auto& [key, entry] : store.entries(of))
+        table.content->entries[key] = entry.content ? copy_of(store, entry.table) : entry;
+    return table;
+}
+
+Store::Entry entry_at(lua_State* L, int index, int depth, const std::string& path);
+
+Store::Entry table_at(lua_State* L, int index, int depth, const std::string& path) {
+    // A table that contains itself ends here, too.
+    if (depth >= Store::depth_limit || lua_checkstack(L, 4) == 0)
+        throw Error(ErrorKind::rejected, path + ": tables in the store are nested at most " +
+                                             std::to_string(Store::depth_limit) + " deep");
+    Store::Entry table{.content = std::make_shared<Store::Content>()};
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        machine_of(L).budget.charge(L, 10);
+        const Store::Key key = key_at(L, -2, path);
+        const auto* const name = std::get_if<std::string>(&key);
+        const std::string inner =
+            path + (name != nullptr ? property::path_suffix(*name)
+                                    : "[" + std::to_string(std::get<std::int64_t>(key)) + "]");
+        table.content->entries[key] = entry_at(L, lua_gettop(L), depth + 1, inner);
+    }
+    return table;
+}
+
+Store::Entry entry_at(lua_State* L, int index, int depth, const std::string& path) {
+    if (lua_type(L, index) == LUA_TTABLE) return table_at(L, index, depth, path);
+    if (const auto* box = store_at(L, index)) return copy_of(store_of(L), box->table);
+    if (instance_at(L, index) != nullptr || class_object_at(L, index) != nullptr)
+        throw Error(ErrorKind::wrong_type,
+                    path + ": " + describe_type(L, index) +
+                        " cannot be in the store, because it ends with the run; put its name or "
+                        "its values there");
+    const int type = lua_type(L, index);
+    const bool plain = type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER ||
+                       type == LUA_TSTRING || vec_at(L, index) != nullptr ||
+                       color_at(L, index) != nullptr || list_at(L, index) != nullptr;
+    if (!plain)
+        throw Error(ErrorKind::wrong_type, path + ": " + describe_type(L, index) +
+                                               " cannot be in the store; it holds texts, numbers, "
+                                               "booleans, vecs, colors and tables of these");
+    return entry_of(to_value(L, index));
+}
+
+// --- Methods
+
+int store_clear(lua_State* L) {
+    if (store_self(L, "store:clear") != Store::root)
+        throw Error(ErrorKind::rejected, "clear: only the store itself has this function");
+    store_of(L).clear();
+    machine_of(L).recording.note({}, "store", "cleared");
+    return 0;
+}
+
+int store_has(lua_State* L) {
+    const Store::Table self = store_self(L, "store:has");
+    lua_pushboolean(L, store_of(L).find(self, key_at(L, 2, "store:has")) != nullptr);
+    return 1;
+}
+
+/// Pushes the method of the store with the name at `index`. False if there is none.
+bool push_store_method(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TSTRING) return false;
+    const std::string_view name = view_at(L, index);
+    if (name == "clear")
+        lua_pushcfunction(L, guarded<effect<store_clear>>);
+    else if (name == "has")
+        lua_pushcfunction(L, guarded<varying<store_has>>);
+    else
+        return false;
+    return true;
+}
+
+// --- Metamethods
+
+int store_index(lua_State* L) {
+    const Store::Table self = store_self(L, "store");
+    if (self == Store::root && push_store_method(L, 2)) return 1;
+    if (machine_of(L).tree.in_formula())
+        throw Error(ErrorKind::rejected,
+                    "the store cannot be read in a formula, which would not notice its changes: "
+                    "copy the value to a property");
+    const Store& store = store_of(L);
+    const bool possible = lua_type(L, 2) == LUA_TSTRING || lua_type(L, 2) == LUA_TNUMBER;
+    const Store::Entry* entry = possible ? store.find(self, key_at(L, 2, "store")) : nullptr;
+    if (entry == nullptr) {
+        (void)store.entries(self);  // a table that is not in the store any more is an error
+        lua_pushnil(L);
+    } else {
+        push_entry(L, *entry);
+    }
+    return 1;
+}
+
+std::string entry_text(Machine& machine, const Store::Entry* entry) {
+    if (entry == nullptr) return "nil";
+    if (!entry->content) return cut(machine.tree.text(entry->value), 60);
+    return stored_text(machine, {.tag = Tag::store, .table = entry->table});
+}
+
+int store_newindex(lua_State* L) {
+    const Store::Table self = store_self(L, "store");
+    Machine& machine = machine_of(L);
+    Store& store = store_of(L);
+    if (self == Store::root && push_store_method(L, 2))
+        throw Error(ErrorKind::bad_name, "store." + string_at(L, 2) +
+                                             ": this is a function of the store; choose another "
+                                             "name for the value");
+    const Store::Key key = key_at(L, 2, "store");
+    const std::string path = store.path(self, key);
+    lua_settop(L, 3);
+    Store::Entry entry = entry_at(L, 3, 0, path);
+    const std::string before =
+        machine.recording.active ? entry_text(machine, store.find(self, key)) : std::string();
+    store.set(self, key, std::move(entry));
+    if (machine.recording.active)
+        machine.recording.note({}, path,
+                               before + " → " + entry_text(machine, store.find(self, key)));
+    return 0;
+}
+
+int store_length(lua_State* L) {
+    const Store::Table self = store_self(L, "#");
+    const auto& all = store_of(L).entries(self);
+    lua_Integer length = 0;
+    for (auto at = all.find(std::int64_t{1});
+         at != all.end() && at->first == Store::Key(std::int64_t{length + 1}); ++at)
+        ++length;
+    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(length));
+    lua_pushinteger(L, length);
+    return 1;
+}
+
+int store_equal(lua_State* L) {
+    const auto *a = store_at(L, 1), *b = store_at(L, 2);
+    lua_pushboolean(L, a != nullptr && b != nullptr && a->table == b->table);
+    return 1;
+}
+
+int store_tostring(lua_State* L) {
+    const StoreBox box{.tag = Tag::store, .table = store_self(L, "tostring")};
+    push_text(L, stored_text(machine_of(L), box));
+    return 1;
+}
+
+// Visits a copy of the keys, in their order. Upvalues: the keys, the position.
+int next_stored(lua_State* L) {
+    const Store::Table self = store_self(L, "pairs");
+    for (;;) {
+        const lua_Integer place = lua_tointeger(L, lua_upvalueindex(2)) + 1;
+        lua_pushinteger(L, place);
+        lua_copy(L, -1, lua_upvalueindex(2));
+        lua_pop(L, 1);
+        if (lua_rawgeti(L, lua_upvalueindex(1), place) == LUA_TNIL) return 1;
+        if (const Store::Entry* entry = store_of(L).find(self, key_at(L, -1, "pairs"))) {
+            push_entry(L, *entry);
+            return 2;
+        }
+        lua_pop(L, 1);  // removed meanwhile
+    }
+}
+
+int store_pairs(lua_State* L) {
+    const auto& all = store_of(L).entries(store_self(L, "pairs"));
+    machine_of(L).budget.charge(L, all.size());
+    lua_settop(L, 1);
+    lua_createtable(L, static_cast<int>(all.size()), 0);
+    lua_Integer place = 0;
+    for (const auto& [key, entry] : all) {
+        if (const auto* const name = std::get_if<std::string>(&key))
+            push_text(L, *name);
+        else
+            lua_pushinteger(L, std::get<std::int64_t>(key));
+        lua_rawseti(L, -2, ++place);
+    }
+    lua_pushinteger(L, 0);
+    lua_pushcclosure(L, guarded<next_stored>, 2);
+    lua_pushvalue(L, 1);
+    lua_pushnil(L);
+    return 3;
+}
+
+}  // namespace
+
+std::string stored_text(Machine& machine, const StoreBox& box) {
+    constexpr std::size_t longest = 200;
+    const Store* const store = machine.options.store;
+    if (store == nullptr || !store->has(box.table)) return "(a table that is not in the store)";
+    std::string text;
+    std::int64_t next = 1;
+    for (const auto& [key, entry] : store->entries(box.table)) {
+        if (text.size() > longest) {
+            text += ", ...";
+            break;
+        }
+        if (!text.empty()) text += ", ";
+        if (const auto* const name = std::get_if<std::string>(&key))
+            text +=
+                (property::is_identifier(*name) ? *name : "[" + property::value_text(*name) + "]") +
+                " = ";
+        else if (std::get<std::int64_t>(key) != next++)
+            text += "[" + std::to_string(std::get<std::int64_t>(key)) + "] = ";
+        text += entry_text(machine, &entry);
+    }
+    return "{" + text + "}";
+}
+
+void open_store(lua_State* L, Machine& machine) {
+    lua_newtable(L);
+    add_pure<store_index>(L, "__index");
+    add_pure<effect<store_newindex>>(L, "__newindex");
+    add_pure<varying<store_length>>(L, "__len");
+    add_pure<store_equal>(L, "__eq");
+    add_pure<store_tostring>(L, "__tostring");
+    add_pure<varying<store_pairs>>(L, "__pairs");
+    name_metatable(L, "store");
+    machine.boxes.store = luaL_ref(L, LUA_REGISTRYINDEX);
+    push_table(L, Store::root);
+    lua_setfield(L, -2, "store");
+}
+
+}  // namespace fettle::script

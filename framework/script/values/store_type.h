@@ -1,0 +1,28 @@
+#pragma once
+// The store of the game, `store`: tables of values that outlive a run. In Lua a table of the store
+// is a userdata that names it; reading and writing go to the store itself.
+
+#include <string>
+
+#include <fettle/property/storage/store.h>
+
+#include <values/values.h>
+
+namespace fettle::script {
+
+struct StoreBox {
+    Tag tag;
+    property::Store::Table table;
+};
+
+inline StoreBox* store_at(lua_State* L, int index) {
+    return box_at<StoreBox>(L, index, Tag::store);
+}
+
+/// The entries of a table of the store on one line: `{best = 3, levels = {1, 2}}`.
+std::string stored_text(Machine& machine, const StoreBox& box);
+
+/// Makes the metatable, and adds `store` to the table of globals at the top of the stack.
+void open_store(lua_State* L, Machine& machine);
+
+}  // namespace fettle::script

@@ -1,0 +1,61 @@
+// `fettle new` makes a game that runs and whose tests pass.
+
+#include <catch.h>
+
+#include <fstream>
+
+#include "program.h"
+
+namespace new_game_test {
+
+using namespace program_test;
+namespace fs = std::filesystem;
+
+TEST_CASE("a game of every template runs and passes its tests") {
+    const auto pattern = GENERATE(as<std::string>(), "empty", "physics", "platformer", "topdown");
+    INFO(pattern);
+    const Folder folder;
+    const std::string game = (folder / "My \"Game\" 2").string();
+    const Outcome made = fettle(folder, {"new", game, "--template", pattern});
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    const std::string settings = folder.text("My \"Game\" 2/game.json");
+    CHECK(contains(settings, R"("name": "My \"Game\" 2")"));
+    CHECK(contains(settings, R"("id": "org.example.my-game-2")"));
+    CHECK(contains(folder.text("My \"Game\" 2/.editor/fettle.lua"), "---@class Body"));
+    CHECK(contains(folder.text("My \"Game\" 2/.luarc.json"), ".editor"));
+    const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "600"});
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    const Outcome tests = fettle(folder, {"test", game});
+    INFO(tests.out << tests.err);
+    CHECK(tests.status == 0);
+    CHECK(contains(tests.out, " 0 failed\n"));
+}
+
+TEST_CASE("a new game overwrites nothing") {
+    const Folder folder;
+    folder.write("there/notes.txt", "mine");
+    const Outcome there = fettle(folder, {"new", (folder / "there").string()});
+    CHECK(there.status == 3);
+    CHECK(contains(there.err, "there is something already"));
+    CHECK(folder.text("there/notes.txt") == "mine");
+    CHECK_FALSE(fs::exists(folder / "there/main.lua"));
+    fs::create_directory(folder / "empty");
+    CHECK(fettle(folder, {"new", (folder / "empty").string()}).status == 0);
+    CHECK(fs::exists(folder / "empty/main.lua"));
+}
+
+TEST_CASE("an unknown template is an error with the nearest name") {
+    const Folder folder;
+    const Outcome run =
+        fettle(folder, {"new", (folder / "game").string(), "--template", "platfromer"});
+    CHECK(run.status == 3);
+    CHECK(contains(run.err, "there are empty, physics, platformer, topdown"));
+    CHECK(contains(run.err, "did you mean \"platformer\"?"));
+    CHECK_FALSE(fs::exists(folder / "game"));
+    CHECK(fettle(folder, {"new"}).status == 2);
+}
+
+}  // namespace new_game_test

@@ -1,0 +1,177 @@
+// The store of a game, from its scripts and over several runs.
+
+#include <catch.h>
+
+#include <csignal>
+
+#include "program.h"
+#include "running_program.h"
+
+namespace store_run_test {
+
+using namespace program_test;
+
+namespace {
+
+/// A run of a game of which only this chunk matters.
+Outcome run(const Folder& folder, const std::string& chunk, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {
+        "run", folder.write("main.lua", ""), "--headless", "--steps", "5", "--eval", chunk};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome outcome = fettle(folder, arguments);
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("a value in the store is there in the next run") {
+    const Folder folder;
+    run(folder,
+        "store.best = 100 store.name = 'Ada' store.home = vec(1, 2) store.paint = color('red') "
+        "store.levels = { true, false, deep = { 1, 2, { 'x' } } } store.levels[2] = true");
+    CHECK(run(folder,
+              "print(store.best, store.name, store.home, store.paint == color('red'), "
+              "store.levels[1], store.levels[2], store.levels.deep[3][1], #store.levels.deep, "
+              "store.none, store:has('best'), store:has('none'))")
+              .out == "100\tAda\tvec(1, 2)\ttrue\ttrue\ttrue\tx\t3\tnil\ttrue\tfalse\n");
+}
+
+TEST_CASE("pairs visits the store in order and table functions change its lists") {
+    const Folder folder;
+    const std::string out = run(folder, R"(
+        store.list = {}
+        for i = 1, 3 do table.insert(store.list, i * i) end
+        table.remove(store.list, 1)
+        store.b = 1 store.a = 2 store[5] = 3
+        for k, v in pairs(store) do print(k, v) end
+        for i, v in ipairs(store.list) do print(i, v) end
+        print(store, table.concat(store.list, "+"))
+        for k in pairs(store) do store[k] = nil end
+        print(store)
+    )")
+                                .out;
+    CHECK(out ==
+          "5\t3\na\t2\nb\t1\nlist\t{4, 9}\n1\t4\n2\t9\n{[5] = 3, a = 2, b = 1, list = {4, "
+          "9}}\t4+9\n{}\n");
+}
+
+TEST_CASE("assigning a table copies it and reading gives the table in the store") {
+    const Folder folder;
+    CHECK(run(folder, R"(
+        local mine = { 1 }
+        store.t = mine
+        mine[1] = 2
+        local theirs = store.t
+        theirs[2] = 5
+        print(store.t[1], store.t[2], theirs == store.t)
+        store.u = store.t
+        store.u[1] = 9
+        print(store.t[1], store.u[1])
+        store.t = nil
+        print(pcall(function() return theirs[1] end))
+    )")
+              .out ==
+          "1\t5\ttrue\n1\t9\nfalse\teval:12: this table is no longer in the store: it was "
+          "replaced or removed\n");
+}
+
+TEST_CASE("what cannot be in the store is refused with its path") {
+    const Folder folder;
+    const std::string out = run(folder, R"(
+        local function try(f) local ok, why = pcall(f) print(why) end
+        try(function() store.f = print end)
+        try(function() store.t = { a = { b = function() end } } end)
+        try(function() store.w = world end)
+        try(function() store.c = Body end)
+        try(function() store.clear = 1 end)
+        try(function() store[1.5] = 1 end)
+        try(function() store[{}] = 1 end)
+        try(function() local t = {} t.t = t store.t = t end)
+        try(function() store.s = store end)
+        try(function() game.o = Object {} game.o.n = formula(function() return store.a end) end)
+        print(store:has("f"), store:has("t"), game.o:problem("n"))
+    )")
+                                .out;
+    INFO(out);
+    CHECK(contains(out, "eval:3: store.f: a function cannot be in the store; it holds texts"));
+    CHECK(contains(out, "store.t.a.b: a function cannot be in the store"));
+    CHECK(contains(out, "store.w: a World cannot be in the store, because it ends with the run"));
+    CHECK(contains(out, "store.c: "));
+    CHECK(contains(out, "store.clear: this is a function of the store"));
+    CHECK(contains(out, "a key in the store is a text or a whole number, not a number"));
+    CHECK(contains(out, "a key in the store is a text or a whole number, not a table"));
+    CHECK(contains(out, "nested at most 100 deep"));
+    CHECK(contains(out, "false\tfalse\t"));
+    CHECK(contains(out, "the store cannot be read in a formula"));
+}
+
+TEST_CASE("the console echoes what it changes in the store") {
+    const Folder folder;
+    const std::string out =
+        run(folder, "store.best = 7",
+            {"--console", "1:store.best = 8", "--console", "2:store.best", "--console",
+             "3:store.t = {x = 1}", "--console", "4:store", "--console", "5:store:clear()"})
+            .out;
+    INFO(out);
+    CHECK(contains(out, "store.best: 7 → 8"));
+    CHECK(contains(out, "  8\n"));
+    CHECK(contains(out, "store.t: nil → {x = 1}"));
+    CHECK(contains(out, "{best = 8, t = {x = 1}}"));
+    CHECK(contains(out, "store: cleared"));
+    CHECK(run(folder, "print(store)").out == "{}\n");
+}
+
+TEST_CASE("going back in time and saved games leave the store as it is") {
+    const Folder folder;
+    const std::string out =
+        run(folder,
+            "store.deaths = 0 game.o = Object {} game.o.n = 0 save_game('a') "
+            "function step() game.o.n = game.o.n + 1 store.deaths = store.deaths + 1 end",
+            {"--at", "3:rewind(1)", "--at", "4:load_game('a')", "--at",
+             "5:print(game.o.n, store.deaths)"})
+            .out;
+    CHECK(out.ends_with("\t4\n"));
+    CHECK_FALSE(out == "4\t4\n");
+}
+
+TEST_CASE("a replay sees the store of the recorded start and does not write") {
+    const Folder folder;
+    run(folder, "store.runs = 1");
+    const std::string recording = (folder / "a.recording").string();
+    folder.write("main.lua", "");
+    run(folder, "game.o = Object {} game.o.n = store.runs store.runs = store.runs + 1",
+        {"--record", recording, "--at", "3:game.o.m = store.runs"});
+    run(folder, "store.runs = 50");
+    const Outcome replay = fettle(folder, {"run", "--replay", recording, "--headless"});
+    INFO(replay.err);
+    CHECK(replay.status == 0);
+    CHECK(contains(replay.out, "5 steps, each as it was recorded"));
+    CHECK(run(folder, "print(store.runs)").out == "50\n");
+}
+
+TEST_CASE("a run that is killed leaves the whole store of a moment") {
+    const Folder folder;
+    const std::string stored = "user data/fettle/games/org.example.killed/store.json";
+    folder.write("game.json", R"({"id": "org.example.killed"})");
+    const std::string endless = folder.write("endless.lua", R"(
+        local n = 0
+        store.list = { 1, 2, 3 }
+        function step()
+            n = n + 1
+            store.n = n
+            store.list[2] = n
+        end
+    )");
+    for (int i = 0; i < 4; ++i) {
+        std::filesystem::remove(folder / stored);
+        RunningProgram program(folder, {"run", endless, "--headless", "--steps", "1000000000"});
+        REQUIRE(program.makes(stored));
+        program.send(SIGKILL);
+        program.end();
+        CHECK(run(folder, "print(store.n == store.list[2], store.n > 0)").out == "true\ttrue\n");
+    }
+}
+
+}  // namespace store_run_test

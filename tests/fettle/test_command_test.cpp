@@ -1,0 +1,272 @@
+// `fettle test` runs the tests of a game.
+
+#include <catch.h>
+
+#include "program.h"
+
+namespace test_command_test {
+
+using namespace program_test;
+
+namespace {
+
+const char* const game = R"lua(
+world.floor = Body { type = "static", position = vec(0, -1), Box { width = 40, height = 2 } }
+world.ball = Body { position = vec(0, 4), Circle { radius = 0.5 } }
+world.ball.clicks = 0
+typed = ""
+function key_pressed(key) if key == "space" then world.ball.velocity = vec(0, 5) end end
+function mouse_pressed(button, position) if button == "left" then world.ball.clicks = world.ball.clicks + position.x end end
+function text_input(text) typed = typed .. text end
+store.runs = (store.runs or 0) + 1
+)lua";
+
+/// Runs the tests in a file with this text.
+Outcome run_tests(const Folder& folder, const std::string& tests,
+                  std::vector<std::string> more = {}) {
+    folder.write("main.lua", game);
+    folder.write("tests/ball.lua", tests);
+    std::vector<std::string> arguments = {"test", (folder / "").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return fettle(folder, arguments);
+}
+
+}  // namespace
+
+TEST_CASE("tests play the game in fresh runs") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("it falls and lies", function(t)
+    t:steps(120)
+    expect(time.step):is(120)
+    expect(world.ball.position.y):near(0.5, 0.01)
+    expect(store.runs):is(1)
+    store.runs = 7
+    world.ball:delete()
+end)
+test("keys, mouse and text", function(t)
+    expect(store.runs):is(1)
+    t:steps(60)
+    t:press("space")
+    t:steps(1)
+    expect(world.ball.velocity.y):above(4)
+    expect(input.keys.space):truthy()
+    t:release("space")
+    t:click(vec(3, 2))
+    t:move_mouse(vec(1, 1))
+    t:click(vec(2, 2), "right")
+    expect(world.ball.clicks):is(3.0)
+    t:hold("left", 5)
+    t:tap("space")
+    t:type("grün €")
+    expect(typed):is("grün €")
+    expect(time.step):is(73)
+end)
+test("time and values", function(t)
+    t:wait(1)
+    local there = world.ball.position
+    t:wait(1)
+    t:rewind(1)
+    expect(time.step):is(60)
+    expect(world.ball.position):near(there, 0)
+    t:steps(1)
+    expect(time.step):is(61)
+    t:wait_until(function() return world.ball.position.y < 0.6 end)
+    expect({ 1, { x = 2 } }):is({ 1, { x = 2 } })
+    expect({ 1, 2 }):contains(2)
+    expect("abc"):contains("b")
+    expect(1):below(2)
+    expect(nil):falsy()
+    expect(1):is_not(2)
+    expect(function() world.bal = world.ball.positon end):fails("did you mean")
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out ==
+          "ok    tests/ball.lua: it falls and lies\n"
+          "ok    tests/ball.lua: keys, mouse and text\n"
+          "ok    tests/ball.lua: time and values\n"
+          "3 tests, 0 failed\n");
+    CHECK_FALSE(contains(folder.text("user data/fettle"), "runs"));
+}
+
+TEST_CASE("a failed expectation shows values and line and leaves a recording") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("too high", function(t)
+    print("a word")
+    t:steps(30)
+    expect(world.ball.clicks):is(3)
+end)
+test("fine", function(t) t:steps(1) end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out,
+                   "FAIL  tests/ball.lua: too high\n"
+                   "      tests/ball.lua:5: expected 3, got 0\n"));
+    CHECK(contains(run.out, "          expect(world.ball.clicks):is(3)\n"));
+    CHECK(contains(run.out, "        a word\n"));
+    CHECK(contains(run.out, "ok    tests/ball.lua: fine\n2 tests, 1 failed\n"));
+    const std::string recording = (folder / ".fettle/tests/ball-too-high.recording").string();
+    CHECK(contains(run.out, "fettle run --replay " + recording));
+    CHECK_FALSE(std::filesystem::exists(folder / ".fettle/tests/ball-fine.recording"));
+    const Outcome replay = fettle(folder, {"run", "--replay", recording, "--headless"});
+    INFO(replay.out << replay.err);
+    CHECK(replay.status == 1);
+    CHECK(contains(replay.out, "30 steps, each as it was recorded"));
+    CHECK(contains(replay.err, "tests/ball.lua:5: expected 3, got 0"));
+}
+
+TEST_CASE("every kind of failure names the line of the test") {
+    const Folder folder;
+    const auto [body, message] = GENERATE(table<std::string, std::string>({
+        {"expect(1):is(2)", ":2: expected 2, got 1"},
+        {"expect(0.1 + 0.2):is(0.3)", "expected 0.3, got 0.30000000000000004"},
+        {"expect('a'):is({ 1, x = 'b' })", "expected {1, [\"x\"] = \"b\"}, got \"a\""},
+        {"expect(1):is_not(1)", "expected anything but 1"},
+        {"expect(1):near(2, 0.5)", "expected 2, got 1, which is 1 away; 0.5 is allowed"},
+        {"expect('a'):near(2)", "near compares two numbers or two vecs"},
+        {"expect(0 / 0):near(0)", "expected 0, got "},
+        {"expect(1):above(1)", "expected more than 1, got 1"},
+        {"expect('a'):below(1)", "expected less than 1, got \"a\""},
+        {"expect(false):truthy()", "expected a value that is true, got false"},
+        {"expect(1):falsy()", "expected false or nil, got 1"},
+        {"expect('abc'):contains('d')", "expected \"d\" in \"abc\""},
+        {"expect(function() end):fails()", "expected an error, and there was none"},
+        {"expect(function() error('a') end):fails('zz')", "expected an error with \"zz\", got"},
+        {"expect()", "expect: needs the value that is tested"},
+        {"expect(1):equals(1)", ":2: expect has no equals; it has above, below"},
+        {"t:step(1)", ":2: t has no step; it has click"},
+        {"t:steps('x')", ":2: t:steps needs a number of steps, not \"x\""},
+        {"t:press('spce')", ":2: input.keys.spce: no such name (did you mean \"space\"?)"},
+        {"t:wait_until(function() end, 1)",
+         ":2: what the test waits for did not come true within 1 s"},
+        {"world.ball.positon = 1", "did you mean \"position\""},
+        {"test('inner', 1)", "test: the second argument is the function of the test"},
+        {"quit()  t:steps(1)", "the game called quit() before the test ended"},
+    }));
+    const Outcome run = run_tests(folder, "test('it', function(t)\n    " + body + "\nend)\n");
+    INFO(body << "\n" << run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, message));
+}
+
+TEST_CASE("an error of the game fails the test with its traceback") {
+    const Folder folder;
+    folder.write("main.lua", "");
+    const Outcome run = run_tests(folder, R"lua(
+test("it", function(t)
+    after(0.1, function() local none = nil; print(none.x) end)
+    t:steps(60)
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, "tests/ball.lua:3: attempt to index a nil value"));
+    CHECK(contains(run.out, "1 test, 1 failed"));
+}
+
+TEST_CASE("a test that never ends is stopped") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("steps", function(t) while true do t:steps(1) end end)
+test("loops", function(t) while true do end end)
+test("after", function(t) end)
+)lua",
+                                  {"--timeout", "1"});
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, "FAIL  tests/ball.lua: steps\n      the test did not end within "));
+    CHECK(contains(run.out, "FAIL  tests/ball.lua: loops\n"));
+    CHECK(contains(run.out, "ok    tests/ball.lua: after\n3 tests, 2 failed\n"));
+}
+
+TEST_CASE("tests are chosen by a part of their names") {
+    const Folder folder;
+    const char* const tests = R"lua(
+test("red", function(t) end)
+test("green", function(t) expect(1):is(2) end)
+)lua";
+    const Outcome red = run_tests(folder, tests, {"--filter", "red"});
+    CHECK(red.status == 0);
+    CHECK(red.out == "ok    tests/ball.lua: red\n1 test, 0 failed\n");
+    CHECK(run_tests(folder, tests, {"--filter", "ball"}).status == 1);
+    const Outcome none = run_tests(folder, tests, {"--filter", "blue"});
+    CHECK(none.status == 1);
+    CHECK(contains(none.out, "no test has \"blue\""));
+}
+
+TEST_CASE("a report for build servers names the failed tests") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("a < b & c", function(t) expect("<"):is(">") end)
+test("fine", function(t) end)
+)lua",
+                                  {"--junit", (folder / "report.xml").string()});
+    CHECK(run.status == 1);
+    const std::string report = folder.text("report.xml");
+    INFO(report);
+    CHECK(contains(report, "<testsuite name=\"tests/ball.lua\" tests=\"2\" failures=\"1\""));
+    CHECK(contains(report, "name=\"a &lt; b &amp; c\""));
+    CHECK(contains(report, "expected &quot;&gt;&quot;, got &quot;&lt;&quot;"));
+    CHECK(contains(report, "name=\"fine\" time=\""));
+    CHECK(run_tests(folder, "", {"--junit", (folder / "none/x.xml").string()}).status == 3);
+}
+
+TEST_CASE("a game or a file that cannot be loaded is one failure") {
+    const Folder folder;
+    const Outcome file = run_tests(folder, "test('a', function(t) end)\nlocal = 3\n");
+    INFO(file.out << file.err);
+    CHECK(file.status == 1);
+    CHECK(contains(file.out, "FAIL  tests/ball.lua\n      tests/ball.lua:2: "));
+    folder.write("main.lua", "error('broken')");
+    folder.write("tests/ball.lua", "test('a', function(t) end)");
+    const Outcome broken = fettle(folder, {"test", (folder / "").string()});
+    CHECK(broken.status == 1);
+    CHECK(contains(broken.out, "main.lua:1: broken"));
+    CHECK(fettle(folder, {"test", (folder / "none").string()}).status == 3);
+}
+
+TEST_CASE("a game without tests is an error that says where they are") {
+    const Folder folder;
+    folder.write("main.lua", "");
+    const Outcome run = fettle(folder, {"test", (folder / "").string()});
+    CHECK(run.status == 3);
+    CHECK(contains(run.err, "they are in files tests/NAME.lua"));
+}
+
+TEST_CASE("a picture is compared where there is a display and skipped elsewhere") {
+    const Folder folder;
+    const Outcome run =
+        run_tests(folder, "test('it', function(t) t:steps(3) t:screenshot('start') end)\n");
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out ==
+          "ok    tests/ball.lua: it\n"
+          "      the picture start was not compared: there is no display\n"
+          "1 test, 0 failed\n");
+}
+
+TEST_CASE("what a test writes reaches no file of the game or of the player") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("it", function(t)
+    scene.save("level.json", world.ball)
+    save_game("a")
+    edit("x", function() world.gravity = vec(0, 1) end)
+    t:steps(2)
+    expect(#scene.load("level.json"):children()):is(1)
+    load_game("a")
+    t:steps(1)
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK_FALSE(std::filesystem::exists(folder / "level.json"));
+    CHECK_FALSE(std::filesystem::exists(folder / "user data"));
+    CHECK_FALSE(std::filesystem::exists(folder / ".fettle/main.tweaks.sqlite"));
+}
+
+}  // namespace test_command_test
