@@ -169,15 +169,15 @@ TEST_CASE_METHOD(Fixture, "undo of a move and a renaming restores the place") {
     const Handle b = tree.child(world, "b");
     console([&] {
         tree.begin_edit("about");
-        tree.rename(b, "z");
+        tree.rename(b, "w");
         tree.move(b, ball);
         tree.end_edit();
     });
-    CHECK(tree.path(b) == "world.ball.z");
+    CHECK(tree.path(b) == "world.ball.w");
     tree.undo();
     CHECK(child_names() == Names{"ball", "a", "b", "c"});
     tree.redo();
-    CHECK(tree.path(b) == "world.ball.z");
+    CHECK(tree.path(b) == "world.ball.w");
 }
 
 TEST_CASE_METHOD(Fixture, "definitions of formulas and ad-hoc properties are undone") {

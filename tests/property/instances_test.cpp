@@ -71,14 +71,14 @@ TEST_CASE_METHOD(Fixture, "the first unnamed child of a constructor has no numbe
 
 TEST_CASE_METHOD(Fixture, "a renamed child keeps its place among its siblings") {
     for (const char* name : {"a", "b", "c"}) tree.create(*module.type, world, name);
-    tree.set(tree.child(world, "a"), "name", "z");
-    CHECK(child_names(world) == Names{"z", "b", "c"});
+    tree.set(tree.child(world, "a"), "name", "w");
+    CHECK(child_names(world) == Names{"w", "b", "c"});
     CHECK_FALSE(tree.child(world, "a"));
-    CHECK(tree.path(tree.child(world, "z")) == "world.z");
-    CHECK_THAT(message_of([&] { tree.rename(tree.child(world, "z"), "b"); }),
+    CHECK(tree.path(tree.child(world, "w")) == "world.w");
+    CHECK_THAT(message_of([&] { tree.rename(tree.child(world, "w"), "b"); }),
                contains("has a child \"b\" already"));
     CHECK_THAT(
-        message_of([&] { tree.create(tree.object_class(), tree.child(world, "z"), "mass"); }),
+        message_of([&] { tree.create(tree.object_class(), tree.child(world, "w"), "mass"); }),
         contains("a property of Ball"));
 }
 

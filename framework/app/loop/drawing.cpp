@@ -93,10 +93,13 @@ void Loop::draw(Screen& screen, double seconds) {
     Clock& clock = services_.clock;
     const property::Drawing drawing(clock.alpha);
     screen.begin(view.background);
-    property::Painter& painter = screen.painter(view);
-    if (view.show.grid) draw_grid(painter, view);
-    tree_.draw(tree_.root(), painter, clock.alpha);
-    if (!halted_ && !runtime_life_.expired()) runtime_.draw(painter);
+    const View drawn = view.drawn(clock.alpha, clock.now);
+    property::Painter& painter = screen.painter(drawn);
+    if (view.show.grid) draw_grid(painter, drawn);
+    if (halted_ || runtime_life_.expired())
+        tree_.draw(tree_.root(), painter, clock.alpha);
+    else
+        runtime_.draw(painter);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

@@ -93,6 +93,7 @@ void Loop::step_modules(double dt) {
         const auto step = modules_[i].step;
         step(dt);
     }
+    services_.view.advance(tree_, dt);
 }
 
 void Loop::add(SteppedModule module) {

@@ -33,14 +33,24 @@ bool Show::overlay(Overlay overlay) const {
     return false;
 }
 
+Vec2 View::reach() const {
+    const Vec2 half(0.5 * width(), 0.5 * height);
+    if (angle == 0) return half;
+    const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
+    return {c * half.x() + s * half.y(), s * half.x() + c * half.y()};
+}
+
 Vec2 View::to_screen(const Vec2& world) const {
-    const Vec2 offset = (world - center) * zoom();
+    Vec2 offset = (world - center) * zoom();
+    if (angle != 0) offset = property::Transform::turned(-angle).direction(offset);
     return {0.5 * screen.x() + offset.x(), 0.5 * screen.y() - offset.y()};
 }
 
 Vec2 View::to_world(const Vec2& pixels) const {
     const Vec2 offset = pixels - 0.5 * screen;
-    return center + Vec2(offset.x(), -offset.y()) / zoom();
+    Vec2 world = Vec2(offset.x(), -offset.y()) / zoom();
+    if (angle != 0) world = property::Transform::turned(angle).direction(world);
+    return center + world;
 }
 
 namespace {
@@ -61,7 +71,8 @@ std::vector<Property> where(View& view) {
          .unit = "m",
          .range = {-1e9, 1e9},
          .doc = "The point of the world in the middle of the screen.",
-         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.center.data(); })},
+         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.center.data(); }),
+         .simulated = true},
         {.name = "height",
          .type = Type::number,
          .default_value = 20.0,
@@ -69,6 +80,12 @@ std::vector<Property> where(View& view) {
          .range = heights,
          .doc = "How much of the world is seen from the bottom of the screen to its top.",
          .binding = column(view, Native::f64, 0, [](View& v) { return &v.height; })},
+        {.name = "angle",
+         .type = Type::number,
+         .unit = "rad",
+         .range = {-1e6, 1e6},
+         .doc = "The turn of the viewer, counter-clockwise: the picture turns the other way.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.angle; })},
         derived({.name = "width",
                  .type = Type::number,
                  .unit = "m",
@@ -98,16 +115,121 @@ std::vector<Property> where(View& view) {
         derived({.name = "lower",
                  .type = Type::vec2,
                  .unit = "m",
-                 .doc = "The corner of the world seen at the bottom left.",
+                 .doc = "The smallest x and y of the world that are seen: the bottom left corner "
+                        "unless the view is turned.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.lower(); })},
-                {"center", "height", "screen"}),
+                {"center", "height", "angle", "screen"}),
         derived({.name = "upper",
                  .type = Type::vec2,
                  .unit = "m",
-                 .doc = "The corner of the world seen at the top right.",
+                 .doc = "The largest x and y of the world that are seen: the top right corner "
+                        "unless the view is turned.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.upper(); })},
-                {"center", "height", "screen"}),
+                {"center", "height", "angle", "screen"}),
     };
+}
+
+std::vector<Property> following(View& view) {
+    return {
+        {.name = "follow",
+         .type = Type::reference,
+         .doc = "The view moves with this instance, from step to step.",
+         .binding = accessor(
+             view, [](View& v, property::Row) { return Value(v.follow); },
+             [](View& v, property::Row, const Value& value) { v.follow = value.reference(); })},
+        {.name = "follow_damping",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e3},
+         .doc = "The time in which the view makes two thirds of the way to what it follows; 0: it "
+                "is always there.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.follow_damping; })},
+        {.name = "dead_zone",
+         .type = Type::vec2,
+         .unit = "m",
+         .range = {0, 1e9},
+         .doc = "Width and height of the box round the center in which what it follows moves "
+                "without moving the view.",
+         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.dead_zone.data(); })},
+        {.name = "limits",
+         .type = Type::list,
+         .unit = "m",
+         .doc = "The lower and the upper corner of the part of the world that may be seen; empty: "
+                "all of it. If it is smaller than the view, it is in the middle.",
+         .binding = accessor(
+             view,
+             [](View& v, property::Row) {
+                 return Value(property::List(v.limits.begin(), v.limits.end()));
+             },
+             [](View& v, property::Row, const Value& value) {
+                 const property::List& corners = value.list();
+                 if (!corners.empty() &&
+                     (corners.size() != 2 ||
+                      (corners[0].vec2().array() > corners[1].vec2().array()).any()))
+                     throw std::invalid_argument(
+                         "expected the lower and the upper corner of a box, or an empty list");
+                 v.limits.clear();
+                 for (const Value& corner : corners) v.limits.push_back(corner.vec2());
+             }),
+         .element = Type::vec2},
+        {.name = "shake_amount",
+         .type = Type::number,
+         .unit = "m",
+         .range = {0, 1e6},
+         .doc = "How far the picture is moved at the beginning of a shake.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_amount; }),
+         .hidden = true},
+        {.name = "shake_length",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e6},
+         .doc = "How long the last shake lasts.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_length; }),
+         .hidden = true},
+        {.name = "shake_left",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e6},
+         .doc = "How long the picture will be shaken; `shake` begins it.",
+         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_left; }),
+         .simulated = true,
+         .hidden = true},
+    };
+}
+
+property::Method shake_method(View& view) {
+    return {.name = "shake",
+            .parameters = {{.name = "amount",
+                            .type = Type::number,
+                            .unit = "m",
+                            .doc = "How far the picture is moved at the beginning.",
+                            .range = {0, 1e6}},
+                           {.name = "seconds",
+                            .type = Type::number,
+                            .unit = "s",
+                            .doc = "How long it takes to come to rest; 0.5 if it is left out.",
+                            .range = {0, 1e6}}},
+            .required = 1,
+            .doc =
+                "Shakes the picture, for an explosion or a blow. Only what is drawn moves; a "
+                "weaker shake does not end a stronger one.",
+            .context = &view,
+            .call = [](void* context, property::Tree& tree, property::Handle self, property::Row,
+                       std::span<const Value> arguments) -> property::Result {
+                View& v = *static_cast<View*>(context);
+                const double amount = arguments[0].number();
+                const double seconds = arguments[1].is_nil() ? 0.5 : arguments[1].number();
+                if (!(amount >= 0 && amount <= 1e6 && seconds >= 0 && seconds <= 1e6))
+                    throw std::invalid_argument("expected an amount and a time from 0 to 1e+06");
+                const double now =
+                    v.shake_length > 0 ? v.shake_amount * v.shake_left / v.shake_length : 0;
+                if (amount < now) return Value();
+                tree.set(self, "shake_amount", Value(amount));
+                tree.set(self, "shake_length", Value(seconds));
+                tree.set(self, "shake_left", Value(seconds));
+                return Value();
+            },
+            .effect = property::Effect::tree};
 }
 
 std::vector<Property> looks(View& view) {
@@ -199,13 +321,16 @@ std::vector<property::Method> conversions(View& view) {
 
 property::Handle define_view(property::Tree& tree, View& view) {
     std::vector<Property> properties = where(view);
+    for (Property& property : following(view)) properties.push_back(std::move(property));
     for (Property& property : looks(view)) properties.push_back(std::move(property));
+    std::vector<property::Method> methods = conversions(view);
+    methods.push_back(shake_method(view));
     const property::Class& view_class =
         tree.define({.name = "View",
                      .doc = "Which part of the world is seen, and what lies over it.",
                      .creatable = false,
                      .properties = std::move(properties),
-                     .methods = conversions(view)});
+                     .methods = std::move(methods)});
     const property::Class& show_class =
         tree.define({.name = "Show",
                      .doc = "What is shown over the picture, for looking into a game.",

@@ -71,6 +71,7 @@ Property::Shortcut shortcut_to(const Property& property) {
         return shortcut;
     const Binding& binding = property.binding;
     using Way = Property::Shortcut::Way;
+    if (property.sparse) return shortcut;  // it has no cell of its own
     if (binding.kind == BindingKind::stored) {
         shortcut.read = shortcut.write = number ? Way::stored_number : Way::stored_vec2;
     } else {
@@ -196,8 +197,7 @@ void ClassRegistry::inherit(Class& made) {
     if (made.base_ == nullptr) return;
     const Class& base = *made.base_;
     const Lifecycle& own = made.descriptor_.lifecycle;
-    if (!own.create && !own.place && !own.destroy && !own.draw && !own.draw_over)
-        made.lifecycle_ = base.lifecycle_;
+    if (!own.any()) made.lifecycle_ = base.lifecycle_;
     made.properties_ = base.properties_;
     made.methods_ = base.methods_;
     made.events_ = base.events_;
@@ -212,7 +212,10 @@ void ClassRegistry::inherit(Class& made) {
 void ClassRegistry::add_property(Class& made, Property property) {
     property.symbol = Symbol(property.name);
     const Property* inherited = made.property(property.symbol);
-    if (inherited != nullptr) {
+    // A service has another property of that name. The tree goes on to store the inherited one.
+    const bool instead =
+        inherited != nullptr && inherited->sparse && property.binding.kind != BindingKind::stored;
+    if (inherited != nullptr && !instead) {
         // The class redeclares the property with its own default. Everything else is inherited.
         Property again = *inherited;
         if (!property.default_value.is_nil()) again.default_value = property.default_value;
@@ -242,7 +245,10 @@ void ClassRegistry::add_property(Class& made, Property property) {
     const auto replace = [&](std::vector<const Property*>& list) {
         std::replace(list.begin(), list.end(), inherited, static_cast<const Property*>(&kept));
     };
-    if (inherited != nullptr) {
+    if (instead) {
+        replace(made.properties_);
+        if (kept.simulated || kept.read_only) made.observed_.push_back(&kept);
+    } else if (inherited != nullptr) {
         replace(made.properties_);
         replace(made.stored_);
         replace(made.observed_);

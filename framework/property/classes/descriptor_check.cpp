@@ -58,7 +58,7 @@ class DescriptorCheck {
                        "this class: expected `natively`, or nothing");
         const Lifecycle& own = of_.lifecycle;
         const Lifecycle& of_base = base_->lifecycle();
-        const bool has_own = own.create || own.place || own.destroy || own.draw || own.draw_over;
+        const bool has_own = own.any();
         const bool base_has_rows = of_base.create || of_base.place || of_base.destroy;
         if (!has_own && base_has_rows && of_.snapshots == Snapshots::natively &&
             base_->snapshots() != Snapshots::natively)
@@ -135,7 +135,11 @@ class DescriptorCheck {
         take_name("property", property.name, true);
         const std::string member = "property " + in_quotes(property.name);
         const Property* inherited = base_ == nullptr ? nullptr : base_->property(property.name);
-        if (inherited != nullptr) {
+        // Nothing is drawn at a service, so that it may use the name `z` for something else, such
+        // as a key.
+        const bool instead = inherited != nullptr && inherited->sparse && !of_.creatable &&
+                             property.binding.kind != BindingKind::stored;
+        if (inherited != nullptr && !instead) {
             check_again(member, property, *inherited);
             return;
         }
@@ -228,6 +232,10 @@ class DescriptorCheck {
 
     void check_binding(const std::string& member, const Property& property) const {
         const Binding& binding = property.binding;
+        if (property.sparse && (binding.kind != BindingKind::stored ||
+                                property.type != Type::number || property.nullable))
+            refuse(ErrorKind::bad_structure, member,
+                   "only a number that the tree stores and that is never nil can be sparse");
         switch (binding.kind) {
             case BindingKind::stored:
                 return;

@@ -1,5 +1,6 @@
 #include "stored_columns.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -33,6 +34,20 @@ void write(std::vector<Value>& column, std::uint32_t row, const Value& v) {
     column[row] = v;
 }
 
+constexpr std::uint8_t sparse_kind = 6;  // index of `Sparse` in `Column`
+
+/// Reads the rows that have a value, in ascending order, and calls `put_value(row, value)`.
+template <class PutValue>
+void read_sparse(ByteReader& from, std::uint32_t rows, PutValue put_value) {
+    std::uint64_t next = 0;
+    for (std::size_t n = from.count(12); n > 0; --n) {
+        const auto row = from.get<std::uint32_t>();
+        from.require(row < rows && row >= next, "a value of a row that does not exist");
+        next = std::uint64_t{row} + 1;
+        put_value(row, from.get<double>());
+    }
+}
+
 /// The values of a column. Booleans are checked; any bytes are valid for the other types.
 template <class T>
 std::vector<Value> plain_values(ByteReader& from, std::uint32_t rows) {
@@ -47,8 +62,15 @@ std::vector<Value> plain_values(ByteReader& from, std::uint32_t rows) {
     return all;
 }
 
-std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t rows) {
+/// `otherwise`: the value of rows that a sparse column does not contain.
+std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t rows,
+                              const Value& otherwise) {
     switch (kind) {
+        case sparse_kind: {
+            std::vector<Value> all(rows, otherwise);
+            read_sparse(from, rows, [&](std::uint32_t row, double x) { all[row] = Value(x); });
+            return all;
+        }
         case 0:
             return plain_values<std::uint8_t>(from, rows);
         case 1:
@@ -72,6 +94,7 @@ std::vector<Value> any_values(ByteReader& from, std::uint8_t kind, std::uint32_t
 }  // namespace
 
 StoredColumns::Column StoredColumns::column_for(const Property& property) {
+    if (property.sparse) return Sparse();
     if (property.nullable || property.any_type) return std::vector<Value>();
     switch (property.type) {
         case Type::boolean:
@@ -97,7 +120,12 @@ std::uint32_t StoredColumns::add() {
     std::uint32_t row;
     if (free_.empty()) {
         row = rows_++;
-        for (Column& column : columns_) std::visit([](auto& c) { c.emplace_back(); }, column);
+        for (Column& column : columns_)
+            std::visit(
+                [](auto& values) {
+                    if constexpr (!is_sparse<decltype(values)>) values.emplace_back();
+                },
+                column);
     } else {
         row = free_.back();
         free_.pop_back();
@@ -108,19 +136,52 @@ std::uint32_t StoredColumns::add() {
 
 void StoredColumns::remove(std::uint32_t row) {
     // The memory of texts and lists is freed at once.
-    for (Column& column : columns_)
+    for (Column& column : columns_) {
         if (auto* values = std::get_if<std::vector<Value>>(&column)) (*values)[row] = Value();
+        if (auto* few = std::get_if<Sparse>(&column)) few->erase(row);
+    }
     free_.push_back(row);
 }
 
 Value StoredColumns::get(const Property& property, std::uint32_t row) const {
-    return std::visit([row](const auto& column) { return read(column, row); },
-                      columns_[property.stored_index]);
+    return std::visit(
+        [&](const auto& column) {
+            if constexpr (is_sparse<decltype(column)>)
+                return Value(sparse(property.stored_index, row));
+            else
+                return read(column, row);
+        },
+        columns_[property.stored_index]);
 }
 
 void StoredColumns::set(const Property& property, std::uint32_t row, const Value& value) {
-    std::visit([row, &value](auto& column) { write(column, row, value); },
-               columns_[property.stored_index]);
+    const std::uint32_t index = property.stored_index;
+    std::visit(
+        [&](auto& column) {
+            if constexpr (!is_sparse<decltype(column)>)
+                write(column, row, value);
+            else if (same_bits(value.number(), default_of(index)))
+                column.erase(row);
+            else
+                column[row] = value.number();
+        },
+        columns_[index]);
+}
+
+// A caller may pass the property of a base class, which may have another default.
+double StoredColumns::default_of(std::uint32_t index) const {
+    return class_->stored_[index]->default_value.number();
+}
+
+double StoredColumns::sparse(std::uint32_t index, std::uint32_t row) const {
+    const auto& few = std::get<Sparse>(columns_[index]);
+    if (!few.empty())
+        if (const auto found = few.find(row); found != few.end()) return found->second;
+    return default_of(index);
+}
+
+bool StoredColumns::any_sparse(std::uint32_t index) const {
+    return !std::get<Sparse>(columns_[index]).empty() || default_of(index) != 0;
 }
 
 std::vector<bool> StoredColumns::free_rows() const {
@@ -142,10 +203,20 @@ void StoredColumns::save(ByteWriter& to) const {
         const std::size_t block = to.begin_block();
         std::visit(
             [&](const auto& values) {
-                if constexpr (std::is_same_v<decltype(values), const std::vector<Value>&>)
+                if constexpr (std::is_same_v<decltype(values), const std::vector<Value>&>) {
                     for (const Value& value : values) to.put(value);
-                else
+                } else if constexpr (is_sparse<decltype(values)>) {
+                    // In order: equal states give equal bytes.
+                    std::vector<std::pair<std::uint32_t, double>> all(values.begin(), values.end());
+                    std::sort(all.begin(), all.end());
+                    to.put(std::uint64_t{all.size()});
+                    for (const auto& [row, value] : all) {
+                        to.put(row);
+                        to.put(value);
+                    }
+                } else {
                     to.put(values);
+                }
             },
             column);
         to.end_block(block);
@@ -172,11 +243,19 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         const Property* property = of.property(name);
         if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
         Column& column = read.columns_[property->stored_index];
+        found[property->stored_index] = true;
+        if (kind == sparse_kind && property->sparse) {
+            read_sparse(block, read.rows_, [&](std::uint32_t row, double x) {
+                if (!free[row]) std::get<Sparse>(column)[row] = x;
+            });
+            block.finish();
+            continue;
+        }
         std::visit(
             [&](auto& values) {
                 using Values = std::remove_reference_t<decltype(values)>;
                 constexpr bool any = std::is_same_v<Values, std::vector<Value>>;
-                if constexpr (!any) {
+                if constexpr (!any && !is_sparse<Values>) {
                     if (kind == column.index()) {
                         values = block.list<typename Values::value_type>();
                         block.require(values.size() == read.rows_, "a column of another length");
@@ -187,21 +266,24 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
                     }
                 }
                 // The property may have another type now.
-                std::vector<Value> saved = any_values(block, kind, read.rows_);
-                values.resize(read.rows_);
+                std::vector<Value> saved =
+                    any_values(block, kind, read.rows_, property->default_value);
+                if constexpr (!is_sparse<Values>) values.resize(read.rows_);
                 for (std::uint32_t row = 0; row < read.rows_; ++row)
                     if (!free[row])
-                        write(values, row,
-                              fit_saved_value(*property, std::move(saved[row]), unfit));
+                        read.set(*property, row,
+                                 fit_saved_value(*property, std::move(saved[row]), unfit));
             },
             column);
         block.finish();
-        found[property->stored_index] = true;
     }
     for (const Property* property : of.stored_) {
         if (found[property->stored_index]) continue;
-        std::visit([&](auto& values) { values.resize(read.rows_); },
-                   read.columns_[property->stored_index]);
+        std::visit(
+            [&](auto& values) {
+                if constexpr (!is_sparse<decltype(values)>) values.resize(read.rows_);
+            },
+            read.columns_[property->stored_index]);
         for (std::uint32_t row = 0; row < read.rows_; ++row)
             read.set(*property, row, property->default_value);
     }

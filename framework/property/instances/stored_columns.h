@@ -3,6 +3,8 @@
 // property.
 
 #include <cstdint>
+#include <type_traits>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -29,6 +31,10 @@ class StoredColumns {
         return (*std::get_if<std::vector<T>>(&columns_[property.stored_index]))[row];
     }
 
+    /// A sparse property. `any_sparse`: whether some row may have another value than 0.
+    double sparse(std::uint32_t index, std::uint32_t row) const;
+    bool any_sparse(std::uint32_t index) const;
+
     /// Number of rows, free ones included.
     std::uint32_t rows() const { return rows_; }
     /// One flag per row.
@@ -41,10 +47,15 @@ class StoredColumns {
                               UnfitValues& unfit);
 
   private:
+    /// The values of rows that do not have the default.
+    using Sparse = std::unordered_map<std::uint32_t, double>;
     // A nullable or untyped property needs a representation of nil, so it has a column of Values.
     using Column =
         std::variant<std::vector<std::uint8_t>, std::vector<std::int64_t>, std::vector<double>,
-                     std::vector<Vec2>, std::vector<Color>, std::vector<Value>>;
+                     std::vector<Vec2>, std::vector<Color>, std::vector<Value>, Sparse>;
+    double default_of(std::uint32_t index) const;
+    template <class Values>
+    static constexpr bool is_sparse = std::is_same_v<std::remove_cvref_t<Values>, Sparse>;
     static Column column_for(const Property& property);
 
     const Class* class_;

@@ -45,7 +45,14 @@ ClassDescriptor object_descriptor() {
     parent.binding.node_set = [](void*, Tree& in, Handle self, const Value& v) {
         in.move(self, v.reference());
     };
-    object.properties = {name, of, parent};
+    Property z{.name = "z",
+               .type = Type::number,
+               .range = {-1e9, 1e9},
+               .doc =
+                   "The order of drawing: a larger z is drawn later, over a smaller one; equal "
+                   "ones in the order of the tree. It is added to the z of everything below."};
+    z.sparse = true;
+    object.properties = {name, of, parent, z};
     object.events = {
         Event{.name = "ready", .doc = "It has been made, with all its properties and children."},
         Event{.name = "deleted",

@@ -5,8 +5,12 @@
 //   pen.polygon(vertices [, fill [, border [, width]]])
 //   pen.line(from, to [, color [, width]])
 //   pen.point(position [, color [, size]])
-//   pen.text(position, text [, height [, color [, "middle" | "left" | "right"]]])
+//   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font]]]])
 //   pen.screen(function)
+//   pen.push([position [, angle [, scale]]])   pen.pop()
+//   pen.fade(opacity)   pen.blend(mode)   pen.clip(lower, upper)      until pen.pop(), or the end
+//   pen.image(file, center [, width [, height [, angle [, tint [, smooth]]]]])
+//   pen.text_size(text [, height [, font]]) -> width, height
 // Colors are values or names; false draws no fill, no border. Without a fill a figure is white
 // unless it has a border.
 
@@ -14,6 +18,9 @@
 #include <cmath>
 #include <utility>
 #include <vector>
+
+#include <fettle/property/media.h>
+#include <fettle/script/runtime.h>
 
 #include <library/pen.h>
 #include <library/sandbox.h>
@@ -172,6 +179,19 @@ property::TextAlign align_at(lua_State* L, int index) {
         "pen.text: expected \"middle\", \"left\" or \"right\", got " + short_text(L, index));
 }
 
+property::Media& media(lua_State* L, const char* what) {
+    if (property::Media* const found = machine_of(L).options.media) return *found;
+    throw Error(ErrorKind::rejected,
+                std::string(what) + ": this program has neither images nor fonts");
+}
+
+std::string font_at(lua_State* L, int index, const char* what) {
+    if (lua_isnoneornil(L, index)) return "sans";
+    if (lua_type(L, index) == LUA_TSTRING) return string_at(L, index);
+    throw Error(ErrorKind::wrong_type,
+                std::string(what) + ": expected a font, got " + short_text(L, index));
+}
+
 int text(lua_State* L) {
     drop_self(L);
     if (lua_gettop(L) < 2)
@@ -181,14 +201,118 @@ int text(lua_State* L) {
         lua_remove(L, 1);
         lua_insert(L, 2);
     }
-    lua_settop(L, 5);
+    lua_settop(L, 6);
     const Vec2 position = point_at(L, 1, "pen.text");
     const double height =
         lua_isnil(L, 3) ? on_screen(L) ? 16 : 0.5 : length_at(L, 3, "pen.text", "height");
     const Color color = color_or(L, 4, "pen.text", {1, 1, 1, 1});
     const auto align = align_at(L, 5);
+    const std::string font = font_at(L, 6, "pen.text");
     push_tostring(L, 2);
-    painter(L).text(position, view_at(L, -1), height, color, align);
+    if (property::Media* const media = machine_of(L).options.media)
+        media->text(painter(L), position, view_at(L, -1),
+                    {.font = font, .size = height, .color = color, .align = align});
+    else
+        painter(L).text(position, view_at(L, -1), height, color, align);
+    return 0;
+}
+
+int text_size(lua_State* L) {
+    drop_self(L);
+    if (lua_gettop(L) < 1) throw Error(ErrorKind::wrong_type, "pen.text_size: needs a text");
+    lua_settop(L, 3);
+    const double height =
+        lua_isnil(L, 2) ? on_screen(L) ? 16 : 0.5 : length_at(L, 2, "pen.text_size", "height");
+    const std::string font = font_at(L, 3, "pen.text_size");
+    push_tostring(L, 1);
+    const Vec2 size =
+        media(L, "pen.text_size").text_size(view_at(L, -1), {.font = font, .size = height});
+    lua_pushnumber(L, size.x());
+    lua_pushnumber(L, size.y());
+    return 2;
+}
+
+// --- Transforms, pictures
+
+int push(lua_State* L) {
+    drop_self(L);
+    Painter& to = painter(L);
+    constexpr std::size_t most = 1000;
+    if (to.pushed() >= most)
+        throw Error(ErrorKind::rejected, "pen.push: " + std::to_string(most) +
+                                             " transforms are set: is a pen.pop missing?");
+    const Vec2 position = lua_isnoneornil(L, 1) ? Vec2(0, 0) : point_at(L, 1, "pen.push");
+    const double angle = number_or(L, 2, "pen.push", 0), scale = number_or(L, 3, "pen.push", 1);
+    check_finite(angle, "pen.push");
+    check_finite(scale, "pen.push");
+    // Angles are counter-clockwise as seen, though y points down on the screen.
+    const auto turned = property::Transform::placed(position, to.on_screen() ? -angle : angle);
+    to.push(turned * property::Transform::scaled({scale, scale}));
+    return 0;
+}
+
+int pop(lua_State* L) {
+    drop_self(L);
+    if (painter(L).pushed() <= machine_of(L).pen.base)
+        throw Error(ErrorKind::rejected, "pen.pop: there was no pen.push before");
+    painter(L).pop();
+    return 0;
+}
+
+int fade(lua_State* L) {
+    drop_self(L);
+    const double opacity = check_number(L, 1, "pen.fade");
+    check_finite(opacity, "pen.fade");
+    painter(L).fade(static_cast<float>(std::clamp(opacity, 0.0, 1.0)));
+    return 0;
+}
+
+int blend(lua_State* L) {
+    drop_self(L);
+    const std::string name = lua_type(L, 1) == LUA_TSTRING ? string_at(L, 1) : "";
+    Painter& to = painter(L);
+    if (name == "normal") return to.blend(property::Blend::normal), 0;
+    if (name == "add") return to.blend(property::Blend::add), 0;
+    if (name == "multiply") return to.blend(property::Blend::multiply), 0;
+    throw Error(ErrorKind::wrong_type,
+                "pen.blend: expected \"normal\", \"add\" or \"multiply\", got " + short_text(L, 1));
+}
+
+int clip(lua_State* L) {
+    drop_self(L);
+    painter(L).clip(point_at(L, 1, "pen.clip"), point_at(L, 2, "pen.clip"));
+    return 0;
+}
+
+int image(lua_State* L) {
+    drop_self(L);
+    if (lua_type(L, 1) != LUA_TSTRING)
+        throw Error(ErrorKind::wrong_type,
+                    "pen.image: expected the name of a file, got " + short_text(L, 1));
+    lua_settop(L, 7);
+    Painter& to = painter(L);
+    const Vec2 center = point_at(L, 2, "pen.image");
+    const double angle = number_or(L, 5, "pen.image", 0);
+    check_finite(angle, "pen.image");
+    const Color tint = color_or(L, 6, "pen.image", {1, 1, 1, 1});
+    const bool smooth = lua_isnil(L, 7) || lua_toboolean(L, 7);
+    const property::Picture& picture = media(L, "pen.image").picture("pen.image", string_at(L, 1));
+    const double pixel = on_screen(L) ? 1.0 : 1.0 / 32;
+    const auto w = static_cast<double>(picture.width()), h = static_cast<double>(picture.height());
+    // With one length, the picture keeps its proportions.
+    const bool has_width = !lua_isnil(L, 3), has_height = !lua_isnil(L, 4);
+    const double given_width = has_width ? length_at(L, 3, "pen.image", "width") : 0;
+    const double given_height = has_height ? length_at(L, 4, "pen.image", "height") : 0;
+    const double width = has_width    ? given_width
+                         : has_height ? given_height * w / std::max(h, 1.0)
+                                      : w * pixel;
+    const double height = has_height  ? given_height
+                          : has_width ? given_width * h / std::max(w, 1.0)
+                                      : h * pixel;
+    to.push(property::Transform::placed(center, to.on_screen() ? -angle : angle));
+    const Vec2 half(0.5 * width, 0.5 * height);
+    to.picture(picture, {0, 0, w, h}, -half, half, tint, smooth);
+    to.pop();
     return 0;
 }
 
@@ -198,15 +322,25 @@ int screen(lua_State* L) {
     struct Pixels {
         Painter& painter;
         bool& on;
+        std::size_t& base;
         bool before;
-        Pixels(Painter& p, bool& flag) : painter(p), on(flag), before(std::exchange(flag, true)) {
+        std::size_t base_before;
+        Pixels(Painter& p, bool& flag, std::size_t& lowest)
+            : painter(p),
+              on(flag),
+              base(lowest),
+              before(std::exchange(flag, true)),
+              base_before(lowest) {
             painter.begin_screen();
+            base = painter.pushed();
         }
         ~Pixels() {
+            while (painter.pushed() > base) painter.pop();
+            base = base_before;
             painter.end_screen();
             on = before;
         }
-    } pixels(painter(L), on_screen(L));
+    } pixels(painter(L), on_screen(L), machine_of(L).pen.base);
     lua_settop(L, 1);
     push_registry(L, machine_of(L).pen.reference);
     lua_call(L, 1, 0);
@@ -236,6 +370,13 @@ void open_pen(lua_State* L, Machine& machine) {
     add_function<point>(L, "point");
     add_function<text>(L, "text");
     add_function<screen>(L, "screen");
+    add_function<text_size>(L, "text_size");
+    add_function<push>(L, "push");
+    add_function<pop>(L, "pop");
+    add_function<fade>(L, "fade");
+    add_function<blend>(L, "blend");
+    add_function<clip>(L, "clip");
+    add_function<image>(L, "image");
     lua_setfield(L, -2, "methods");
     name_metatable(L, "pen");
     lua_setmetatable(L, -2);

@@ -374,8 +374,14 @@ bool ScriptClasses::step(double dt) {
     return call_all("step", [dt](lua_State* L) { lua_pushnumber(L, dt); });
 }
 
-bool ScriptClasses::draw(int pen) {
-    return call_all("draw", [pen](lua_State* L) { push_registry(L, pen); });
+bool ScriptClasses::draw(Handle instance, int pen) {
+    const Class& of = machine_.tree.class_of(instance);
+    return protected_run(machine_, Context(of.name() + ":draw", instance), [&](lua_State* L) {
+        if (!push_function(L, of, "draw")) return;
+        push_instance(L, instance);
+        push_registry(L, pen);
+        lua_call(L, 2, 0);
+    });
 }
 
 }  // namespace fettle::script

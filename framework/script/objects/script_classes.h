@@ -71,8 +71,9 @@ class ScriptClasses {
     bool step(double dt);
     /// Enters the states that were assigned, and calls `step` of the current ones.
     bool step_states(double dt);
-    /// Calls `draw(pen)` of all placed instances; `pen` is a reference in the registry.
-    bool draw(int pen);
+    /// Calls `draw(pen)` of one instance; `pen` is a reference in the registry. False after an
+    /// error.
+    bool draw(property::Handle instance, int pen);
     // Snapshots contain the order in which instances are stepped, and those that are not ready yet.
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);

@@ -158,6 +158,8 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"step", "step(dt: number)",
          "Called before every fixed step of the simulation, time.dt seconds long."},
         {"draw", "draw(pen: Pen)", "Called for every picture, over what draws itself."},
+        {"draw_behind", "draw_behind(pen: Pen)",
+         "Called for every picture, before everything else that is drawn."},
         {"key_pressed", "key_pressed(key: string)", "A key went down: \"space\", \"a\", \"left\"."},
         {"key_released", "key_released(key: string)", "A key came up."},
         {"text_input", "text_input(text: string)", "A character was typed, by whatever keys."},
@@ -196,7 +198,8 @@ const std::vector<GlobalDoc>& class_callback_docs() {
          "Called when the instance has found its place in the tree, children first."},
         {"step", "step(self: Object, dt: number)",
          "Called before every fixed step of the simulation, time.dt seconds long."},
-        {"draw", "draw(self: Object, pen: Pen)", "Called for every picture."},
+        {"draw", "draw(self: Object, pen: Pen)",
+         "Called for every picture, at the place of the instance in the order of z."},
     };
     return docs;
 }

@@ -222,10 +222,24 @@ TypeDoc pen_type() {
           "box(center: vec, width: number, height: number, fill?: color|string|false, border?: "
           "color|string|false, border_width?: number, angle?: number)",
           "A rectangle, turned by an angle in radians."},
+         {"blend", "blend(mode: \"normal\"|\"add\"|\"multiply\")",
+          "How the colors of what follows are put on what is there, until pen.pop() or the end of "
+          "the function."},
          {"circle",
           "circle(center: vec, radius: number, fill?: color|string|false, border?: "
           "color|string|false, border_width?: number)",
           "A circle."},
+         {"clip", "clip(lower: vec, upper: vec)",
+          "What follows is drawn only inside of this box, until pen.pop() or the end of the "
+          "function."},
+         {"fade", "fade(opacity: number)",
+          "Multiplies the opacity of what follows, until pen.pop() or the end of the function."},
+         {"image",
+          "image(file: string, center: vec, width?: number, height?: number, angle?: number, "
+          "tint?: "
+          "color|string, smooth?: boolean)",
+          "An image file of the game, with 32 of its pixels in a meter, and in its own size inside "
+          "pen.screen. With one length it keeps its proportions."},
          {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
           "A dot as many pixels wide as its size says, 4 without one."},
@@ -235,17 +249,25 @@ TypeDoc pen_type() {
           "A polygon of three or more vertices, convex or not. Of an outline that crosses itself "
           "all "
           "is filled that it goes round, and the border follows every line."},
+         {"pop", "pop()", "Ends what the last pen.push began."},
+         {"push", "push(position?: vec, angle?: number, scale?: number)",
+          "What follows is scaled, turned and moved by this, until pen.pop() or the end of the "
+          "function. Widths of borders and lines stay as they are."},
          {"screen", "screen(action: fun(pen: Pen))",
           "What the function draws is measured in pixels from the upper left corner."},
          {"text",
           "text(position: vec, text: any, height?: number, fill?: color|string, align?: "
-          "\"middle\"|\"left\"|\"right\")",
+          "\"middle\"|\"left\"|\"right\", font?: string)",
           "A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; "
           "the "
           "position is the middle of its height. It may have several lines, each aligned by "
           "itself, "
           "in the middle unless another alignment is given, and tabs: a line goes on at the next "
-          "multiple of twice the height that leaves room for a space."}}};
+          "multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono "
+          "and "
+          "font files of the game."},
+         {"text_size", "text_size(text: any, height?: number, font?: string): number, number",
+          "Returns the width and the height of a text."}}};
     pen.by_dot = true;
     return pen;
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string>
 
+#include <fettle/property/drawing.h>
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
@@ -215,19 +216,72 @@ bool Runtime::call(std::string_view callback, std::span<const Value> arguments) 
     return call_ready(machine, callback, arguments);
 }
 
-bool Runtime::draw(property::Painter& painter) {
-    Machine& machine = live();
-    const Life::Use use(machine.life);
-    machine.pen.painter = &painter;
-    bool ok = machine.classes.draw(machine.pen.reference);
-    ok &= protected_run(machine, "draw", [&](lua_State* L) {
+namespace {
+
+/// One call of a function that draws: what it pushes and sets ends with it.
+class PenScope {
+  public:
+    PenScope(Pen& pen, property::Painter& painter) : pen_(pen), painter_(painter) {
+        painter_.push({});
+        pen_.base = painter_.pushed();
+    }
+    ~PenScope() {
+        while (painter_.pushed() >= pen_.base) painter_.pop();
+        pen_.base = 0;
+    }
+    PenScope(const PenScope&) = delete;
+
+  private:
+    Pen& pen_;
+    property::Painter& painter_;
+};
+
+/// Calls the functions `draw` of scripts' classes, each instance at its place in the order.
+class ClassDrawer : public property::Drawer {
+  public:
+    explicit ClassDrawer(Machine& machine) : machine_(machine) {}
+    bool draws(const property::Class& of) override {
+        return machine_.classes.has_function(of, "draw");
+    }
+    void draw(Handle instance, property::Painter& painter) override {
+        // After a call that took too long, the rest of this picture is left out.
+        if (machine_.watchdog.stopped()) return;
+        const PenScope scope(machine_.pen, painter);
+        ok_ &= machine_.classes.draw(instance, machine_.pen.reference);
+    }
+    bool ok() const { return ok_; }
+
+  private:
+    Machine& machine_;
+    bool ok_ = true;
+};
+
+bool call_with_pen(Machine& machine, const char* callback) {
+    const PenScope scope(machine.pen, *machine.pen.painter);
+    return protected_run(machine, callback, [&](lua_State* L) {
         push_registry(L, machine.globals.table);
-        lua_pushstring(L, "draw");
+        lua_pushstring(L, callback);
         if (lua_rawget(L, -2) != LUA_TFUNCTION) return;
         push_registry(L, machine.pen.reference);
         lua_call(L, 1, 0);
     });
-    machine.pen.painter = nullptr;
+}
+
+}  // namespace
+
+bool Runtime::draw(property::Painter& painter) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    struct Holding {
+        Pen& pen;
+        ~Holding() { pen.painter = nullptr; }
+    } const holding{machine.pen};
+    machine.pen.painter = &painter;
+    bool ok = call_with_pen(machine, "draw_behind");
+    ClassDrawer classes(machine);
+    machine.tree.draw(machine.tree.root(), painter, property::Drawing::alpha(), &classes);
+    ok &= classes.ok();
+    ok &= call_with_pen(machine, "draw");
     return ok;
 }
 

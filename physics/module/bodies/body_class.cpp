@@ -286,6 +286,7 @@ void define_body(Hosting& hosting) {
     body.events.push_back({.name = "slept", .doc = "It rested long enough and fell asleep."});
     body.lifecycle =
         lifecycle_of<&Hosting::create_body, &Hosting::place_body, &Hosting::destroy_body>(hosting);
+    body.lifecycle.pose = drawn_pose;
     const property::Class& defined = hosting.tree.define(std::move(body));
     hosting.body_class = &defined;
     hosting.woke = defined.event("woke");

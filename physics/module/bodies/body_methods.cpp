@@ -56,6 +56,13 @@ const Field world_point{.name = "point",
 
 }  // namespace
 
+property::Transform drawn_pose(void* context, const property::Tree&, Handle, Row row,
+                               double alpha) {
+    const auto [in, slot] = static_cast<Hosting*>(context)->at(row);
+    const Frame frame(in.world, slot, alpha);
+    return property::Transform::placed(frame.position(), frame.angle());
+}
+
 std::vector<Method> body_methods(Hosting& hosting) {
     const auto vec2 = [](std::string name, std::string unit, std::string doc) {
         return Field{std::move(name), Type::vec2, std::move(unit), std::move(doc)};

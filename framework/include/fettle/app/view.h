@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include <fettle/app/export.h>
 #include <fettle/app/window_state.h>
@@ -31,19 +32,45 @@ struct Show {
 struct View {
     property::Vec2 center{0, 0};  // m, in the middle of the screen
     double height = 20;           // m, visible from bottom to top
+    double angle = 0;             // rad, turn of the viewer, counter-clockwise
     property::Color background{0.105f, 0.122f, 0.153f, 1};
     property::Vec2 screen{1280, 800};  // px
     WindowState window{};
     Show show{};
 
+    // What it follows. docs/design/app.md describes how.
+    property::Handle follow{};
+    double follow_damping = 0;             // s
+    property::Vec2 dead_zone{0, 0};        // m
+    std::vector<property::Vec2> limits{};  // lower and upper corner; empty: none
+    double shake_amount = 0;               // m
+    double shake_length = 0;               // s
+    double shake_left = 0;                 // s
+    /// One step of the simulation: follows, keeps to the limits.
+    void advance(const property::Tree& tree, double dt);
+    /// The view as it is drawn between the last two steps. `now`: s, simulation time.
+    View drawn(double alpha, double now) const;
+
     double zoom() const { return screen.y() / height; }   // px/m
     double width() const { return screen.x() / zoom(); }  // m
-    property::Vec2 lower() const { return center - 0.5 * property::Vec2(width(), height); }
-    property::Vec2 upper() const { return center + 0.5 * property::Vec2(width(), height); }
+    /// The corners of the box around the visible part of the world.
+    property::Vec2 lower() const { return center - reach(); }
+    property::Vec2 upper() const { return center + reach(); }
+    property::Vec2 reach() const;
 
     property::Vec2 to_screen(const property::Vec2& world) const;
     property::Vec2 to_world(const property::Vec2& pixels) const;
+
+  private:
+    void keep_to_limits();
+
+    // For drawing only: the center before and after the last step.
+    property::Vec2 center_before_{0, 0}, center_after_{0, 0};
 };
+
+/// Where an instance is, with all that it hangs below; the position of instances without one is
+/// that of what they hang below.
+property::Vec2 world_position(const property::Tree& tree, property::Handle instance);
 
 /// Adds the view to the tree as `view`, with `view.show` and `view.window`. It must outlive all use
 /// by the tree.

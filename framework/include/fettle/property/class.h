@@ -25,6 +25,7 @@
 #include <vector>
 
 #include <fettle/property/export.h>
+#include <fettle/property/lifecycle.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/symbol.h>
 #include <fettle/property/value.h>
@@ -39,9 +40,6 @@ class FETTLE_PROPERTY_PRIVATE ClassRegistry;
 class FETTLE_PROPERTY_PRIVATE Shadows;
 class FETTLE_PROPERTY_PRIVATE StoredColumns;
 class FETTLE_PROPERTY_PRIVATE TreeImage;
-
-/// A module's number for one of its objects: an array index, or any other 32 bits.
-using Row = std::uint32_t;
 
 /// An inclusive range.
 struct Range {
@@ -136,6 +134,7 @@ struct Property {
     bool nullable = false;   // nil is a value; otherwise assigning nil restores the default
     bool any_type = false;   // takes any type (ad-hoc properties)
     bool hidden = false;     // not listed by inspectors
+    bool sparse = false;     // stored number: only values that differ from the default take memory
 
     std::vector<std::string> enumerators{};  // a text property takes only these
     Type element = Type::nil;                // type of a list's elements; nil: any
@@ -250,33 +249,6 @@ struct Event {
     const Event* begin = nullptr;                       // for an end
     const Event* end = nullptr;                         // for a beginning
     mutable std::uint32_t listeners = 0;
-};
-
-/// Called by the tree when instances of the class are created, moved and deleted. All optional.
-struct Lifecycle {
-    void* context = nullptr;
-    /// Creates the row, with defaults, before the instance is visible. May throw Error for lack of
-    /// room. Until the instance is complete, with `place`, deleting or moving it or one above
-    /// throws Error(bad_structure). `Tree::restore` calls it for instances that were not there,
-    /// those above first: others have no row yet, so their properties tell nothing; deleting or
-    /// moving them, creating an instance below them, or taking a snapshot throws the same.
-    Row (*create)(void* context, Tree& tree, Handle self) = nullptr;
-    /// The chain of parents above `self` changed (called for parents before children). Returns the
-    /// row, possibly another one. Meanwhile, deleting or moving the instance, the former parent of
-    /// what is being moved, or one above these throws Error(bad_structure).
-    Row (*place)(void* context, Tree& tree, Handle self, Row row) = nullptr;
-    /// Ends the row. During this, the instances that are being deleted cannot be deleted again,
-    /// moved, renamed or get children, and no snapshot can be restored: that throws
-    /// Error(bad_structure). Within `Tree::restore`, no instance at all can be created, deleted,
-    /// moved or renamed. `Tree::destroy` throws its exceptions after all instances are deleted; a
-    /// restore tells them in `restore_remarks`; at the end of the tree they are ignored.
-    void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
-    /// Draws the instance. `alpha`: time between the last two steps, 0 to 1.
-    void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
-                 double alpha) = nullptr;
-    /// Draws over all instances, after they are drawn.
-    void (*draw_over)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
-                      double alpha) = nullptr;
 };
 
 /// The data in a snapshot for the instances of a class, in addition to those of the tree. A class

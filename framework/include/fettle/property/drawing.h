@@ -2,10 +2,14 @@
 // The moment between two steps that is being drawn.
 
 #include <fettle/property/export.h>
+#include <fettle/property/value.h>
 
 FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
+
+class Class;
+class Painter;
 
 /// While it lives, this thread draws a picture.
 class Drawing {
@@ -22,6 +26,15 @@ class Drawing {
 
   private:
     double before_;
+};
+
+/// Draws instances in addition to the draw functions of their classes: the functions `draw` of
+/// scripts. An instance that both draw is drawn by its class first.
+class Drawer {
+  public:
+    virtual ~Drawer() = default;
+    virtual bool draws(const Class& of) = 0;
+    virtual void draw(Handle instance, Painter& painter) = 0;
 };
 
 }  // namespace fettle::property

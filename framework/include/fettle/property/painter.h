@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <fettle/property/export.h>
+#include <fettle/property/picture.h>
+#include <fettle/property/transform.h>
 #include <fettle/property/value.h>
 
 FETTLE_PROPERTY_BEGIN
@@ -26,11 +29,66 @@ struct Paint {
 /// Position of each line of a text relative to the given point.
 enum class TextAlign : std::uint8_t { middle, left, right };
 
+/// What of the world is seen.
+struct Seen {
+    Vec2 center{0, 0};              // in the middle of the screen
+    Vec2 lower{0, 0}, upper{0, 0};  // a box around what is seen
+    Vec2 screen{0, 0};              // px, size of the screen
+};
+
 /// Draws in world units, y up. Angles are in radians, counter-clockwise. A border lies inside its
-/// figure; only where an outline crosses itself does it lie on both sides of the line.
+/// figure; only where an outline crosses itself does it lie on both sides of the line. Widths of
+/// borders and lines and sizes of dots are pixels whatever the transform is.
+
 class Painter {
   public:
     virtual ~Painter() = default;
+    /// Until the `pop` that belongs to it, all coordinates are mapped by `transform` first, and
+    /// then by those that were pushed before. It also keeps opacity, blend mode and clip rectangle,
+    /// so that `pop` brings them back.
+    virtual void push(const Transform& transform) {
+        State inner = state_;
+        inner.transform = state_.transform * transform;
+        outer_.push_back(state_);
+        set_state(inner);
+    }
+    /// No effect if nothing is pushed.
+    virtual void pop() {
+        if (outer_.empty()) return;
+        const State before = outer_.back();
+        outer_.pop_back();
+        set_state(before);
+    }
+    /// Multiplies the opacity of everything that follows.
+    virtual void fade(float opacity) {
+        State faded = state_;
+        faded.opacity *= opacity;
+        set_state(faded);
+    }
+    virtual void blend(Blend mode) {
+        State blended = state_;
+        blended.blend = mode;
+        set_state(blended);
+    }
+    /// Draws only inside of the box, and inside of the clip rectangle that is set already. With a
+    /// transform that turns, the box around the turned box is used.
+    virtual void clip(const Vec2& lower, const Vec2& upper) { (void)lower, (void)upper; }
+    /// Number of `push`es without their `pop`.
+    std::size_t pushed() const { return outer_.size(); }
+    const Transform& transform() const { return state_.transform; }
+    /// Whether coordinates are pixels with y down (`begin_screen`).
+    bool on_screen() const { return state_.on_screen; }
+    /// Empty if the painter does not show a view.
+    virtual Seen seen() const { return {}; }
+    /// Pixels for each unit of length; 1 if the painter has no pixels.
+    virtual double pixels_per_unit() const { return 1; }
+    /// Draws an area of a picture into the box, upright. Neighboring areas of the picture do not
+    /// show. `smooth`: pixels are mixed when they are enlarged; otherwise each stays a square.
+    /// Bounds in the wrong order mirror the picture.
+    virtual void picture(const Picture& picture, const PictureArea& area, const Vec2& lower,
+                         const Vec2& upper, Color tint, bool smooth) {
+        (void)picture, (void)area, (void)lower, (void)upper, (void)tint, (void)smooth;
+    }
     virtual void circle(const Vec2& center, double radius, const Paint& paint) = 0;
     /// Half axes along x and y, then turned by `angle`.
     virtual void ellipse(const Vec2& center, const Vec2& radii, double angle,
@@ -60,6 +118,37 @@ class Painter {
     /// Until `end_screen`, coordinates are pixels from the top left corner, y down.
     virtual void begin_screen() = 0;
     virtual void end_screen() = 0;
+
+  protected:
+    struct State {
+        Transform transform{};
+        float opacity = 1;
+        Blend blend = Blend::normal;
+        bool on_screen = false;  // between begin_screen and end_screen
+        // Pixels from the top left corner. Without an area, nothing is visible.
+        bool clipped = false;
+        Vec2 clip_lower{0, 0}, clip_upper{0, 0};
+    };
+    const State& state() const { return state_; }
+    /// Called for every change of the state.
+    virtual void set_state(const State& state) { state_ = state; }
+    /// For `begin_screen`, which begins without a transform; `pop` is its end.
+    void push_screen() {
+        State screen = state_;
+        screen.transform = {};
+        screen.on_screen = true;
+        outer_.push_back(state_);
+        set_state(screen);
+    }
+    /// Forgets what was pushed.
+    void reset_state() {
+        outer_.clear();
+        set_state({});
+    }
+
+  private:
+    State state_{};
+    std::vector<State> outer_{};
 };
 
 }  // namespace fettle::property

@@ -36,6 +36,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
+class Drawer;
 class EditObserver;
 class Observer;
 
@@ -273,9 +274,10 @@ class Tree {
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
 
-    /// Draws `top` and the instances below it, with the draw functions of their classes. If these
-    /// change the tree, those that are there at the beginning and still live are drawn.
-    void draw(Handle top, Painter& painter, double alpha) const;
+    /// Draws `top` and the instances below it in the order of their `z`, with the draw functions of
+    /// their classes and with `also`. If these change the tree, those that are there at the
+    /// beginning and still live are drawn.
+    void draw(Handle top, Painter& painter, double alpha, Drawer* also = nullptr) const;
 
     // --- Watching
     // ---------------------------------------------------------------------------------------------------

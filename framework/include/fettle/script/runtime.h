@@ -21,6 +21,7 @@ FETTLE_SCRIPT_BEGIN
 namespace fettle::property {
 class GameFiles;
 class GameSaves;
+class Media;
 class Store;
 class Tweaks;
 }  // namespace fettle::property
@@ -45,6 +46,7 @@ struct Options {
     property::Tweaks* tweaks = nullptr;
     property::Store* store = nullptr;
     property::GameFiles* files = nullptr;  // null: the files on the disk
+    property::Media* media = nullptr;      // null: `pen` has no images and cannot measure text
     /// Name of the recording that this run replays; "" in a normal run. A replay does not write the
     /// game's files again: functions that would write them report this and continue.
     std::string replay{};
@@ -135,7 +137,10 @@ class Runtime {
     bool call(std::string_view callback, std::initializer_list<property::Value> arguments) {
         return call(callback, std::span(arguments.begin(), arguments.size()));
     }
-    /// Calls `draw(pen)` of the game and of its classes.
+    /// Draws the game: calls `draw_behind(pen)`, draws all instances in the order of their `z`,
+    /// those of scripts' classes with their `draw(pen)`, and calls `draw(pen)` of the game. A host
+    /// that calls it does not call `Tree::draw`. Returns false if a script raised an error; what a
+    /// module throws reaches the caller.
     bool draw(property::Painter& painter);
     /// Makes one fixed step: runs timers and coroutines that are due, then calls `step(dt)`.
     /// `now`: simulation time in seconds at the end of the step.

@@ -1,0 +1,36 @@
+#pragma once
+// Images and written text for code that draws without instances, such as `draw(pen)` of scripts.
+
+#include <string>
+#include <string_view>
+
+#include <fettle/property/export.h>
+#include <fettle/property/painter.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+struct TextStyle {
+    std::string font = "sans";  // or "bold", "mono", a font file of the game
+    double size = 0.5;          // in the units of the painter
+    Color color{1, 1, 1, 1};
+    TextAlign align = TextAlign::middle;
+};
+
+class Media {
+  public:
+    virtual ~Media() = default;
+    /// An image file of the game; a checkerboard if it is missing. `what` begins the message about
+    /// that. The picture lives as long as the game.
+    virtual const Picture& picture(const std::string& what, const std::string& name) = 0;
+    /// Width of the longest line, and height of all lines.
+    virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;
+    /// `position`: in the middle of the height, at the beginning, middle or end of each line.
+    virtual void text(Painter& painter, const Vec2& position, std::string_view text,
+                      const TextStyle& style) = 0;
+};
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

@@ -1,0 +1,136 @@
+// The view follows an instance, keeps to limits, is turned, and shakes.
+
+#include <catch.h>
+
+#include <cmath>
+
+#include <fettle/app/services.h>
+#include <fettle/property/error.h>
+#include <fettle/property/snapshot.h>
+
+namespace following_test {
+
+using namespace fettle;
+using property::Handle;
+using property::List;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+struct Game {
+    property::Tree tree;
+    app::Services services{tree};
+    app::View& view = services.view;
+    Handle self = tree.child(tree.root(), "view");
+    Handle target = tree.create(tree.object_class(), tree.root(), "target");
+
+    Game() {
+        tree.set_or_add(target, "position", Value(Vec2(8, 4)));
+        tree.set(self, "follow", Value(target));
+    }
+    void place(const Vec2& at) { tree.set(target, "position", Value(at)); }
+    Vec2 after(int steps) {
+        for (int i = 0; i < steps; ++i) view.advance(tree, 1.0 / 60);
+        return view.center;
+    }
+};
+
+bool near(const Vec2& a, const Vec2& b, double tolerance = 1e-9) {
+    return (a - b).norm() < tolerance;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Game, "the view is where the instance is") {
+    CHECK(near(after(1), {8, 4}));
+    const Handle above = tree.create(tree.object_class(), tree.root(), "above");
+    tree.set_or_add(above, "position", Value(Vec2(100, 0)));
+    tree.set_or_add(above, "angle", Value(std::acos(0.0)));
+    tree.move(target, above);
+    CHECK(near(after(1), {96, 8}));
+    tree.destroy(target);
+    CHECK(near(after(1), {96, 8}));
+    tree.set(self, "follow", Value(Handle{}));
+    tree.set(self, "center", Value(Vec2(1, 2)));
+    CHECK(near(after(5), {1, 2}));
+}
+
+TEST_CASE_METHOD(Game, "with damping the view comes later") {
+    tree.set(self, "follow_damping", Value(0.5));
+    CHECK(near(after(30), Vec2(8, 4) * (1 - std::exp(-1.0)), 1e-6));
+    CHECK(near(after(600), {8, 4}, 1e-3));
+}
+
+TEST_CASE_METHOD(Game, "within the dead zone the view rests") {
+    tree.set(self, "dead_zone", Value(Vec2(2, 100)));
+    CHECK(near(after(1), {7, 0}));
+    place({6.5, 3});
+    CHECK(near(after(1), {7, 0}));
+    place({5, 0});
+    CHECK(near(after(1), {6, 0}));
+}
+
+TEST_CASE_METHOD(Game, "nothing beyond the limits is seen") {
+    tree.set(self, "limits", Value(List{Vec2(-30, -12), Vec2(20, 12)}));
+    after(1);
+    CHECK(view.upper().x() <= 20 + 1e-9);
+    CHECK(near(view.center, {4, 2}));  // 32 x 20 m are seen
+    tree.set(self, "limits", Value(List{Vec2(0, 0), Vec2(10, 10)}));
+    CHECK(near(after(1), {5, 5}));
+    CHECK_THROWS_AS(tree.set(self, "limits", Value(List{Vec2(1, 0), Vec2(0, 1)})), property::Error);
+    CHECK_THROWS_AS(tree.set(self, "limits", Value(List{Vec2(1, 0)})), property::Error);
+    CHECK_THROWS_AS(tree.set(self, "limits", Value(List{Value(1.0), Value(2.0)})), property::Error);
+    tree.set(self, "limits", Value(List{}));
+    CHECK(near(after(1), {8, 4}));
+}
+
+TEST_CASE_METHOD(Game, "a picture shows the view between two steps") {
+    after(1);
+    place({10, 4});
+    after(1);
+    CHECK(near(view.drawn(0.5, 0).center, {9, 4}));
+    CHECK(near(view.drawn(1, 0).center, {10, 4}));
+    tree.set(self, "center", Value(Vec2(0, 0)));  // by the game, after the step
+    CHECK(near(view.drawn(0.5, 0).center, {0, 0}));
+}
+
+TEST_CASE_METHOD(Game, "a shake moves the picture only and ends") {
+    after(1);
+    tree.call(self, "shake", {Value(0.5), Value(0.5)});
+    double most = 0;
+    for (int i = 0; i < 29; ++i) {
+        CHECK(near(after(1), {8, 4}));
+        const double moved = (view.drawn(1, i / 60.0).center - view.center).norm();
+        CHECK(moved < 0.75);
+        most = std::max(most, moved);
+    }
+    CHECK(most > 0.1);
+    tree.call(self, "shake", {Value(0.001), Value(9.0)});  // weaker than what is left
+    CHECK(tree.get(self, "shake_left").number() < 0.5);
+    after(2);
+    CHECK(near(view.drawn(1, 1.3).center, view.center));
+    CHECK_THROWS_AS(tree.call(self, "shake", {Value(-1.0)}), property::Error);
+}
+
+TEST_CASE_METHOD(Game, "snapshots contain what the view follows") {
+    tree.set(self, "limits", Value(List{Vec2(-50, -50), Vec2(50, 50)}));
+    const property::Snapshot before = tree.snapshot();
+    tree.set(self, "follow", Value(Handle{}));
+    tree.set(self, "limits", Value(List{}));
+    tree.restore(property::Snapshot::from_bytes(before.to_bytes()));
+    CHECK(view.follow == target);
+    CHECK(view.limits.size() == 2);
+}
+
+TEST_CASE_METHOD(Game, "a turned view converts and bounds what is seen") {
+    tree.set(self, "follow", Value(Handle{}));
+    tree.set(self, "angle", Value(std::acos(0.0)));
+    const Vec2 right = view.to_screen({0, 1});  // what is up in the world is to the right
+    CHECK(near(right, 0.5 * view.screen + Vec2(view.zoom(), 0), 1e-6));
+    CHECK(near(view.to_world(view.to_screen({3, -2})), {3, -2}, 1e-6));
+    CHECK(view.upper().x() == Approx(0.5 * view.height));
+    CHECK(view.upper().y() == Approx(0.5 * view.width()));
+}
+
+}  // namespace following_test
