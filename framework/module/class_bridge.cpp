@@ -246,7 +246,8 @@ bool BridgedClass::makes_rows_of(const property::Class& base) const {
 
 property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, BridgedClass& self) {
     property::Lifecycle lifecycle;
-    if (!native.create && !native.place && !native.destroy && !native.draw && !native.draw_over)
+    if (!native.create && !native.place && !native.destroy && !native.draw && !native.draw_over &&
+        !native.pose)
         return lifecycle;
     // Each function uses the current module, which may have been reloaded since; a function that it
     // lacks does nothing.
@@ -278,6 +279,15 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
             if (c.native_.draw_over == nullptr) return;
             const fettle_painter table = painter_table(painter);
             c.native_.draw_over(c.native_.context, sent(instance), row, &table, alpha);
+        };
+    if (native.pose != nullptr)
+        lifecycle.pose = [](void* context, const property::Tree&, Handle instance, Row row,
+                            double alpha) {
+            auto& c = *static_cast<BridgedClass*>(context);
+            double m[] = {1, 0, 0, 1, 0, 0};
+            if (c.native_.pose != nullptr)
+                c.native_.pose(c.native_.context, sent(instance), row, alpha, m);
+            return property::Transform{{m[0], m[1]}, {m[2], m[3]}, {m[4], m[5]}};
         };
     return lifecycle;
 }

@@ -1,5 +1,8 @@
 // The C table of a painter.
 
+#include <memory>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/painter.h>
@@ -21,6 +24,57 @@ Vec2 point(const double* xy) {
 }
 Color color(const float* rgba) {
     return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
+property::Transform transform(const double* matrix) {
+    return {point(matrix), point(matrix + 2), point(matrix + 4)};
+}
+
+/// The program's copies of pictures of modules. A module may free a picture at any time, and the
+/// painter of the program recognizes pictures by their address.
+class Copies {
+  public:
+    const property::Picture& of(const fettle_picture& native) {
+        if (copies_.size() > 1000) copies_.clear();  // those in use are copied again
+        Copy& copy = copies_[native.owner];
+        if (copy.picture == nullptr || copy.version != native.version) {
+            const std::size_t bytes = std::size_t{native.width} * native.height * 4;
+            std::vector<std::uint8_t> rgba(native.rgba, native.rgba + bytes);
+            copy.picture =
+                std::make_unique<property::Picture>(native.width, native.height, std::move(rgba));
+            copy.version = native.version;
+        }
+        return *copy.picture;
+    }
+
+  private:
+    struct Copy {
+        std::unique_ptr<property::Picture> picture;
+        std::uint64_t version = 0;
+    };
+    std::unordered_map<const void*, Copy> copies_;
+};
+
+void add_transforms(fettle_painter& table) {
+    table.push = [](void* self, const double* matrix) { painter_of(self).push(transform(matrix)); };
+    table.pop = [](void* self) { painter_of(self).pop(); };
+    table.fade = [](void* self, float opacity) { painter_of(self).fade(opacity); };
+    table.blend = [](void* self, std::uint32_t mode) {
+        if (mode <= FETTLE_BLEND_MULTIPLY)
+            painter_of(self).blend(static_cast<property::Blend>(mode));
+    };
+    table.clip = [](void* self, const double* lower, const double* upper) {
+        painter_of(self).clip(point(lower), point(upper));
+    };
+    table.picture = [](void* self, const fettle_picture* picture, const double* area,
+                       const double* lower, const double* upper, const float* tint,
+                       std::uint32_t smooth) {
+        thread_local Copies copies;
+        if (picture == nullptr || picture->rgba == nullptr) return;
+        painter_of(self).picture(copies.of(*picture), {area[0], area[1], area[2], area[3]},
+                                 point(lower), point(upper), color(tint), smooth != 0);
+    };
+    table.pixels_per_unit = [](void* self) { return painter_of(self).pixels_per_unit(); };
 }
 
 }  // namespace
@@ -65,6 +119,7 @@ fettle_painter painter_table(Painter& painter) {
                                  {color(fill), color(border), width});
     };
     table.part_of = [](void* self, std::uint64_t whole) { painter_of(self).part_of(whole); };
+    add_transforms(table);
     return table;
 }
 

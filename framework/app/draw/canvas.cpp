@@ -13,12 +13,26 @@ bool is_finite(const Vec2& v) {
     return std::isfinite(v.x()) && std::isfinite(v.y());
 }
 
+namespace {
+
+void multiply_by_opacity(std::vector<CanvasVertex>& vertices) {
+    for (CanvasVertex& v : vertices) {
+        v.r = static_cast<std::uint8_t>(v.r * v.a / 255);
+        v.g = static_cast<std::uint8_t>(v.g * v.a / 255);
+        v.b = static_cast<std::uint8_t>(v.b * v.a / 255);
+    }
+}
+
+}  // namespace
+
 // --- A frame -------------------------------------------------------------------------------------
 
 void Canvas::begin(Color background) {
     strip_.clear();
+    source_ = nullptr;
     joined_.clear();
-    in_pixels_ = false;
+    reset_state();
+    pictures_.begin_frame();
     whole_ = 0;
     background.a = 1;
     target_.clear(native(background));
@@ -31,35 +45,96 @@ void Canvas::set_view(const View& view) {
 
 void Canvas::begin_screen() {
     draw_collected();
-    in_pixels_ = true;
+    push_screen();
 }
 
 void Canvas::end_screen() {
     draw_collected();
-    in_pixels_ = false;
+    pop();
+}
+
+void Canvas::set_state(const State& next) {
+    const State& now = state();
+    const bool same_clip = now.clipped == next.clipped && now.clip_lower == next.clip_lower &&
+                           now.clip_upper == next.clip_upper;
+    // What is drawn already belongs to the old state.
+    if (now.opacity != next.opacity) draw_collected();
+    if (now.blend != next.blend || !same_clip) flush();
+    transformed_ = !next.transform.is_identity();
+    Painter::set_state(next);
+}
+
+void Canvas::clip(const Vec2& lower, const Vec2& upper) {
+    State clipped = state();
+    Vec2 from = exact(lower), to = from;
+    for (const Vec2& corner : {upper, Vec2(lower.x(), upper.y()), Vec2(upper.x(), lower.y())}) {
+        from = from.cwiseMin(exact(corner));
+        to = to.cwiseMax(exact(corner));
+    }
+    if (!is_finite(from) || !is_finite(to)) return;
+    if (clipped.clipped) {
+        from = from.cwiseMax(clipped.clip_lower);
+        to = to.cwiseMin(clipped.clip_upper);
+    }
+    clipped.clipped = true;
+    clipped.clip_lower = from;
+    clipped.clip_upper = to;
+    set_state(clipped);
 }
 
 void Canvas::flush() {
     draw_collected();
+    draw_strip();
+}
+
+void Canvas::draw_strip() {
     if (strip_.empty()) return;
-    target_.setView(sf::View(sfml::rectangle(0, 0, width(), height())));
-    draw(strip_, sf::PrimitiveType::TriangleStrip, atlas_.texture());
+    const State& s = state();
+    const Vec2 size(static_cast<double>(width()), static_cast<double>(height()));
+    const Vec2 lower = s.clipped ? s.clip_lower.cwiseMax(0).cwiseMin(size) : Vec2(0, 0);
+    const Vec2 upper = s.clipped ? s.clip_upper.cwiseMax(0).cwiseMin(size) : size;
+    const auto edge = [](double x) { return static_cast<float>(std::round(x)); };
+    const float left = edge(lower.x()), top = edge(lower.y());
+    const float right = edge(upper.x()), bottom = edge(upper.y());
+    if (right > left && bottom > top) {
+        set_clip(left, top, right, bottom);
+        if (s.blend == property::Blend::multiply) multiply_by_opacity(strip_);
+        draw(strip_, sf::PrimitiveType::TriangleStrip, source_ ? *source_ : atlas_.texture(),
+             s.blend);
+    }
     strip_.clear();
+    source_ = nullptr;
+}
+
+/// The view and viewport are the clip rectangle, so nothing outside it is drawn.
+void Canvas::set_clip(float left, float top, float right, float bottom) {
+    sf::View view(sfml::rectangle(left, top, right - left, bottom - top));
+    view.setViewport(sfml::rectangle(left / width(), top / height(), (right - left) / width(),
+                                     (bottom - top) / height()));
+    target_.setView(view);
 }
 
 void Canvas::draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
-                  const sf::Texture& texture) {
+                  const sf::Texture& texture, property::Blend blend) {
     static_assert(sizeof(CanvasVertex) == sizeof(sf::Vertex) &&
                   offsetof(CanvasVertex, r) == offsetof(sf::Vertex, color) &&
                   offsetof(CanvasVertex, u) == offsetof(sf::Vertex, texCoords));
     sf::RenderStates states;
     states.texture = &texture;
+    if (blend == property::Blend::add) states.blendMode = sf::BlendAdd;
+    // The colors are multiplied by their opacity, so what is transparent changes nothing.
+    if (blend == property::Blend::multiply)
+        states.blendMode =
+            sf::BlendMode(sf::BlendMode::Factor::DstColor, sf::BlendMode::Factor::OneMinusSrcAlpha,
+                          sf::BlendMode::Equation::Add, sf::BlendMode::Factor::Zero,
+                          sf::BlendMode::Factor::One, sf::BlendMode::Equation::Add);
     target_.draw(reinterpret_cast<const sf::Vertex*>(vertices.data()), vertices.size(), type,
                  states);
 }
 
 Vec2 Canvas::exact(const Vec2& position) const {
-    return in_pixels_ ? position : view_.to_screen(position);
+    const Vec2 p = transformed_ ? state().transform(position) : position;
+    return state().on_screen ? p : view_.to_screen(p);
 }
 
 sf::Vector2f Canvas::pixel(const Vec2& position) const {
@@ -68,7 +143,17 @@ sf::Vector2f Canvas::pixel(const Vec2& position) const {
 }
 
 double Canvas::pixels(double length) const {
-    return in_pixels_ ? length : length * view_.zoom();
+    const double outer = transformed_ ? length * state().transform.scale() : length;
+    return state().on_screen ? outer : outer * view_.zoom();
+}
+
+Color Canvas::faded(Color color) const {
+    color.a *= state().opacity;
+    return color;
+}
+
+property::Paint Canvas::faded(const property::Paint& paint) const {
+    return {faded(paint.fill), faded(paint.border), paint.border_width};
 }
 
 bool Canvas::outside(const Vec2& lower, const Vec2& upper) const {
@@ -77,9 +162,19 @@ bool Canvas::outside(const Vec2& lower, const Vec2& upper) const {
 }
 
 bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
-    const Vec2 a = exact(lower), b = exact(upper);
     const Vec2 margin(4, 4);  // px; a border may lie outside the given box
-    return !outside(a.cwiseMin(b) - margin, a.cwiseMax(b) + margin);
+    Vec2 from = exact(lower), to = from;
+    const auto add = [&](const Vec2& corner) {
+        const Vec2 p = exact(corner);
+        from = from.cwiseMin(p);
+        to = to.cwiseMax(p);
+    };
+    add(upper);
+    if (transformed_ || view_.angle != 0) {
+        add(Vec2(lower.x(), upper.y()));
+        add(Vec2(upper.x(), lower.y()));
+    }
+    return !outside(from - margin, to + margin);
 }
 
 // --- The batch -----------------------------------------------------------------------------------
@@ -90,7 +185,15 @@ CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
 }
 
 /// Appends `count` vertices to the strip, joined to the last one by degenerate triangles.
-CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first) {
+CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first,
+                                  const sf::Texture* texture) {
+    const bool fits = texture == nullptr
+                          ? source_ == &atlas_.texture() || pictures_.has_white(source_)
+                          : source_ == texture;
+    if (!fits) {
+        draw_strip();
+        source_ = texture == nullptr ? &atlas_.texture() : texture;
+    }
     const std::size_t size = strip_.size();
     if (size == 0) {
         strip_.resize(count);
@@ -107,7 +210,7 @@ void Canvas::add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch
         return CanvasVertex{x, y, color.r, color.g, color.b, color.a, u, v};
     };
     const float right = patch.left + patch.width, bottom = patch.top + patch.height;
-    CanvasVertex* out = start_strip(4, lower);
+    CanvasVertex* out = start_strip(4, lower, &atlas_.texture());
     out[0] = corner(lower.x, lower.y, patch.left, patch.top);
     out[1] = corner(upper.x, lower.y, right, patch.top);
     out[2] = corner(lower.x, upper.y, patch.left, bottom);
@@ -151,17 +254,13 @@ void Canvas::triangles(std::span<const SurfaceVertex> vertices,
         layer_.push_back({v.x, v.y, v.r, v.g, v.b, v.a, plain ? Atlas::white : v.u * wide,
                           plain ? Atlas::white : v.v * high});
     }
-    // The view and viewport are the clip rectangle, so nothing outside it is drawn.
     const float left = std::clamp(std::floor(clip.left), 0.0f, width());
     const float top = std::clamp(std::floor(clip.top), 0.0f, height());
     const float right = std::clamp(std::ceil(clip.left + clip.width), left, width());
     const float bottom = std::clamp(std::ceil(clip.top + clip.height), top, height());
     if (right <= left || bottom <= top) return;
-    sf::View view(sfml::rectangle(left, top, right - left, bottom - top));
-    view.setViewport(sfml::rectangle(left / width(), top / height(), (right - left) / width(),
-                                     (bottom - top) / height()));
-    target_.setView(view);
-    draw(layer_, sf::PrimitiveType::Triangles, source);
+    set_clip(left, top, right, bottom);
+    draw(layer_, sf::PrimitiveType::Triangles, source, property::Blend::normal);
 }
 
 }  // namespace fettle::app

@@ -1,6 +1,6 @@
 #pragma once
-// Draws figures, text and the triangles of layers on a window or a picture. Everything except a
-// layer's own textures goes into one batch of triangles with one texture.
+// Draws figures, text, pictures and the triangles of layers on a window or a picture in memory.
+// Figures, text and small pictures go into batches of triangles with one texture.
 
 #include <array>
 #include <memory>
@@ -16,6 +16,7 @@
 #include <draw/atlas.h>
 #include <draw/joined.h>
 #include <draw/outline.h>
+#include <draw/pictures.h>
 #include <draw/rim.h>
 #include <draw/sight.h>
 #include <sfml/sfml.h>
@@ -41,6 +42,14 @@ class Canvas : public property::Painter, public Surface {
     void release_textures() { textures_.clear(); }
 
     // Painter: world units, or pixels between begin_screen and end_screen.
+    void clip(const property::Vec2& lower, const property::Vec2& upper) override;
+    property::Seen seen() const override {
+        return {view_.center, view_.lower(), view_.upper(), view_.screen};
+    }
+    double pixels_per_unit() const override { return pixels(1); }
+    void picture(const property::Picture& picture, const property::PictureArea& area,
+                 const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
+                 bool smooth) override;
     void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
     void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
                  const property::Paint& paint) override;
@@ -69,11 +78,18 @@ class Canvas : public property::Painter, public Surface {
     float text(float x, float y, std::string_view line, float size, SurfaceColor color,
                Face face) override;
 
+  protected:
+    void set_state(const State& state) override;
+
   private:
     struct Line;  // a line of text, ready to be drawn
 
     void draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
-              const sf::Texture& texture);
+              const sf::Texture& texture, property::Blend blend);
+    void draw_strip();
+    void set_clip(float left, float top, float right, float bottom);
+    property::Paint faded(const property::Paint& paint) const;
+    property::Color faded(property::Color color) const;
     property::Vec2 exact(const property::Vec2& position) const;  // px
     sf::Vector2f pixel(const property::Vec2& position) const;
     double pixels(double length) const;
@@ -105,14 +121,18 @@ class Canvas : public property::Painter, public Surface {
     void draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Color color);
 
     CanvasVertex plain(sf::Vector2f position, sf::Color color) const;
-    CanvasVertex* start_strip(std::size_t count, sf::Vector2f first);
+    /// `texture`: null for figures without one, which are drawn with the white texels of any atlas.
+    CanvasVertex* start_strip(std::size_t count, sf::Vector2f first,
+                              const sf::Texture* texture = nullptr);
     void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
 
     sf::RenderTarget& target_;
     Atlas atlas_{};
     View view_{};
-    bool in_pixels_ = false;
-    std::vector<CanvasVertex> strip_{};  // one strip; degenerate triangles join the figures
+    Pictures pictures_{};
+    bool transformed_ = false;             // state().transform is not the identity
+    const sf::Texture* source_ = nullptr;  // texture of strip_
+    std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure

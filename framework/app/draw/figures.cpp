@@ -32,6 +32,13 @@ struct Bounds {
     }
 };
 
+/// Whether a circle stays a circle.
+bool is_similar(const property::Transform& t) {
+    const double size = t.x.squaredNorm() + t.y.squaredNorm();
+    return std::abs(t.x.dot(t.y)) <= 1e-9 * size &&
+           std::abs(t.x.squaredNorm() - t.y.squaredNorm()) <= 1e-9 * size;
+}
+
 sf::Vector2f narrow(const Vec2& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y())};
 }
@@ -40,7 +47,10 @@ sf::Vector2f narrow(const Vec2& v) {
 
 // --- What users draw -----------------------------------------------------------------------------
 
-void Canvas::circle(const Vec2& center, double radius, const Paint& paint) {
+void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
+    if (transformed_ && !is_similar(state().transform))
+        return ellipse(center, Vec2(radius, radius), 0, given);
+    const Paint paint = faded(given);
     const Vec2 middle = exact(center);
     const double size = pixels(radius);
     if (!is_finite(middle) || !(size > 0) || !std::isfinite(size)) return;
@@ -50,7 +60,8 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& paint) {
     if (size > large_radius) return large_figure(sight(paint).rounded({&middle, 1}, size), paint);
     const auto small = static_cast<float>(size);
     // A small circle with an opaque fill is drawn as one disc over another.
-    if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0) {
+    if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0 &&
+        state().blend == property::Blend::normal) {
         draw_collected();
         const bool bordered = paint.border.a > 0 && paint.border_width > 0;
         if (bordered) draw_disc(narrow(middle), small, native(paint.border));
@@ -62,7 +73,8 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& paint) {
     figure(small, paint);
 }
 
-void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const Paint& paint) {
+void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const Paint& given) {
+    const Paint paint = faded(given);
     const Vec2 middle = exact(center);
     const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
     const Vec2 a = exact(center + radii.x() * along) - middle;
@@ -79,8 +91,9 @@ void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const 
     figure(0, paint);
 }
 
-void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Paint& paint) {
+void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Paint& given) {
     if (vertices.empty()) return;
+    const Paint paint = faded(given);
     const double radius = std::isfinite(rounding) ? pixels(std::max(rounding, 0.0)) : 0;
     Bounds bounds(exact(vertices[0]));
     corners_.clear();
@@ -109,8 +122,9 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     Vec2 start = exact(from), end = exact(to);
     if (!is_finite(start) || !is_finite(end) || !(width > 0) || !std::isfinite(width)) return;
     // A line thinner than a pixel is drawn one pixel wide and paler.
-    const Paint paint{
-        {color.r, color.g, color.b, color.a * std::min(1.0f, width)}, {0, 0, 0, 0}, width};
+    const Paint paint{faded(Color{color.r, color.g, color.b, color.a * std::min(1.0f, width)}),
+                      {0, 0, 0, 0},
+                      width};
     Bounds bounds(start);
     bounds.add(end);
     const float half = 0.5f * std::max(width, 1.0f);
@@ -138,7 +152,8 @@ void Canvas::point(const Vec2& position, Color color, float size) {
     if (!is_finite(middle) || !(size > 0)) return;
     const float radius = std::min(0.5f * size, Atlas::largest_disc);
     const Vec2 reach = Vec2::Constant(static_cast<double>(radius) + 1);
-    if (!outside(middle - reach, middle + reach)) draw_disc(narrow(middle), radius, native(color));
+    if (!outside(middle - reach, middle + reach))
+        draw_disc(narrow(middle), radius, native(faded(color)));
 }
 
 // --- Outlines ------------------------------------------------------------------------------------

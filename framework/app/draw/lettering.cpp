@@ -99,6 +99,12 @@ void Canvas::draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Colo
 
 void Canvas::text(const Vec2& position, std::string_view text, double height, Color color,
                   TextAlign align) {
+    if (state().blend == property::Blend::multiply) {  // glyphs of the atlas cannot multiply
+        push({});
+        blend(property::Blend::normal);
+        this->text(position, text, height, color, align);
+        return pop();
+    }
     draw_collected();
     const Vec2 at = exact(position);
     const auto size = static_cast<float>(pixels(height));
@@ -124,7 +130,7 @@ void Canvas::text(const Vec2& position, std::string_view text, double height, Co
         draw_line_of_text(line,
                           {static_cast<float>(std::round(left)),
                            std::round(static_cast<float>(middle) + 0.365f * drawn)},
-                          native(color));
+                          native(faded(color)));
     }
 }
 

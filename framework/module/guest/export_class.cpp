@@ -1,5 +1,8 @@
 // Converts a C++ class descriptor to its C form.
 
+#include <algorithm>
+#include <iterator>
+
 #include "guest_tree.h"
 
 namespace fettle::module {
@@ -85,6 +88,17 @@ void draw(void* context, fettle_handle self, fettle_row row, const fettle_painte
         GuestPainter painter(*table);
         (c.lifecycle.*Draw)(c.lifecycle.context, *c.tree->self, received(self), row, painter,
                             alpha);
+    });
+}
+
+void pose(void* context, fettle_handle self, fettle_row row, double alpha, double* matrix) {
+    auto& c = *static_cast<GuestClass*>(context);
+    c.tree->answer([&] {
+        const property::Transform at =
+            c.lifecycle.pose(c.lifecycle.context, *c.tree->self, received(self), row, alpha);
+        const double values[] = {at.x.x(), at.x.y(),      at.y.x(),
+                                 at.y.y(), at.origin.x(), at.origin.y()};
+        std::copy(std::begin(values), std::end(values), matrix);
     });
 }
 
@@ -234,6 +248,7 @@ void export_class(Tree::State& tree, const property::ClassDescriptor& descriptor
     if (lifecycle.place) c.place = place;
     if (lifecycle.destroy) c.destroy = destroy;
     if (lifecycle.draw) c.draw = draw<&property::Lifecycle::draw>;
+    if (lifecycle.pose) c.pose = pose;
     if (lifecycle.draw_over) c.draw_over = draw<&property::Lifecycle::draw_over>;
     tree.require(tree.host->define_class(tree.host->self, &c));
 }

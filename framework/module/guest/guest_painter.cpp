@@ -7,6 +7,33 @@ namespace fettle::module {
 using property::Color;
 using property::Vec2;
 
+// The base class counts what the module pushed; the program's painter has the transforms.
+void GuestPainter::push(const property::Transform& transform) {
+    const double matrix[] = {transform.x.x(), transform.x.y(),      transform.y.x(),
+                             transform.y.y(), transform.origin.x(), transform.origin.y()};
+    Painter::push(transform);
+    table_.push(table_.self, matrix);
+}
+
+void GuestPainter::pop() {
+    if (pushed() == 0) return;
+    Painter::pop();
+    table_.pop(table_.self);
+}
+
+void GuestPainter::picture(const property::Picture& picture, const property::PictureArea& area,
+                           const Vec2& lower, const Vec2& upper, Color tint, bool smooth) {
+    fettle_picture native{};
+    native.struct_size = sizeof native;
+    native.width = picture.width();
+    native.height = picture.height();
+    native.rgba = picture.rgba().data();
+    native.owner = &picture;
+    native.version = picture.version();
+    const double part[] = {area.left, area.top, area.width, area.height};
+    table_.picture(table_.self, &native, part, lower.data(), upper.data(), &tint.r, smooth ? 1 : 0);
+}
+
 void GuestPainter::circle(const Vec2& center, double radius, const property::Paint& paint) {
     table_.circle(table_.self, center.data(), radius, &paint.fill.r, &paint.border.r,
                   paint.border_width);

@@ -104,6 +104,19 @@ void export_class(property::Tree::State& tree, const property::ClassDescriptor& 
 class GuestPainter : public property::Painter {
   public:
     explicit GuestPainter(const fettle_painter& table) : table_(table) {}
+    void push(const property::Transform& transform) override;
+    void pop() override;
+    void fade(float opacity) override { table_.fade(table_.self, opacity); }
+    void blend(property::Blend mode) override {
+        table_.blend(table_.self, static_cast<std::uint32_t>(mode));
+    }
+    void clip(const property::Vec2& lower, const property::Vec2& upper) override {
+        table_.clip(table_.self, lower.data(), upper.data());
+    }
+    double pixels_per_unit() const override { return table_.pixels_per_unit(table_.self); }
+    void picture(const property::Picture& picture, const property::PictureArea& area,
+                 const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
+                 bool smooth) override;
     void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
     void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
                  const property::Paint& paint) override;

@@ -28,7 +28,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 4
+#define FETTLE_ABI_MINOR 5
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -219,6 +219,18 @@ typedef struct fettle_event {
 
 enum { FETTLE_FACE_MIDDLE = 0, FETTLE_FACE_LEFT, FETTLE_FACE_RIGHT };
 
+/* Pixels in memory: rows from the top, four bytes a pixel. `owner` and `version` identify them. */
+typedef struct fettle_picture {
+    uint32_t struct_size;
+    uint32_t width, height;
+    uint32_t reserved;
+    const uint8_t* rgba;
+    const void* owner;
+    uint64_t version;
+} fettle_picture;
+
+enum { FETTLE_BLEND_NORMAL = 0, FETTLE_BLEND_ADD, FETTLE_BLEND_MULTIPLY };
+
 /* Draws in world units, y up. Widths and sizes of lines and points are pixels. */
 typedef struct fettle_painter {
     uint32_t struct_size;
@@ -243,6 +255,17 @@ typedef struct fettle_painter {
     /* Since 1.3. All following figures are parts of one whole with one common border, until the
        next call; 0: each figure is separate. */
     void (*part_of)(void* self, uint64_t whole);
+    /* Since 1.5. `matrix`: the images of (1, 0), (0, 1) and (0, 0). Opacity, blend mode and clip
+       rectangle hold until the `pop` of the last `push`. */
+    void (*push)(void* self, const double* matrix);
+    void (*pop)(void* self);
+    void (*fade)(void* self, float opacity);
+    void (*blend)(void* self, uint32_t mode);
+    void (*clip)(void* self, const double* lower, const double* upper);
+    /* `area`: left, top, width and height in pixels of the picture. */
+    void (*picture)(void* self, const fettle_picture* picture, const double* area,
+                    const double* lower, const double* upper, const float* tint, uint32_t smooth);
+    double (*pixels_per_unit)(void* self);
 } fettle_painter;
 
 enum {                           /* fettle_class.flags */
@@ -261,7 +284,7 @@ typedef struct fettle_class {
     fettle_array properties, methods, events;
     void* context;
     /* All optional. `create` makes the row with its defaults. `place` is called when an ancestor
-       has changed and may change the row. `destroy` ends the row. A class with none of the five
+       has changed and may change the row. `destroy` ends the row. A class with none of the
        functions uses those of its base. A class with any of them uses none of its base. It is
        refused if its base has rows of another module that its columns, accessors or methods use. */
     fettle_status (*create)(void* context, fettle_handle self, fettle_row* row);
@@ -271,6 +294,9 @@ typedef struct fettle_class {
                  double alpha);
     void (*draw_over)(void* context, fettle_handle self, fettle_row row,
                       const fettle_painter* painter, double alpha);
+    /* Since 1.5. Optional: where the instance is drawn, as a map from its coordinates to those of
+       its parent; for `matrix` see fettle_painter. */
+    void (*pose)(void* context, fettle_handle self, fettle_row row, double alpha, double* matrix);
 } fettle_class;
 
 /* ---- The host -------------------------------------------------------------------------------- */
