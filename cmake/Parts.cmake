@@ -6,13 +6,14 @@
 #   set(FETTLE_PARTS physics)            only rigid bodies
 #   set(FETTLE_PARTS physics console)    and everything the console rests on
 
-set(fettle_parts property storage maps physics module physics_module script app console fettle)
+set(fettle_parts property storage maps physics module physics_module visuals script app console fettle)
 set(fettle_needs_property)
 set(fettle_needs_storage property)
 set(fettle_needs_maps property)
 set(fettle_needs_physics)
 set(fettle_needs_module property)
 set(fettle_needs_physics_module module property physics)
+set(fettle_needs_visuals module storage property)
 set(fettle_needs_script property storage)
 set(fettle_needs_app script property)
 set(fettle_needs_console app script storage property)
@@ -23,6 +24,7 @@ set(fettle_folder_maps framework/maps)
 set(fettle_folder_physics physics)
 set(fettle_folder_module framework/module)
 set(fettle_folder_physics_module physics/module)
+set(fettle_folder_visuals framework/visuals)
 set(fettle_folder_script framework/script)
 set(fettle_folder_app framework/app)
 set(fettle_folder_console console)

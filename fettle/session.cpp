@@ -44,10 +44,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
       errors_(std::move(errors)),
       replayed_(replayed),
       assets_(files_, folder_of(options.game), assets()),
-      modules_(options.game, options.modules) {
+      modules_(options.game, options.modules),
+      visuals_(&assets_) {
     make_files();
     read_settings();
     modules_.attach(tree_);
+    visuals_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_, &assets_);
     services_->view.window = window_state(settings_);
     services_->view.screen = services_->view.window.size;
@@ -74,6 +76,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                                .tweaks = tweaks_.get(),
                                .store = store_.get(),
                                .files = &files_,
+                               .media = &visuals_.media(),
                                .replay = options.replay.filename().string()});
     runtime_->on_error([this](const script::ScriptError& error) { fail(error); });
     runtime_->on_print([this](std::string_view text) { print(text); });
@@ -181,6 +184,16 @@ void Session::add_modules() {
                     .step = [m](double dt) { m->step(dt); },
                     .report = [this, m] { m->report(tree_); },
                     .hash = [m] { return m->hash(); }});
+    loop_->add({.name = std::string(visuals_.name()),
+                .step = [this](double dt) { visuals_.step(dt); },
+                .report = [this] { visuals_.report(tree_); },
+                .hash = [this] { return visuals_.hash(); }});
+    visuals_.on_problem([this](const std::string& problem) {
+        script::ScriptError report;
+        report.message = problem;
+        report.context = "files";
+        tell_error(report);  // the run continues, and a checkerboard is drawn
+    });
     modules_.on_print([this](std::string_view text) { print(text); });
     loop_->between_frames([this] {
         modules_.renew();

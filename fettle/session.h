@@ -17,6 +17,7 @@
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 #include <fettle/script/runtime.h>
+#include <fettle/visuals/visuals.h>
 
 #include "game_modules.h"
 #include "run.h"
@@ -87,6 +88,7 @@ class Session {
     property::GameSettings settings_;
     // Modules must outlive the tree, which calls them when its instances are deleted.
     GameModules modules_;
+    visuals::Visuals visuals_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
     std::unique_ptr<property::Tweaks> tweaks_;

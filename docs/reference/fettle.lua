@@ -84,19 +84,6 @@ function fettle_Set:each(action) end
 ---@return Set
 function fettle_Set:set(property, value) end
 
----Values that outlive a run, in the player's folder for the game: texts, numbers, booleans, vecs, colors, and tables of these with texts or whole numbers as keys. Assigning copies a table into the store; what is read from there is the table in the store, and assigning to it writes: store.levels[3] = true. A name that was never assigned is nil, and assigning nil removes one. The store is written within a second and at the end of the run. Going back in time, loading a saved game and restoring a snapshot leave it as it is. A replay begins with the values of the recorded run and writes nothing. Formulas cannot read it.
----@class Store
----@field [string] any The values, by names or numbers.
-local fettle_Store = {}
-
----Removes everything.
-function fettle_Store:clear() end
-
----Whether there is a value of that name.
----@param name string|integer
----@return boolean
-function fettle_Store:has(name) end
-
 ---What watch, on, after and every return.
 ---@class Connection
 local fettle_Connection = {}
@@ -157,6 +144,10 @@ local fettle_Pen = {}
 ---@param angle? number
 function fettle_Pen.box(center, width, height, fill, border, border_width, angle) end
 
+---How the colors of what follows are put on what is there, until pen.pop() or the end of the function.
+---@param mode "normal"|"add"|"multiply"
+function fettle_Pen.blend(mode) end
+
 ---A circle.
 ---@param center vec
 ---@param radius number
@@ -164,6 +155,25 @@ function fettle_Pen.box(center, width, height, fill, border, border_width, angle
 ---@param border? color|string|false
 ---@param border_width? number
 function fettle_Pen.circle(center, radius, fill, border, border_width) end
+
+---What follows is drawn only inside of this box, until pen.pop() or the end of the function.
+---@param lower vec
+---@param upper vec
+function fettle_Pen.clip(lower, upper) end
+
+---Multiplies the opacity of what follows, until pen.pop() or the end of the function.
+---@param opacity number
+function fettle_Pen.fade(opacity) end
+
+---An image file of the game, with 32 of its pixels in a meter, and in its own size inside pen.screen. With one length it keeps its proportions.
+---@param file string
+---@param center vec
+---@param width? number
+---@param height? number
+---@param angle? number
+---@param tint? color|string
+---@param smooth? boolean
+function fettle_Pen.image(file, center, width, height, angle, tint, smooth) end
 
 ---A line.
 ---@param from vec
@@ -185,17 +195,35 @@ function fettle_Pen.point(position, fill, size) end
 ---@param border_width? number
 function fettle_Pen.polygon(vertices, fill, border, border_width) end
 
+---Ends what the last pen.push began.
+function fettle_Pen.pop() end
+
+---What follows is scaled, turned and moved by this, until pen.pop() or the end of the function. Widths of borders and lines stay as they are.
+---@param position? vec
+---@param angle? number
+---@param scale? number
+function fettle_Pen.push(position, angle, scale) end
+
 ---What the function draws is measured in pixels from the upper left corner.
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space.
+---A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game.
 ---@param position vec
 ---@param text any
 ---@param height? number
 ---@param fill? color|string
 ---@param align? "middle"|"left"|"right"
-function fettle_Pen.text(position, text, height, fill, align) end
+---@param font? string
+function fettle_Pen.text(position, text, height, fill, align, font) end
+
+---Returns the width and the height of a text.
+---@param text any
+---@param height? number
+---@param font? string
+---@return number
+---@return number
+function fettle_Pen.text_size(text, height, font) end
 
 ---A class: Body { ... } makes an instance. Its members can be read, but not changed.
 ---@class Class
@@ -207,7 +235,6 @@ function fettle_Pen.text(position, text, height, fill, align) end
 ---@field methods MethodDescription[] Its methods, by number and by name.
 ---@field name string What it is called.
 ---@field properties PropertyDescription[] Its properties, inherited ones included, by number and by name: Body.properties.mass.unit.
----@field states table<string, table> The states of a class that declares some, each a table with enter(self, from), step(self, dt) and leave(self, to).
 local fettle_Class = {}
 
 ---Calls the function when the event happens to any instance; "created" and "deleted" are events too.
@@ -287,6 +314,7 @@ local fettle_FieldDescription = {}
 ---@field class string The name of its class. · any text · read-only
 ---@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
 ---@field parent Object? The instance it hangs under. · any instance · default computed · not saved
+---@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1000000000 to 1000000000 · default 0
 local fettle_Object = {}
 
 ---Gives a new instance its place here and returns it.
@@ -294,12 +322,6 @@ local fettle_Object = {}
 ---@param name? string
 ---@return Object
 function fettle_Object:add(child, name) end
-
----Calls the function once with the instance, after that much simulation time, unless the instance is deleted before.
----@param seconds number
----@param action fun(self: Object)
----@return Connection
-function fettle_Object:after(seconds, action) end
 
 ---Whether it has not been deleted.
 ---@return boolean
@@ -332,12 +354,6 @@ function fettle_Object:describe() end
 ---@param action fun(instance: Object)
 ---@overload fun(self: Object, action: fun(instance: Object))
 function fettle_Object:each(class, action) end
-
----Calls the function with the instance repeatedly at that interval of simulation time, 0 meaning every step, until the instance is deleted.
----@param seconds number
----@param action fun(self: Object)
----@return Connection
-function fettle_Object:every(seconds, action) end
 
 ---Everything below of that class for which the condition holds, as a set.
 ---@param class Class|string
@@ -378,19 +394,6 @@ function fettle_Object:on(event, handler) end
 ---@param property string
 ---@return string?
 function fettle_Object:problem(property) end
-
----Runs the function with the instance as a coroutine, which may call wait(). It ends where it waits when the instance is deleted.
----@param action fun(self: Object)
----@return thread
-function fettle_Object:run(action) end
-
----The same as tween(instance, ...): moves a property to a value. It ends with the instance.
----@param property string
----@param to any
----@param seconds number
----@param ease? string|fun(time: number): number|number[]
----@return Tween
-function fettle_Object:tween(property, to, seconds, ease) end
 
 ---Calls the function after that property, or any, has changed.
 ---@param property string
@@ -1364,6 +1367,111 @@ local fettle_Attractor = {}
 ---@overload fun(members?: table): Attractor
 Attractor = {}
 
+---The animation came to its end; only without `loop`.
+---@class Sprite.finished
+---@field instance Sprite To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---@class Sprite : Object
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field animation string The frames that are played: a tag of an Aseprite file, or the first and the last frame, such as "3-6". Empty: all frames. · any text · default ""
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field columns integer Number of frames beside each other in the image. · 1 to 10000 · default 1
+---@field flip_x boolean Mirrors the image, left and right. · true or false · default false
+---@field flip_y boolean Mirrors the image, top and bottom. · true or false · default false
+---@field frame integer The frame that is shown, from 1, within the animation. Beyond the last one, counting begins again at the first. · 1 to 1000000 · default 1 · simulated
+---@field frame_count integer Number of frames of the animation. · any integer · read-only
+---@field frames_per_second number Speed of the animation. 0: the times in the Aseprite file, or no motion. · 1/s · 0 to 1000 · default 0
+---@field image string An image file in the game's folder (PNG, JPEG, BMP, TGA), or a JSON file that Aseprite exported. A checkerboard is drawn for a file that is missing. · any text · default ""
+---@field image_height integer Height of the image file, or of the checkerboard. · px · any integer · read-only
+---@field image_width integer Width of the image file, or of the checkerboard. · px · any integer · read-only
+---@field loop boolean Whether the animation begins again at its end. · true or false · default true
+---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
+---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1000000 · default 32
+---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `frame` or `animation` is set. · true or false · default true
+---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
+---@field scale number Enlarges it, and what is below it. · -1000000 to 1000000 · default 1
+---@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default nil · may be nil
+---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
+---@field tint color The colors of the image are multiplied by it. · 0 to 1 · default color("#ffffff")
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Sprite = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Sprite, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Sprite, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Sprite, event: "finished", handler: fun(record: Sprite.finished)): Connection
+function fettle_Sprite:on(event, handler) end
+
+---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---@class Class.Sprite : Class
+---@overload fun(members?: table): Sprite
+Sprite = {}
+
+---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---@class Text : Object
+---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
+---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field color color Color of the letters. · 0 to 1 · default color("#ffffff")
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans. · any text · default "sans"
+---@field outline color Color around the letters; transparent: none. · 0 to 1 · default color("#00000000")
+---@field outline_width number Width of the outline as a part of the size. · 0 to 1 · default 0.06
+---@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.5
+---@field text string What is written; it may have several lines. · any text · default ""
+---@field text_height number Height of all lines. · m · any finite number · read-only
+---@field text_width number Width of the longest line. · m · any finite number · read-only
+---@field visible boolean Whether it is drawn. · true or false · default true
+---@field wrap number Longest line; words beyond it begin another line. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default 0
+local fettle_Text = {}
+
+---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---@class Class.Text : Class
+---@overload fun(members?: table): Text
+Text = {}
+
+---A line through several points, with round corners and ends.
+---@class Line : Object
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field closed boolean Whether the last point is connected with the first. · true or false · default false
+---@field color color Its color. · 0 to 1 · default color("#ffffff")
+---@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0
+---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
+---@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field visible boolean Whether it is drawn. · true or false · default true
+---@field width number Thickness; never less than a pixel. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.05
+local fettle_Line = {}
+
+---A line through several points, with round corners and ends.
+---@class Class.Line : Class
+---@overload fun(members?: table): Line
+Line = {}
+
+---Instances below it are drawn together: far away, repeated, translucent, or on the screen. It does not change where bodies are.
+---@class Layer : Object
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" The point of the screen from which positions are counted, if `space` is screen. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "top_left"
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field opacity number Multiplies the opacity of everything below it. · 0 to 1 · default 1
+---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, as if it were far away, 0 not at all. For `space` world. · -1000 to 1000 · default vec(1, 1)
+---@field repeat_x number Distance after which its content repeats to the left and right; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
+---@field repeat_y number Distance after which its content repeats up and down; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
+---@field space "world"|"screen" world: in meters, y up. screen: in pixels from `anchor`, y down, whatever the view shows. · "world", "screen" · default "world"
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Layer = {}
+
+---Instances below it are drawn together: far away, repeated, translucent, or on the screen. It does not change where bodies are.
+---@class Class.Layer : Class
+---@overload fun(members?: table): Layer
+Layer = {}
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
@@ -1376,7 +1484,6 @@ Attractor = {}
 ---@field now number Simulation time since the game started. · s · any finite number · read-only, simulated
 ---@field oldest integer The first step one can go back to. · any integer · read-only, simulated
 ---@field paused boolean Whether simulation time stands still. update and draw are still called. · true or false · default false · not saved
----@field real number Real time since the game started, also while it is paused: the sum of real_dt of all updates. It is never rewound. In a headless run, a frame is as long as a step. · s · any finite number · read-only, simulated
 ---@field rewind_limit number How much of the past is kept, for rewind and the time bar; 0: nothing. · s · 0 to 3600 · default 60 · not saved
 ---@field rewind_memory number How much memory the past and the history of edits may take together; where that is too little, less is kept. Undo has a quarter of it at most. · MiB · 1 to 65536 · default 128 · not saved
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
@@ -1410,17 +1517,28 @@ Timings = {}
 
 ---Which part of the world is seen, and what lies over it.
 ---@class View : Object
+---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
----@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving the view. · m · 0 to 1000000000 · default vec(0, 0)
+---@field follow Object? The view moves with this instance, from step to step. · any instance · default nil
+---@field follow_damping number The time in which the view makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
----@field lower vec The corner of the world seen at the bottom left. · m · any finite vec · read-only
+---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If it is smaller than the view, it is in the middle. · m · any length · default {}
+---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
----@field upper vec The corner of the world seen at the top right. · m · any finite vec · read-only
+---@field title string Title of the window. · any text · default "Fettle"
+---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
+---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
----@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 local fettle_View = {}
+
+---Shakes the picture, for an explosion or a blow. Only what is drawn moves; a weaker shake does not end a stronger one.
+---@param amount number How far the picture is moved at the beginning. · m
+---@param seconds? number How long it takes to come to rest; 0.5 if it is left out. · s
+function fettle_View:shake(amount, seconds) end
 
 ---Where a point of the world is on the screen, from the top left corner, y down.
 ---@param point vec In the world. · m
@@ -1452,20 +1570,6 @@ local fettle_Show = {}
 ---What is shown over the picture, for looking into a game.
 ---@class Class.Show : Class
 Show = {}
-
----The window of the game. It is no part of saved games, and going back in time leaves it as it is.
----@class GameWindow : Object
----@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
----@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
----@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
----@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
----@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
----@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true · not saved
-local fettle_GameWindow = {}
-
----The window of the game. It is no part of saved games, and going back in time leaves it as it is.
----@class Class.GameWindow : Class
-GameWindow = {}
 
 ---Everything that is heard.
 ---@class Audio : Object
@@ -1647,81 +1751,6 @@ local fettle_Gamepad = {}
 ---@class Class.Gamepad : Class
 Gamepad = {}
 
----It has reached its end; it is deleted at the next step.
----@class Tween.finished
----@field instance Tween To whom it happened.
----@field step integer The fixed step in which it happened.
-
----Moves a property of an instance from its value to another in some time. tween(...) makes it below `game.tweens`, where it runs.
----@class Tween : Object
----@field alternate boolean Whether every second run goes back. · true or false · default false
----@field curve number[] Parts of the way at equal distances of time, joined by straight lines. A function given as ease is kept here as 257 of its values. · any length · default {}
----@field ease "linear"|"in_quad"|"out_quad"|"in_out_quad"|"in_cubic"|"out_cubic"|"in_out_cubic"|"in_quart"|"out_quart"|"in_out_quart"|"in_quint"|"out_quint"|"in_out_quint"|"in_sine"|"out_sine"|"in_out_sine"|"in_expo"|"out_expo"|"in_out_expo"|"in_circ"|"out_circ"|"in_out_circ"|"in_back"|"out_back"|"in_out_back"|"in_elastic"|"out_elastic"|"in_out_elastic"|"in_bounce"|"out_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
----@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil
----@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1000000000 · default 1
----@field paused boolean Whether it stands still. · true or false · default false
----@field progress number The part of the time that has passed in this run. Setting it jumps there at the next step. · 0 to 1 · default 0
----@field property string The name of the property that changes; empty for a pause in a sequence. · any text · default ""
----@field seconds number How long it takes, in simulation time. · s · 0 to 1000000000 · default 1
----@field target Object? The instance whose property changes. The tween ends with it. · any Object · default nil
----@field to any The value at the end. · any value · default nil
-local fettle_Tween = {}
-
----Ends it where it is, without the event, and deletes it.
-function fettle_Tween:stop() end
-
----Calls the function with a record when the instance has the event.
----@param event string
----@param handler fun(record: any)
----@return Connection
----@overload fun(self: Tween, event: "ready", handler: fun(record: Object.ready)): Connection
----@overload fun(self: Tween, event: "deleted", handler: fun(record: Existence)): Connection
----@overload fun(self: Tween, event: "finished", handler: fun(record: Tween.finished)): Connection
-function fettle_Tween:on(event, handler) end
-
----Moves a property of an instance from its value to another in some time. tween(...) makes it below `game.tweens`, where it runs.
----@class Class.Tween : Class
----@overload fun(members?: table): Tween
-Tween = {}
-
----All in it have ended; it is deleted at the next step.
----@class TweenGroup.finished
----@field instance TweenGroup To whom it happened.
----@field step integer The fixed step in which it happened.
-
----Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.
----@class TweenGroup : Object
----@field kind "sequence"|"parallel" Whether one follows the other or all run together. · "sequence", "parallel" · default "sequence"
----@field paused boolean Whether it stands still. · true or false · default false
----@field progress number The part of the time that has passed. · 0 to 1 · read-only, simulated
-local fettle_TweenGroup = {}
-
----Ends it where it is, without the event, and deletes it.
-function fettle_TweenGroup:stop() end
-
----Calls the function with a record when the instance has the event.
----@param event string
----@param handler fun(record: any)
----@return Connection
----@overload fun(self: TweenGroup, event: "ready", handler: fun(record: Object.ready)): Connection
----@overload fun(self: TweenGroup, event: "deleted", handler: fun(record: Existence)): Connection
----@overload fun(self: TweenGroup, event: "finished", handler: fun(record: TweenGroup.finished)): Connection
-function fettle_TweenGroup:on(event, handler) end
-
----Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.
----@class Class.TweenGroup : Class
----@overload fun(members?: table): TweenGroup
-TweenGroup = {}
-
----The tweens of the game, in the order in which they run.
----@class Tweens : Object
-local fettle_Tweens = {}
-
----The tweens of the game, in the order in which they run.
----@class Class.Tweens : Class
----@overload fun(members?: table): Tweens
-Tweens = {}
-
 ---The in-game console and inspector.
 ---@class Console : Object
 ---@field font_size number Height of the text. · px · 8 to 48 · default 15 · not saved
@@ -1765,10 +1794,6 @@ game = nil
 ---In the console: the instance that is selected.
 ---@type Object
 it = nil
-
----Values that outlive the run: store.best = 100.
----@type Store
-store = nil
 
 ---Everything that is heard.
 ---@type Audio
@@ -1934,33 +1959,8 @@ function scene.save(file, instance) end
 ---@return Snapshot
 function snapshot() end
 
----Declares a variable of the game that is a property of `game`: state("score", 0). From then on, `score` reads and writes game.score, so it is saved, rewound, watched and inspected. The value is given only if there is none yet: one that a saved game or a reload has brought stays. Returns the current value.
----@param name string
----@param value any
----@return any
-function state(name, value) end
-
 ---Lists what people, and scripts inside edit(), changed while the game ran, in this run and in earlier ones, and which of these changes are kept.
 function tweaks() end
-
----Moves a property from its value to another in that much simulation time. The property holds a number, an integer, a vector, a color, or a list of these. An ease is a name such as "out_quad" (`Tween.properties.ease.enumerators` lists them), a function from 0..1 to 0..1, or a list of numbers. It begins at the next step; a tween that begins later with the same property ends it.
----@param target Object
----@param property string
----@param to any
----@param seconds number
----@param ease? string|fun(time: number): number|number[]
----@return Tween
-function tween(target, property, to, seconds, ease) end
-
----Runs tweens and groups together.
----@param tweens Object[]
----@return TweenGroup
-function tween.parallel(tweens) end
-
----Runs tweens and groups one after the other; a number is a pause in seconds.
----@param tweens (Object|number)[]
----@return TweenGroup
-function tween.sequence(tweens) end
 
 ---Reverses the latest edit.
 function undo() end
@@ -2507,10 +2507,9 @@ function xpcall(action, handler, ...) end
 ---Called once, when main.lua has run.
 function start() end
 
----Called every frame; dt is the game time since the last one in seconds: real time times time.scale, 0 while the game is paused. real_dt is the real time, also while the game is paused; in a headless run, one step.
+---Called every frame; dt is the game time since the last one in seconds: real time times time.scale, 0 while the game is paused.
 ---@param dt number
----@param real_dt number
-function update(dt, real_dt) end
+function update(dt) end
 
 ---Called before every fixed step of the simulation, time.dt seconds long.
 ---@param dt number
@@ -2519,6 +2518,10 @@ function step(dt) end
 ---Called for every picture, over what draws itself.
 ---@param pen Pen
 function draw(pen) end
+
+---Called for every picture, before everything else that is drawn.
+---@param pen Pen
+function draw_behind(pen) end
 
 ---A key went down: "space", "a", "left".
 ---@param key string

@@ -52,6 +52,10 @@ const std::vector<Part>& parts() {
          {"physics/module", "physics/include/fettle/physics_module"},
          {"module", "guest", "property", "physics"},
          {"Eigen"}},
+        {"visuals",
+         {"framework/visuals", "framework/include/fettle/visuals"},
+         {"module", "property", "storage"},
+         {"Eigen", "JSON", "stb"}},
         {"script",
          {"framework/script", "framework/include/fettle/script"},
          {"property", "storage"},
@@ -66,7 +70,8 @@ const std::vector<Part>& parts() {
          {"Eigen", "ImGui", "POSIX"}},
         {"fettle",
          {"fettle"},
-         {"property", "storage", "physics", "module", "physics_module", "script", "app", "console"},
+         {"property", "storage", "physics", "module", "physics_module", "visuals", "script", "app",
+          "console"},
          {"Eigen", "JSON", "CLI11", "POSIX"}},
     };
     return table;
@@ -87,6 +92,8 @@ const std::vector<Library>& libraries() {
         {"ImGui", std::regex("(imgui/)?(imgui|imstb|imconfig).*"),
          std::regex("fettle_imgui|PkgConfig::IMGUI")},
         {"JSON", std::regex("nlohmann/.*"), std::regex("nlohmann_json::.*")},
+        // Only headers; the console links the library for ImGui.
+        {"stb", std::regex("stb/stb_.*"), std::regex("")},
         {"SQLite", std::regex("sqlite3.*"), std::regex("fettle_sqlite|SQLite::.*|SQLite3::.*")},
         {"Zstandard", std::regex("zstd\\.h"), std::regex("fettle_zstd|PkgConfig::ZSTD|zstd::.*")},
         {"pugixml", std::regex("pugixml\\.hpp"), std::regex("fettle_pugixml|pugixml::.*")},

@@ -59,7 +59,7 @@ TEST_CASE("the map of the project names every room and only existing paths") {
     CHECK(listed(rooms_without_line(map)) == "");
     for (const char* page :
          {"app", "console", "glossary", "hosting-physics", "physics", "property-tree", "scenes",
-          "scripting", "solvers", "storage", "testing", "time"})
+          "scripting", "solvers", "storage", "testing", "time", "visuals"})
         CHECK(listed(lost_paths(project(), text_of("docs/design/" + std::string(page) + ".md"))) ==
               "");
 }

@@ -1,0 +1,15 @@
+#pragma once
+// Macros for the exported symbols of a shared libfettle_visuals. All code is compiled with hidden
+// visibility; only declarations between BEGIN and END in public headers are exported. A static
+// library defines FETTLE_VISUALS_STATIC and needs no macros.
+
+#ifdef FETTLE_VISUALS_STATIC
+#define FETTLE_VISUALS_BEGIN
+#define FETTLE_VISUALS_END
+#define FETTLE_VISUALS_PRIVATE
+#else
+#define FETTLE_VISUALS_BEGIN _Pragma("GCC visibility push(default)")
+#define FETTLE_VISUALS_END _Pragma("GCC visibility pop")
+// For structures that public headers only declare and the library defines.
+#define FETTLE_VISUALS_PRIVATE __attribute__((visibility("hidden")))
+#endif

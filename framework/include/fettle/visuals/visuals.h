@@ -1,0 +1,51 @@
+#pragma once
+// Instances that show something: pictures, texts, lines, and the layers that they are on. They only
+// use the tree, the files of the game and the painter, so a game without a window has the same
+// state.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <fettle/module/module.h>
+#include <fettle/property/media.h>
+#include <fettle/visuals/export.h>
+
+FETTLE_VISUALS_BEGIN
+
+namespace fettle::property {
+class Assets;
+}
+
+namespace fettle::visuals {
+
+/// The classes Sprite, Text, Line and Layer.
+class Visuals : public module::Module {
+  public:
+    /// `assets`: the files of the game; null if there are none. They must outlive this object.
+    explicit Visuals(property::Assets* assets);
+    ~Visuals() override;
+    Visuals(const Visuals&) = delete;
+    Visuals& operator=(const Visuals&) = delete;
+
+    std::string_view name() const override { return "visuals"; }
+    void attach(property::Tree& tree) override;
+    /// Advances the frames of animations.
+    void step(double dt) override;
+    void report(property::Tree& tree) override;
+    std::uint64_t hash() const override;
+    /// Images and text for `draw(pen)`.
+    property::Media& media();
+    /// The function gets one line for each file that is missing or cannot be read, once.
+    void on_problem(std::function<void(const std::string&)> tell);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fettle::visuals
+
+FETTLE_VISUALS_END

@@ -1,0 +1,21 @@
+#pragma once
+// Pixels of image files.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fettle::visuals {
+
+struct Pixels {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> rgba{};
+};
+
+/// Decodes a PNG, JPEG, BMP or TGA file. Throws std::runtime_error with the reason.
+Pixels decode(std::string_view file);
+/// The picture that stands for a missing one.
+Pixels checkerboard();
+
+}  // namespace fettle::visuals

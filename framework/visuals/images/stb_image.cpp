@@ -1,0 +1,75 @@
+// Decodes image files with stb_image. Its code is in this source only.
+
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 16384
+#include <stb/stb_image.h>
+
+#include <images/decoding.h>
+
+namespace fettle::visuals {
+namespace {
+
+/// Filtering mixes the colors of neighbors, also of those that are transparent and usually black.
+/// So transparent pixels get the mean color of their visible neighbors.
+void spread_colors(Pixels& image) {
+    const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
+    const std::vector<std::uint8_t> before = image.rgba;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x));
+            if (before[at + 3] != 0) continue;
+            unsigned sum[3] = {0, 0, 0}, count = 0;
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+                for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+                    const std::size_t beside = 4 * (static_cast<std::size_t>(v) * image.width +
+                                                    static_cast<std::size_t>(u));
+                    if (before[beside + 3] == 0) continue;
+                    ++count;
+                    for (std::size_t c = 0; c < 3; ++c) sum[c] += before[beside + c];
+                }
+            for (std::size_t c = 0; c < 3 && count > 0; ++c)
+                image.rgba[at + c] = static_cast<std::uint8_t>(sum[c] / count);
+        }
+}
+
+}  // namespace
+
+Pixels decode(std::string_view file) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&std::free)> read(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
+                              static_cast<int>(std::min<std::size_t>(file.size(), 1u << 30)),
+                              &width, &height, &channels, 4),
+        &std::free);
+    if (read == nullptr)
+        throw std::runtime_error(std::string("cannot be read as PNG, JPEG, BMP or TGA: ") +
+                                 stbi_failure_reason());
+    Pixels image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+    image.rgba.assign(read.get(), read.get() + std::size_t{image.width} * image.height * 4);
+    spread_colors(image);
+    return image;
+}
+
+Pixels checkerboard() {
+    constexpr std::uint32_t side = 32, square = 8;
+    Pixels image{side, side, {}};
+    for (std::uint32_t y = 0; y < side; ++y)
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const std::uint8_t light = (x / square + y / square) % 2 == 0 ? 255 : 40;
+            image.rgba.insert(image.rgba.end(), {light, 0, light, 255});
+        }
+    return image;
+}
+
+}  // namespace fettle::visuals

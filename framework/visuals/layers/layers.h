@@ -1,0 +1,28 @@
+#pragma once
+// The class Layer: what hangs below it scrolls at its own rate, repeats, or stays on the screen.
+
+#include <vector>
+
+#include <fettle/property/painter.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::visuals {
+
+class Layers {
+  public:
+    void define(property::Tree& tree);
+
+  private:
+    struct Properties {
+        const property::Property *space, *anchor, *parallax, *repeat_x, *repeat_y, *opacity, *blend,
+            *visible;
+    };
+    bool begin(const property::Tree& tree, property::Handle self, property::Painter& painter,
+               int pass);
+    void end(property::Painter& painter);
+
+    Properties of_{};
+    std::vector<bool> on_screen_;  // of the layers that are begun
+};
+
+}  // namespace fettle::visuals

@@ -1,0 +1,80 @@
+#include <letters/fonts.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace fettle::visuals {
+namespace {
+
+constexpr std::array<std::string_view, 3> font_endings{".ttf", ".otf", ".ttc"};
+
+/// The file of a font that the system has; empty if it has none of that name.
+std::string system_font(const std::string& name) {
+    static constexpr const char* folders[] = {
+        "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu-sans-fonts",
+        "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
+        "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
+        "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
+    for (const char* folder : folders) {
+        std::ifstream in(std::filesystem::path(folder) / name, std::ios::binary);
+        if (!in) continue;
+        std::ostringstream content;
+        content << in.rdbuf();
+        return content.str();
+    }
+    return {};
+}
+
+}  // namespace
+
+Font& Family::with(char32_t letter) const {
+    const auto found = std::find_if(fonts_.begin(), fonts_.end(),
+                                    [&](const auto& font) { return font->has(letter); });
+    return found == fonts_.end() ? main() : **found;
+}
+
+const Family& Fonts::get(const std::string& what, const std::string& name) {
+    if (const auto known = families_.find(name); known != families_.end()) return known->second;
+    const std::shared_ptr<Font> sans = bundled("DejaVuSans.ttf");
+    std::vector<std::shared_ptr<Font>> fonts;
+    if (name == "mono")
+        fonts.push_back(bundled("DejaVuSansMono.ttf"));
+    else if (name == "bold")
+        fonts.push_back(bundled("DejaVuSans-Bold.ttf"));
+    else if (name != "sans" && !name.empty())
+        fonts.push_back(of_game(what, name));
+    fonts.push_back(sans);
+    std::erase(fonts, nullptr);
+    if (fonts.empty()) tell_(what + ": this system has no font (Debian: fonts-dejavu-core)");
+    return families_.emplace(name, Family(std::move(fonts))).first->second;
+}
+
+std::shared_ptr<Font> Fonts::bundled(const std::string& file) {
+    const auto [at, added] = bundled_.try_emplace(file);
+    if (!added) return at->second;
+    try {
+        if (std::string content = system_font(file); !content.empty())
+            at->second = std::make_shared<Font>(std::move(content));
+    } catch (const std::exception&) {
+        // A damaged file of the system is like a missing one.
+    }
+    return at->second;
+}
+
+std::shared_ptr<Font> Fonts::of_game(const std::string& what, const std::string& name) {
+    try {
+        if (assets_ == nullptr) throw std::runtime_error(what + ": this program has no files");
+        return std::make_shared<Font>(assets_->read(what, name, font_endings));
+    } catch (const std::exception& error) {
+        const std::string why = error.what();
+        tell_(why.starts_with(what) ? why : what + ": \"" + name + "\" " + why);
+        return nullptr;
+    }
+}
+
+}  // namespace fettle::visuals

@@ -1,0 +1,48 @@
+#pragma once
+// The fonts of a game by name, with other fonts for letters that one lacks.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fettle/property/storage/assets.h>
+
+#include <letters/font.h>
+
+namespace fettle::visuals {
+
+/// A font, and those that are asked for letters that it lacks.
+class Family {
+  public:
+    explicit Family(std::vector<std::shared_ptr<Font>> fonts) : fonts_(std::move(fonts)) {}
+    /// Without any font on this system, a text has no size and is not drawn.
+    bool empty() const { return fonts_.empty(); }
+    Font& main() const { return *fonts_.front(); }
+    /// The first font that has the letter; the main font if none has it.
+    Font& with(char32_t letter) const;
+
+  private:
+    std::vector<std::shared_ptr<Font>> fonts_;
+};
+
+class Fonts {
+  public:
+    Fonts(property::Assets* assets, std::function<void(const std::string&)> tell)
+        : assets_(assets), tell_(std::move(tell)) {}
+    /// "sans", "bold", "mono", or a file of the game. If a file is missing, "sans" and a message
+    /// that begins with `what`.
+    const Family& get(const std::string& what, const std::string& name);
+
+  private:
+    std::shared_ptr<Font> bundled(const std::string& file);
+    std::shared_ptr<Font> of_game(const std::string& what, const std::string& name);
+
+    property::Assets* assets_;
+    std::function<void(const std::string&)> tell_;
+    std::map<std::string, std::shared_ptr<Font>> bundled_;
+    std::map<std::string, Family> families_;
+};
+
+}  // namespace fettle::visuals

@@ -1,0 +1,136 @@
+#include <letters/layout.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace fettle::visuals {
+namespace {
+
+constexpr double tab_stop = 2, least_tab = 0.3;
+
+/// Puts letters into lines.
+class Setter {
+  public:
+    Setter(const Family& family, double wrap) : family_(family), wrap_(wrap) {
+        lines_.push_back({});
+    }
+
+    void add(char32_t c) {
+        if (c == U'\n') return new_line();
+        if (c == U'\r') return;
+        Line& line = lines_.back();
+        if (c == U'\t') {
+            line.end = tab_stop * std::ceil((line.end + least_tab) / tab_stop - 1e-6);
+            before_ = 0;
+            breaks_at(line);
+            return;
+        }
+        Font& font = family_.with(c);
+        if (before_ != 0 && before_font_ == &font) line.end += font.kerning(before_, c);
+        line.letters.push_back({&font, c, line.end, 0});
+        line.end += font.advance(c);
+        before_ = c;
+        before_font_ = &font;
+        if (c == U' ')
+            breaks_at(line);
+        else
+            line.width = line.end;
+        if (wrap_ > 0 && line.width > wrap_) wrap();
+    }
+
+    Layout finish(Align align) const {
+        Layout made;
+        for (const Line& line : lines_) made.width = std::max(made.width, line.width);
+        made.height = Layout::line_height * static_cast<double>(lines_.size());
+        const double share = align == Align::left ? 0 : align == Align::center ? 0.5 : 1;
+        // The letters are in the middle of the height of their line.
+        const Font& font = family_.main();
+        const double baseline = 0.5 * (Layout::line_height + font.ascent() - font.descent());
+        double top = 0;
+        for (const Line& line : lines_) {
+            const double left = share * (made.width - line.width);
+            for (PlacedLetter letter : line.letters) {
+                letter.x += left;
+                letter.y = top + baseline;
+                made.letters.push_back(letter);
+            }
+            top += Layout::line_height;
+        }
+        return made;
+    }
+
+  private:
+    struct Line {
+        std::vector<PlacedLetter> letters;
+        double end = 0;    // of the pen
+        double width = 0;  // without spaces at the end
+        // The last place where it may be divided.
+        std::size_t break_letters = 0;
+        double break_width = 0, break_end = 0;
+        bool can_break = false;
+    };
+    void new_line() {
+        lines_.emplace_back();
+        before_ = 0;
+    }
+    static void breaks_at(Line& line) {
+        line.break_letters = line.letters.size();
+        line.break_width = line.width;
+        line.break_end = line.end;
+        line.can_break = true;
+    }
+    /// Moves what is behind the last break to a new line. A word that is longer than the line stays
+    /// in one piece.
+    void wrap() {
+        Line& line = lines_.back();
+        if (!line.can_break) return;
+        Line next;
+        for (std::size_t i = line.break_letters; i < line.letters.size(); ++i) {
+            next.letters.push_back(line.letters[i]);
+            next.letters.back().x -= line.break_end;
+        }
+        next.end = line.end - line.break_end;
+        next.width = line.width - line.break_end;
+        line.letters.resize(line.break_letters);
+        line.width = line.break_width;
+        lines_.push_back(std::move(next));
+    }
+
+    const Family& family_;
+    double wrap_;
+    std::vector<Line> lines_;
+    char32_t before_ = 0;
+    const Font* before_font_ = nullptr;
+};
+
+}  // namespace
+
+Layout Layout::of(std::string_view utf8, const Family& family, Align align, double wrap) {
+    if (family.empty() || utf8.empty()) return {};
+    Setter setter(family, wrap);
+    for (const char32_t c : decoded(utf8)) setter.add(c);
+    return setter.finish(align);
+}
+
+std::u32string decoded(std::string_view utf8) {
+    std::u32string out;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto lead = static_cast<unsigned char>(utf8[i++]);
+        const int more = lead < 0x80             ? 0
+                         : (lead & 0xE0) == 0xC0 ? 1
+                         : (lead & 0xF0) == 0xE0 ? 2
+                         : (lead & 0xF8) == 0xF0 ? 3
+                                                 : -1;
+        char32_t c = more < 1 ? lead : lead & (0x3Fu >> more);
+        bool valid = more >= 0;
+        for (int n = 0; valid && n < more; ++n) {
+            valid = i < utf8.size() && (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80;
+            if (valid) c = c << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3Fu);
+        }
+        out.push_back(valid && c <= 0x10FFFF ? c : U'\uFFFD');
+    }
+    return out;
+}
+
+}  // namespace fettle::visuals

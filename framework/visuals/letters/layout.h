@@ -1,0 +1,33 @@
+#pragma once
+// The places of the letters of a text. All lengths are for a font of size 1, so one layout serves
+// for the measure and for drawing in any size.
+
+#include <string_view>
+#include <vector>
+
+#include <letters/fonts.h>
+
+namespace fettle::visuals {
+
+enum class Align : unsigned char { left, center, right };
+
+struct PlacedLetter {
+    Font* font = nullptr;
+    char32_t letter = 0;
+    double x = 0, y = 0;  // of the pen on the baseline, from the top left corner, y down
+};
+
+struct Layout {
+    std::vector<PlacedLetter> letters;
+    double width = 0, height = 0;
+
+    static constexpr double line_height = 1.2;
+    /// Lines end at "\n", and at a space before they become longer than `wrap` (0: never). A tab
+    /// goes on at the next multiple of two.
+    static Layout of(std::string_view utf8, const Family& family, Align align, double wrap);
+};
+
+/// Bytes that are no UTF-8 become replacement characters.
+std::u32string decoded(std::string_view utf8);
+
+}  // namespace fettle::visuals

@@ -1,0 +1,214 @@
+#include <sprites/sprites.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <fettle/property/spelling.h>
+
+#include <placing/placing.h>
+#include <placing/properties.h>
+
+namespace fettle::visuals {
+
+using property::Handle;
+using property::Transform;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// The numbers of a text such as "3-6"; false for any other text.
+bool read_range(const std::string& text, std::int64_t& first, std::int64_t& last) {
+    const char* const end = text.data() + text.size();
+    const auto begun = std::from_chars(text.data(), end, first);
+    if (begun.ec != std::errc()) return false;
+    last = first;
+    if (begun.ptr == end) return true;
+    if (*begun.ptr != '-') return false;
+    const auto ended = std::from_chars(begun.ptr + 1, end, last);
+    return ended.ec == std::errc() && ended.ptr == end;
+}
+
+std::string known_animations(const std::string& name, const Sheet& sheet) {
+    std::vector<std::string> names;
+    for (const Animation& each : sheet.animations) names.push_back(each.name);
+    return property::suggestion(name, names);
+}
+
+}  // namespace
+
+// --- Rows
+
+property::Row Sprites::add(Handle self) {
+    property::Row row = 0;
+    if (free_.empty()) {
+        row = static_cast<property::Row>(rows_.size());
+        rows_.emplace_back();
+    } else {
+        row = free_.back();
+        free_.pop_back();
+    }
+    rows_[row].self = self;
+    return row;
+}
+
+/// Null if it has no image.
+const Sheet* Sprites::sheet(Row& row) {
+    const Value name = tree_->peek(row.self, *of_.image);
+    if (row.sheet == nullptr || !(name == row.name)) {
+        row.name = name;
+        row.sheet = name.text().empty() ? nullptr : images_.get("Sprite.image", name.text());
+    }
+    return row.sheet.get();
+}
+
+// --- Frames
+
+std::int64_t Sprites::frames_in(const Row& row, const Sheet& sheet) const {
+    if (!sheet.frames.empty()) return static_cast<std::int64_t>(sheet.frames.size());
+    if (!sheet.found) return 1;
+    const Reader read(*tree_, row.self);
+    return read.value(of_.columns).integer() * read.value(of_.rows).integer();
+}
+
+Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
+    Playing all{.count = frames_in(row, sheet)};
+    const Value value = tree_->peek(row.self, *of_.animation);
+    const std::string& name = value.text();
+    if (name.empty() || !sheet.found) return all;
+    if (const Animation* const found = sheet.animation(name))
+        return {found, 0, static_cast<std::int64_t>(found->frames.size())};
+    std::int64_t first = 0, last = 0;
+    if (read_range(name, first, last) && first >= 1 && last >= first && last <= all.count)
+        return {nullptr, first - 1, last - first + 1};
+    images_.tell("Sprite.animation: " + row.name.text() + " has no animation \"" + name + "\"" +
+                 known_animations(name, sheet) + "; it has " + std::to_string(all.count) +
+                 (all.count == 1 ? " frame" : " frames"));
+    return all;
+}
+
+/// The frame that is shown.
+Frame Sprites::frame(Row& row) {
+    const Sheet& sheet = *row.sheet;
+    const Playing plays = playing(row, sheet);
+    const auto n = static_cast<std::size_t>(row.frame % plays.count);
+    const std::size_t index =
+        plays.animation ? plays.animation->frames[n] : static_cast<std::size_t>(plays.first) + n;
+    if (!sheet.frames.empty()) return sheet.frames[index];
+    Frame whole;
+    whole.area = {0, 0, static_cast<double>(sheet.picture.width()),
+                  static_cast<double>(sheet.picture.height())};
+    if (sheet.found) {
+        const Reader read(*tree_, row.self);
+        const auto columns = static_cast<std::size_t>(read.value(of_.columns).integer());
+        const auto lines = static_cast<std::size_t>(read.value(of_.rows).integer());
+        whole.area.width /= static_cast<double>(columns);
+        whole.area.height /= static_cast<double>(lines);
+        whole.area.left = whole.area.width * static_cast<double>(index % columns);
+        whole.area.top = whole.area.height * static_cast<double>(index / columns);
+    }
+    whole.size = {whole.area.width, whole.area.height};
+    return whole;
+}
+
+/// Time of the current frame; 0 if it does not go on.
+double Sprites::seconds_of(const Row& row, const Sheet& sheet, const Playing& plays) const {
+    const double rate = Reader(*tree_, row.self).number(of_.frames_per_second);
+    if (rate > 0) return 1 / rate;
+    if (sheet.frames.empty()) return 0;
+    const auto n = static_cast<std::size_t>(row.frame % plays.count);
+    return sheet
+        .frames[plays.animation ? plays.animation->frames[n]
+                                : static_cast<std::size_t>(plays.first) + n]
+        .seconds;
+}
+
+void Sprites::advance(Row& row, double dt) {
+    const Sheet* const shown = sheet(row);  // also tells of a missing file where nothing is drawn
+    if (shown == nullptr) return;
+    const Reader read(*tree_, row.self);
+    const Playing plays = playing(row, *shown);
+    if (plays.count < 2 || !read.flag(of_.playing)) return;
+    double length = seconds_of(row, *shown, plays);
+    if (length <= 0) return;
+    const bool loop = read.flag(of_.loop);
+    // At its end, an animation without `loop` stays for the whole time of its last frame.
+    if (!loop && row.frame % plays.count == plays.count - 1 && row.elapsed >= length) return;
+    row.elapsed += dt;
+    // The tolerance makes six steps of 1/60 s a tenth of a second.
+    while (row.elapsed + 1e-9 >= length && length > 0) {
+        if (row.frame % plays.count == plays.count - 1 && !loop) {
+            row.elapsed = length;
+            ended_.push_back(row.self);
+            return;
+        }
+        row.elapsed = std::max(0.0, row.elapsed - length);
+        row.frame = (row.frame + 1) % plays.count;
+        length = seconds_of(row, *shown, plays);
+    }
+}
+
+void Sprites::step(double dt) {
+    ended_.clear();
+    for (Row& row : rows_)
+        if (row.self) advance(row, dt);
+}
+
+void Sprites::report() {
+    for (const Handle self : ended_)
+        if (tree_->alive(self) && tree_->listens(self, *finished_))
+            tree_->emit(self, *finished_, {});
+    ended_.clear();
+}
+
+std::uint64_t Sprites::hash() const {
+    std::uint64_t hash = 0;
+    for (const Row& row : rows_) {
+        hash = (hash ^ static_cast<std::uint64_t>(row.frame)) * 0x9e3779b97f4a7c15u;
+        hash = (hash ^ std::bit_cast<std::uint64_t>(row.elapsed)) * 0x9e3779b97f4a7c15u;
+    }
+    return hash;
+}
+
+// --- Drawing
+
+Vec2 Sprites::size_of(const Row& row, const Frame& frame, bool on_screen) const {
+    const Reader read(*tree_, row.self);
+    const Value given = read.value(of_.size);
+    if (given.is(property::Type::vec2)) return given.vec2();
+    return on_screen ? frame.size : Vec2(frame.size / read.number(of_.pixels_per_unit));
+}
+
+void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
+    const Reader read(*tree_, row.self);
+    if (!read.flag(of_.visible) || sheet(row) == nullptr) return;
+    const Frame shown = frame(row);
+    const bool on_screen = painter.on_screen();
+    const Vec2 size = size_of(row, shown, on_screen);
+    if (size.x() <= 0 || size.y() <= 0 || shown.size.x() <= 0 || shown.size.y() <= 0) return;
+    // The box of the uncut frame, and in it that of the part that the file contains.
+    const Vec2 origin = read.vec2(of_.origin);
+    const double unit_x = size.x() / shown.size.x(), unit_y = size.y() / shown.size.y();
+    double left = unit_x * shown.offset.x() - size.x() * origin.x();
+    double right = left + unit_x * shown.area.width;
+    // From the top of the frame down to the origin.
+    double top = size.y() * (1 - origin.y()) - unit_y * shown.offset.y();
+    double bottom = top - unit_y * shown.area.height;
+    if (read.flag(of_.flip_x)) left = -left, right = -right;
+    if (read.flag(of_.flip_y)) top = -top, bottom = -bottom;
+    if (on_screen) top = -top, bottom = -bottom;
+    const Transform local = local_pose(read.vec2(of_.position), read.number(of_.angle),
+                                       read.number(of_.scale), on_screen);
+    painter.push(placed_below(*tree_, tree_->parent(row.self), on_screen, alpha) * local);
+    const property::Blend blend = blend_of(read.value(of_.blend));
+    if (blend != property::Blend::normal) painter.blend(blend);
+    const Vec2 lower(left, on_screen ? top : bottom), upper(right, on_screen ? bottom : top);
+    painter.picture(row.sheet->picture, shown.area, lower, upper, read.color(of_.tint),
+                    read.flag(of_.smooth));
+    painter.pop();
+}
+
+}  // namespace fettle::visuals

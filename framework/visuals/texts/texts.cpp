@@ -1,0 +1,202 @@
+#include <texts/texts.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <letters/writing.h>
+#include <placing/placing.h>
+#include <placing/properties.h>
+
+namespace fettle::visuals {
+
+using property::accessor;
+using property::Color;
+using property::Handle;
+using property::Painter;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+Align align_of(const Value& name) {
+    return name.text() == "left"    ? Align::left
+           : name.text() == "right" ? Align::right
+                                    : Align::center;
+}
+
+}  // namespace
+
+std::vector<Property> Texts::properties() {
+    const auto derived = [](Property property) {
+        property.read_only = property.transient = true;
+        property.derives_from = {"text", "font", "size", "wrap"};
+        return property;
+    };
+    return {
+        {.name = "text", .type = Type::text, .doc = "What is written; it may have several lines."},
+        {.name = "font",
+         .type = Type::text,
+         .default_value = "sans",
+         .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it "
+                "lacks are taken from sans."},
+        {.name = "size",
+         .type = Type::number,
+         .default_value = 0.5,
+         .unit = "m",
+         .range = {0, 1e6},
+         .doc = "Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen."},
+        {.name = "align",
+         .type = Type::text,
+         .default_value = "center",
+         .doc = "Where lines begin that are shorter than the longest.",
+         .enumerators = {"left", "center", "right"}},
+        {.name = "anchor",
+         .type = Type::vec2,
+         .default_value = Vec2(0.5, 0.5),
+         .range = {-1e6, 1e6},
+         .doc = "The point of the text that is at its position: (0, 0) is the bottom left corner, "
+                "(1, 1) the top right one."},
+        {.name = "wrap",
+         .type = Type::number,
+         .unit = "m",
+         .range = {0, 1e9},
+         .doc = "Longest line; words beyond it begin another line. 0: no limit. Pixels in a layer "
+                "on the screen."},
+        {.name = "color",
+         .type = Type::color,
+         .default_value = Color{1, 1, 1, 1},
+         .range = {0, 1},
+         .doc = "Color of the letters."},
+        {.name = "outline",
+         .type = Type::color,
+         .default_value = Color{0, 0, 0, 0},
+         .range = {0, 1},
+         .doc = "Color around the letters; transparent: none."},
+        {.name = "outline_width",
+         .type = Type::number,
+         .default_value = 0.06,
+         .range = {0, 1},
+         .doc = "Width of the outline as a part of the size."},
+        position_property("Where its anchor is, relative to what it hangs below; pixels in a layer "
+                          "on the screen."),
+        angle_property(),
+        blend_property(),
+        visible_property(),
+        derived({.name = "text_width",
+                 .type = Type::number,
+                 .unit = "m",
+                 .doc = "Width of the longest line.",
+                 .binding = accessor(*this,
+                                     [](Texts& t, property::Row row) {
+                                         Row& r = t.rows_[row];
+                                         return t.layout(r).width * t.size_of(r);
+                                     })}),
+        derived({.name = "text_height",
+                 .type = Type::number,
+                 .unit = "m",
+                 .doc = "Height of all lines.",
+                 .binding = accessor(*this,
+                                     [](Texts& t, property::Row row) {
+                                         Row& r = t.rows_[row];
+                                         return t.layout(r).height * t.size_of(r);
+                                     })}),
+    };
+}
+
+property::Lifecycle Texts::lifecycle() {
+    property::Lifecycle made;
+    made.context = this;
+    made.create = [](void* context, property::Tree&, Handle self) {
+        return static_cast<Texts*>(context)->add(self);
+    };
+    made.destroy = [](void* context, property::Tree&, Handle, property::Row row) {
+        auto& t = *static_cast<Texts*>(context);
+        t.rows_[row] = {};
+        t.free_.push_back(row);
+    };
+    made.draw = [](void* context, const property::Tree&, Handle, property::Row row,
+                   Painter& painter, double alpha) {
+        auto& t = *static_cast<Texts*>(context);
+        t.draw(t.rows_[row], painter, alpha);
+    };
+    return made;
+}
+
+property::Row Texts::add(Handle self) {
+    property::Row row = 0;
+    if (free_.empty()) {
+        row = static_cast<property::Row>(rows_.size());
+        rows_.emplace_back();
+    } else {
+        row = free_.back();
+        free_.pop_back();
+    }
+    rows_[row].self = self;
+    return row;
+}
+
+void Texts::define(property::Tree& tree) {
+    tree_ = &tree;
+    property::ClassDescriptor described{
+        .name = "Text",
+        .doc =
+            "Written text in the world or, in a layer, on the screen. What it hangs below moves "
+            "it, as a Sprite.",
+        .properties = properties()};
+    described.lifecycle = lifecycle();
+    const property::Class& made = tree.define(std::move(described));
+    const auto of = [&](const char* name) { return made.property(name); };
+    of_ = {of("text"),  of("font"),  of("size"),    of("align"),         of("anchor"),
+           of("wrap"),  of("color"), of("outline"), of("outline_width"), of("position"),
+           of("angle"), of("blend"), of("visible")};
+}
+
+double Texts::size_of(const Row& row) const {
+    return Reader(*tree_, row.self).number(of_.size);
+}
+
+const Layout& Texts::layout(Row& row) {
+    const Reader read(*tree_, row.self);
+    const double size = read.number(of_.size);
+    const double wrap = size > 0 ? read.number(of_.wrap) / size : 0;
+    const Value text = read.value(of_.text), font = read.value(of_.font),
+                align = read.value(of_.align);
+    if (text == row.text && font == row.font && align == row.align && wrap == row.wrap)
+        return row.layout;
+    row.text = text;
+    row.font = font;
+    row.align = align;
+    row.wrap = wrap;
+    row.layout =
+        Layout::of(text.text(), fonts_.get("Text.font", font.text()), align_of(align), wrap);
+    return row.layout;
+}
+
+void Texts::draw(Row& row, Painter& painter, double alpha) {
+    const Reader read(*tree_, row.self);
+    if (!read.flag(of_.visible)) return;
+    const Layout& placed = layout(row);
+    if (placed.letters.empty()) return;
+    const bool screen = painter.on_screen();
+    painter.push(placed_below(*tree_, tree_->parent(row.self), screen, alpha) *
+                 local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
+    const property::Blend blend = blend_of(read.value(of_.blend));
+    if (blend != property::Blend::normal) painter.blend(blend);
+    const double size = read.number(of_.size);
+    const Vec2 anchor = read.vec2(of_.anchor);
+    const Vec2 corner = Vec2(-anchor.x() * placed.width, -(1 - anchor.y()) * placed.height) * size;
+    const Color outline = read.color(of_.outline);
+    const double width = size * read.number(of_.outline_width);
+    constexpr int directions = 12;
+    for (int i = 0; outline.a > 0 && width > 0 && i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const Vec2 aside = width * Vec2(std::cos(angle), std::sin(angle));
+        draw_letters(painter, placed, size, corner + aside, outline);
+    }
+    draw_letters(painter, placed, size, corner, read.color(of_.color));
+    painter.pop();
+}
+
+}  // namespace fettle::visuals

@@ -1,0 +1,45 @@
+#pragma once
+// The class Text.
+
+#include <memory>
+#include <vector>
+
+#include <fettle/property/painter.h>
+#include <fettle/property/tree.h>
+
+#include <letters/layout.h>
+
+namespace fettle::visuals {
+
+class Texts {
+  public:
+    explicit Texts(Fonts& fonts) : fonts_(fonts) {}
+    void define(property::Tree& tree);
+
+  private:
+    /// The layout that was used last, and what it was made of.
+    struct Row {
+        property::Handle self{};
+        property::Value text{}, font{}, align{};
+        double wrap = -1;  // for a font of size 1
+        Layout layout{};
+    };
+    struct Properties {
+        const property::Property *text, *font, *size, *align, *anchor, *wrap, *color, *outline,
+            *outline_width, *position, *angle, *blend, *visible;
+    };
+    std::vector<property::Property> properties();
+    property::Lifecycle lifecycle();
+    property::Row add(property::Handle self);
+    double size_of(const Row& row) const;
+    const Layout& layout(Row& row);
+    void draw(Row& row, property::Painter& painter, double alpha);
+
+    Fonts& fonts_;
+    property::Tree* tree_ = nullptr;
+    Properties of_{};
+    std::vector<Row> rows_;
+    std::vector<property::Row> free_;
+};
+
+}  // namespace fettle::visuals

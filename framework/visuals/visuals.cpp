@@ -1,0 +1,104 @@
+#include <fettle/visuals/visuals.h>
+
+#include <utility>
+
+#include <images/images.h>
+#include <layers/layers.h>
+#include <letters/fonts.h>
+#include <letters/writing.h>
+#include <lines/lines.h>
+#include <sprites/sprites.h>
+#include <texts/texts.h>
+
+namespace fettle::visuals {
+
+namespace {
+
+Align align_of(property::TextAlign align) {
+    return align == property::TextAlign::left    ? Align::left
+           : align == property::TextAlign::right ? Align::right
+                                                 : Align::center;
+}
+
+/// Images and text for scripts that draw with a pen.
+class GameMedia : public property::Media {
+  public:
+    GameMedia(Images& images, Fonts& fonts) : images_(images), fonts_(fonts) {}
+    const property::Picture& picture(const std::string& what, const std::string& name) override {
+        return images_.get(what, name)->picture;
+    }
+    property::Vec2 text_size(std::string_view text, const property::TextStyle& style) override {
+        const Layout layout = layout_of(text, style);
+        return style.size * property::Vec2(layout.width, layout.height);
+    }
+    void text(property::Painter& painter, const property::Vec2& position, std::string_view text,
+              const property::TextStyle& style) override {
+        const Layout layout = layout_of(text, style);
+        const double width = style.size * layout.width;
+        const double left = style.align == property::TextAlign::left    ? 0
+                            : style.align == property::TextAlign::right ? width
+                                                                        : 0.5 * width;
+        painter.push(property::Transform::moved(position));
+        draw_letters(painter, layout, style.size, {-left, -0.5 * style.size * layout.height},
+                     style.color);
+        painter.pop();
+    }
+
+  private:
+    Layout layout_of(std::string_view text, const property::TextStyle& style) {
+        return Layout::of(text, fonts_.get("pen.text", style.font), align_of(style.align), 0);
+    }
+
+    Images& images_;
+    Fonts& fonts_;
+};
+
+}  // namespace
+
+struct Visuals::State {
+    explicit State(property::Assets* assets)
+        : images(assets),
+          fonts(assets, [this](const std::string& problem) { images.tell(problem); }),
+          sprites(images),
+          texts(fonts),
+          media(images, fonts) {}
+    Images images;
+    Fonts fonts;
+    Sprites sprites;
+    Texts texts;
+    Lines lines;
+    Layers layers;
+    GameMedia media;
+};
+
+Visuals::Visuals(property::Assets* assets) : state_(std::make_unique<State>(assets)) {}
+Visuals::~Visuals() = default;
+
+void Visuals::attach(property::Tree& tree) {
+    state_->sprites.define(tree);
+    state_->texts.define(tree);
+    state_->lines.define(tree);
+    state_->layers.define(tree);
+}
+
+property::Media& Visuals::media() {
+    return state_->media;
+}
+
+void Visuals::step(double dt) {
+    state_->sprites.step(dt);
+}
+
+void Visuals::report(property::Tree&) {
+    state_->sprites.report();
+}
+
+std::uint64_t Visuals::hash() const {
+    return state_->sprites.hash();
+}
+
+void Visuals::on_problem(std::function<void(const std::string&)> tell) {
+    state_->images.on_problem(std::move(tell));
+}
+
+}  // namespace fettle::visuals

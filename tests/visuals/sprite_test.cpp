@@ -1,0 +1,239 @@
+// Sprites: where they are drawn, their images, their frames.
+
+#include <catch.h>
+
+#include "gallery.h"
+
+namespace sprite_test {
+
+using namespace fettle::visuals::test;
+
+namespace {
+
+/// 2 x 4 m: 8 x 4 pixels, 4 in a meter.
+const std::vector<std::pair<std::string, Value>> hero{{"image", "hero.tga"},
+                                                      {"pixels_per_unit", 4.0}};
+
+/// An export with frames of 4 x 4 pixels and the tags "walk" (2 and 3) and "back".
+std::string exported() {
+    const auto frame = [](int x) {
+        return R"({"frame":{"x":)" + std::to_string(x) +
+               R"(,"y":1,"w":2,"h":2},"spriteSourceSize":{"x":1,"y":1,"w":2,"h":2},)"
+               R"("sourceSize":{"w":4,"h":4},"duration":100})";
+    };
+    return R"({"frames":[)" + frame(0) + "," + frame(2) + "," + frame(4) + R"(],"meta":{)" +
+           R"("image":"hero.tga","frameTags":[{"name":"walk","from":1,"to":2},)" +
+           R"({"name":"back","from":0,"to":2,"direction":"reverse"}]}})";
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Gallery, "a sprite is drawn around its origin") {
+    const Handle s = make("Sprite", hero);
+    auto drawn = draw();
+    REQUIRE(drawn.size() == 1);
+    CHECK(near(drawn[0].lower_left, {-1, -0.5}));
+    CHECK(near(drawn[0].lower_right, {1, -0.5}));
+    CHECK(near(drawn[0].upper_left, {-1, 0.5}));
+    CHECK(drawn[0].area.width == 8);
+    CHECK(drawn[0].picture->width() == 8);
+    CHECK(drawn[0].picture->rgba()[0] == 0);  // red of the top left pixel
+    CHECK(drawn[0].picture->rgba()[2] == 10);
+    tree.set(s, "origin", Value(Vec2(0, 0)));
+    tree.set(s, "position", Value(Vec2(3, 4)));
+    tree.set(s, "angle", Value(std::acos(0.0)));
+    tree.set(s, "scale", Value(2.0));
+    drawn = draw();
+    CHECK(near(drawn[0].lower_left, {3, 4}));
+    CHECK(near(drawn[0].lower_right, {3, 8}));
+    CHECK(near(drawn[0].upper_left, {1, 4}));
+    tree.set(s, "size", Value(Vec2(1, 1)));
+    CHECK(near(draw()[0].lower_right, {3, 6}));
+    tree.set(s, "size", Value());
+    CHECK(near(draw()[0].lower_right, {3, 8}));
+    tree.set(s, "visible", Value(false));
+    CHECK(draw().empty());
+}
+
+TEST_CASE_METHOD(Gallery, "a sprite is mirrored about its origin") {
+    const Handle s = make("Sprite", hero);
+    tree.set(s, "origin", Value(Vec2(0.25, 0)));
+    tree.set(s, "flip_x", Value(true));
+    tree.set(s, "flip_y", Value(true));
+    const auto drawn = draw();
+    CHECK(near(drawn[0].lower_left, {0.5, 0}));
+    CHECK(near(drawn[0].lower_right, {-1.5, 0}));
+    CHECK(near(drawn[0].upper_left, {0.5, -1}));
+}
+
+TEST_CASE_METHOD(Gallery, "tint and blend and filter reach the painter") {
+    const Handle s = make("Sprite", hero);
+    tree.set(s, "tint", Value(Color{1, 0, 0, 0.5f}));
+    tree.set(s, "blend", Value("add"));
+    tree.set(s, "smooth", Value(false));
+    const auto drawn = draw();
+    CHECK(drawn[0].color == Color{1, 0, 0, 0.5f});
+    CHECK(drawn[0].blend == Blend::add);
+    CHECK_FALSE(drawn[0].smooth);
+}
+
+TEST_CASE_METHOD(Gallery, "a sprite follows what it hangs below") {
+    const Handle ship = make("Object");
+    tree.set_or_add(ship, "position", Value(Vec2(10, 0)));
+    tree.set_or_add(ship, "angle", Value(std::acos(0.0)));
+    const Handle outer = make("Sprite", {{"position", Value(Vec2(2, 0))}, {"scale", 3.0}}, ship);
+    const Handle inner = make("Sprite", hero, outer);
+    tree.set(inner, "position", Value(Vec2(1, 0)));
+    tree.set(inner, "origin", Value(Vec2(0, 0)));
+    const auto drawn = draw();
+    REQUIRE(drawn.size() == 1);  // the outer one has no image
+    CHECK(near(drawn[0].lower_left, {10, 5}));
+    CHECK(near(drawn[0].lower_right, {10, 11}));
+    // A class may say where its instances are drawn in this picture.
+    ClassDescriptor moving{.name = "Moving"};
+    moving.lifecycle.pose = [](void*, const Tree&, Handle, Row, double alpha) {
+        return Transform::placed({alpha, 1}, 0);
+    };
+    tree.move(inner, tree.create(tree.define(moving), tree.root()));
+    CHECK(near(draw({}, 0.25)[0].lower_left, {1.25, 1}));
+}
+
+TEST_CASE_METHOD(Gallery, "an image is loaded once and shared") {
+    make("Sprite", hero);
+    make("Sprite", hero);
+    const auto drawn = draw();
+    CHECK(drawn[0].picture == drawn[1].picture);
+}
+
+TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
+    const Handle s = make("Sprite", {{"image", "hreo.tga"}});
+    make("Sprite", {{"image", "hreo.tga"}});
+    step(3);
+    draw();
+    CHECK(problems ==
+          std::vector<std::string>{"Sprite.image: there is no file \"hreo.tga\" (did you mean "
+                                   "\"hero.tga\"?)"});
+    CHECK(tree.get(s, "image_width") == Value(32));
+    CHECK(draw().size() == 2);
+    write("broken.png", "this is no image");
+    tree.set(s, "image", Value("broken.png"));
+    step(1);
+    REQUIRE(problems.size() == 2);
+    CHECK_THAT(problems[1], contains("Sprite.image: \"broken.png\": cannot be read as PNG"));
+    tree.set(s, "image", Value("../hero.tga"));
+    step(1);
+    REQUIRE(problems.size() == 3);
+    CHECK_THAT(problems[2], contains("is no file below the game's folder"));
+    tree.set(s, "image", Value("hero.tga"));
+    CHECK(tree.get(s, "image_width") == Value(8));
+    CHECK(tree.get(s, "image_height") == Value(4));
+}
+
+TEST_CASE_METHOD(Gallery, "frames of a sheet go on with simulation time") {
+    const Handle s = make("Sprite", hero);
+    tree.set(s, "columns", Value(4));
+    tree.set(s, "rows", Value(2));
+    CHECK(tree.get(s, "frame_count") == Value(8));
+    tree.set(s, "frame", Value(6));
+    auto drawn = draw();
+    CHECK(drawn[0].area.left == 2);
+    CHECK(drawn[0].area.top == 2);
+    CHECK(drawn[0].area.width == 2);
+    CHECK(near(drawn[0].lower_right - drawn[0].lower_left, {0.5, 0}));
+    step(10);
+    CHECK(frame(s) == 6);  // no speed
+    tree.set(s, "frames_per_second", Value(10.0));
+    step(5);
+    CHECK(frame(s) == 6);
+    step(1);
+    CHECK(frame(s) == 7);
+    step(12);
+    CHECK(frame(s) == 1);
+    tree.set(s, "playing", Value(false));
+    step(12);
+    CHECK(frame(s) == 1);
+    tree.set(s, "playing", Value(true));
+    tree.set(s, "animation", Value("3-5"));
+    CHECK(tree.get(s, "frame_count") == Value(3));
+    CHECK(draw()[0].area.left == 4);
+    step(18);
+    CHECK(frame(s) == 1);
+}
+
+TEST_CASE_METHOD(Gallery, "an animation that does not loop finishes once") {
+    const Handle s = make("Sprite", hero);
+    int finished = 0;
+    const auto on =
+        tree.on(s, *tree.class_of(s).event("finished"), [&](const Occurrence&) { ++finished; });
+    tree.set(s, "columns", Value(3));
+    tree.set(s, "frames_per_second", Value(60.0));
+    tree.set(s, "loop", Value(false));
+    step(2);
+    CHECK(frame(s) == 3);
+    CHECK(finished == 0);
+    step(5);
+    CHECK(frame(s) == 3);
+    CHECK(finished == 1);
+    tree.set(s, "frame", Value(1));
+    step(10);
+    CHECK(finished == 2);
+}
+
+TEST_CASE_METHOD(Gallery, "snapshots contain the frame and its time") {
+    const Handle s = make("Sprite", hero);
+    tree.set(s, "columns", Value(8));
+    tree.set(s, "frames_per_second", Value(10.0));
+    step(15);
+    const Snapshot before = tree.snapshot();
+    step(20);
+    const std::int64_t later = frame(s);
+    tree.restore(before);
+    CHECK(frame(s) == 3);
+    step(20);
+    CHECK(frame(s) == later);
+    tree.destroy(s);
+    tree.restore(Snapshot::from_bytes(before.to_bytes()));
+    CHECK(frame(s) == 3);
+    step(20);
+    CHECK(frame(s) == later);
+    CHECK(draw().size() == 1);
+}
+
+TEST_CASE_METHOD(Gallery, "a file of Aseprite has frames and animations and times") {
+    write("hero.json", exported());
+    const Handle s = make("Sprite", {{"image", "hero.json"}, {"pixels_per_unit", 1.0}});
+    CHECK(tree.get(s, "frame_count") == Value(3));
+    auto drawn = draw();
+    CHECK(drawn[0].area.top == 1);
+    CHECK(drawn[0].area.width == 2);
+    CHECK(near(drawn[0].lower_left, {-1, -1}));  // the part in the middle of 4 x 4 pixels
+    step(6);
+    CHECK(frame(s) == 2);
+    tree.set(s, "animation", Value("walk"));
+    CHECK(tree.get(s, "frame_count") == Value(2));
+    CHECK(draw()[0].area.left == 2);
+    tree.set(s, "animation", Value("back"));
+    CHECK(draw()[0].area.left == 4);
+    CHECK(problems.empty());
+    tree.set(s, "animation", Value("wlak"));
+    step(2);
+    CHECK(problems == std::vector<std::string>{
+                          "Sprite.animation: hero.json has no animation \"wlak\" (did you mean "
+                          "\"walk\"?); it has 3 frames"});
+}
+
+TEST_CASE_METHOD(Gallery, "a broken file of Aseprite is an error") {
+    const std::string whole = exported();
+    write("a.json", whole.substr(0, whole.size() / 2));
+    write("b.json", R"({"frames":[],"meta":{"image":"hero.tga"}})");
+    write("c.json", R"({"frames":{"a":7},"meta":{"image":"hero.tga"}})");
+    write("d.json", R"({"frames":[{"frame":{"x":0,"y":0,"w":1,"h":1}}],)"
+                    R"("meta":{"image":"hero.tga","frameTags":[{"name":"x","from":0,"to":5}]}})");
+    for (const char* name : {"a.json", "b.json", "c.json", "d.json"})
+        make("Sprite", {{"image", name}});
+    step(1);
+    CHECK(problems.size() == 4);
+    CHECK(draw().size() == 4);
+}
+
+}  // namespace sprite_test

@@ -1,0 +1,147 @@
+// Texts: their measure, and what is drawn.
+
+#include <catch.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "gallery.h"
+
+namespace text_test {
+
+using namespace fettle::visuals::test;
+
+namespace {
+
+/// The box around all pictures.
+struct Box {
+    double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
+    explicit Box(const std::vector<Drawn>& all) {
+        for (const Drawn& d : all) {
+            left = std::min(left, d.lower_left.x());
+            right = std::max(right, d.lower_right.x());
+            bottom = std::min(bottom, d.lower_left.y());
+            top = std::max(top, d.upper_left.y());
+        }
+    }
+};
+
+struct Written : Gallery {
+    Handle text = make("Text", {{"text", "Hamburg"}, {"size", 1.0}});
+    double width() { return tree.get(text, "text_width").number(); }
+    double height() { return tree.get(text, "text_height").number(); }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Written, "what is drawn has the measured size at any zoom") {
+    const double measured = width();
+    CHECK(measured > 3);
+    CHECK(measured < 6);
+    CHECK(height() == Approx(1.2));
+    for (const double zoom : {8.0, 13.7, 40.0, 400.0}) {
+        Sheet sheet;
+        sheet.zoom = zoom;
+        const auto drawn = draw(sheet);
+        REQUIRE(drawn.size() == 7);
+        const Box box(drawn);
+        CHECK(box.right - box.left == Approx(measured).margin(0.25 + 2 / zoom));
+        CHECK(box.left + box.right == Approx(0).margin(0.2 + 2 / zoom));
+        CHECK(box.top < 0.6);
+        CHECK(box.bottom > -0.6);
+        // Letters have as many pixels as they cover.
+        const auto pixels = static_cast<double>(drawn[0].picture->height());
+        if (zoom < 200)
+            CHECK((drawn[0].upper_left.y() - drawn[0].lower_left.y()) * zoom ==
+                  Approx(pixels).epsilon(0.04));
+    }
+    CHECK(width() == measured);
+}
+
+TEST_CASE_METHOD(Written, "the size scales the measure") {
+    const double one = width();
+    tree.set(text, "size", Value(0.25));
+    CHECK(width() == Approx(one / 4));
+    CHECK(height() == Approx(0.3));
+    tree.set(text, "size", Value(0.0));
+    CHECK(width() == 0);
+    CHECK(draw().empty());
+}
+
+TEST_CASE_METHOD(Written, "lines and tabs and wrapping") {
+    const double one = width();
+    tree.set(text, "text", Value("Hamburg\nHa"));
+    CHECK(height() == Approx(2.4));
+    CHECK(width() == Approx(one));
+    tree.set(text, "text", Value("Ha\tburg"));
+    CHECK(width() > 2);
+    tree.set(text, "text", Value("Hamburg Hamburg Hamburg"));
+    tree.set(text, "wrap", Value(one + 0.1));
+    CHECK(height() == Approx(3.6));
+    CHECK(width() == Approx(one));
+    tree.set(text, "wrap", Value(1.0));  // less than a word, which stays in one piece
+    CHECK(height() == Approx(3.6));
+    tree.set(text, "wrap", Value(2 * one + 1));
+    CHECK(height() == Approx(2.4));
+    tree.set(text, "text", Value(""));
+    CHECK(width() == 0);
+    CHECK(height() == 0);
+}
+
+TEST_CASE_METHOD(Written, "align and anchor place the lines") {
+    tree.set(text, "text", Value("Hamburg\nH"));
+    tree.set(text, "anchor", Value(Vec2(0, 1)));
+    const auto last = [&] { return draw().back().lower_left.x(); };
+    tree.set(text, "align", Value("left"));
+    const double left = last();
+    CHECK(left == Approx(0).margin(0.2));
+    tree.set(text, "align", Value("right"));
+    const double right = last();
+    CHECK(right > left + 2);
+    tree.set(text, "align", Value("center"));
+    CHECK(last() == Approx(0.5 * (left + right)).margin(1e-6));
+    const Box box(draw());
+    CHECK(box.top < 0);
+    CHECK(box.bottom > -2.4);
+}
+
+TEST_CASE_METHOD(Written, "an outline is drawn below the letters") {
+    tree.set(text, "outline", Value(Color{1, 0, 0, 1}));
+    const auto drawn = draw();
+    CHECK(drawn.size() == 13 * 7);
+    CHECK(drawn.front().color == Color{1, 0, 0, 1});
+    CHECK(drawn.back().color == Color{1, 1, 1, 1});
+}
+
+TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") {
+    std::ifstream in("/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf", std::ios::binary);
+    if (!in) return;
+    std::ostringstream content;
+    content << in.rdbuf();
+    write("own.ttf", content.str());
+    tree.set(text, "text", Value("iiiiWWWW"));
+    const double sans = width();
+    tree.set(text, "font", Value("mono"));
+    const double mono = width();
+    CHECK(mono != sans);
+    tree.set(text, "font", Value("own.ttf"));
+    CHECK(width() == mono);
+    tree.set(text, "font", Value("onw.ttf"));
+    CHECK(width() == sans);
+    CHECK(problems == std::vector<std::string>{
+                          "Text.font: there is no file \"onw.ttf\" (did you mean \"own.ttf\"?)"});
+    write("broken.ttf", "0123456789012345678901234567890");
+    tree.set(text, "font", Value("broken.ttf"));
+    CHECK(width() == sans);
+    CHECK(problems.size() == 2);
+}
+
+TEST_CASE_METHOD(Written, "any bytes can be written") {
+    for (const char* bytes : {"\xff\xfe", "\xc3", "\xf4\x90\x80\x80", "\r\n\t\n", "\xe2\x82\xac"}) {
+        tree.set(text, "text", Value(bytes));
+        CHECK(width() >= 0);
+        CHECK_NOTHROW(draw());
+    }
+}
+
+}  // namespace text_test
