@@ -1,5 +1,7 @@
 // The timeline: every moment in it is restored bit for bit.
 
+#include <map>
+
 #include "catch.h"
 
 #include "playing.h"
@@ -84,6 +86,51 @@ TEST_CASE("steps in which scripts write thousands of numbers are restored too") 
     game.play(130);
     for (const int step : {129, 1, 12, 55, 56, 40, 100, 130}) game.check(step);
     for (int step = 1; step <= 130; step += 7) game.check(step);
+}
+
+TEST_CASE("the kept past is reviewed step by step and the present is as it was") {
+    Playing game(busy);
+    game.play(120);
+    const auto positions = [&game](std::int64_t from) {
+        std::map<std::int64_t, property::Vec2> all;
+        game.time().review(from, [&](std::int64_t step) {
+            CHECK(all.emplace(step, game.get("world.ball.position").vec2()).second);
+        });
+        return all;
+    };
+    const auto seen = positions(50);
+    REQUIRE(seen.size() == 71);
+    CHECK(seen.begin()->first == 50);
+    CHECK(seen.rbegin()->first == 120);
+    CHECK(game.services.clock.step == 120);
+    REQUIRE(game.loop->hash() == game.hashes[120]);
+    for (const std::int64_t step : {50, 51, 77, 99, 120}) {
+        game.check(step);
+        CHECK(seen.at(step) == game.get("world.ball.position").vec2());
+    }
+    // From the past only what came before; the rest is kept.
+    game.time().go_to(80);
+    CHECK(positions(-5).rbegin()->first == 80);
+    REQUIRE(game.loop->hash() == game.hashes[80]);
+    CHECK(game.time().newest() == 120);
+    game.check(120);
+    game.play(10);
+    CHECK(game.time().newest() == 130);
+}
+
+TEST_CASE("the review of the past begins where a snapshot was restored") {
+    Playing game(busy);
+    game.play(20);
+    game.runtime->run("taken = snapshot()", "test");
+    game.play(30);
+    game.runtime->run("restore(taken)", "test");
+    game.loop->turn();
+    const std::int64_t after = game.services.clock.step;
+    game.loop->turn();
+    std::int64_t first = -1;
+    game.time().review(0, [&](std::int64_t step) { first = first < 0 ? step : first; });
+    CHECK(first >= 20);
+    CHECK(first <= after);
 }
 
 TEST_CASE("the game continues from the present after going back and returning") {

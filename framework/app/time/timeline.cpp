@@ -385,6 +385,21 @@ void Timeline::rewind(double seconds) {
     travel(std::clamp(to, oldest(), newest()));
 }
 
+void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
+    require_between_steps("the past cannot be looked at");
+    settle();
+    if (!keeps()) return;
+    const std::int64_t here = here_;
+    auto frame = std::prev(keyframes_.end());
+    while (frame != keyframes_.begin() && (frame->step > here || frame->step > from) &&
+           !(frame->step <= here && frame->jumped_to))
+        --frame;
+    from = std::max(from, frame->step);
+    replay(*frame, here, [&](std::int64_t step) {
+        if (step >= from) look(step);
+    });
+}
+
 void Timeline::redo(const Piece& piece) {
     log_->play(piece.writes);
     for (const auto& [part, changes] : piece.changes) part->redo(changes);
@@ -410,7 +425,14 @@ void Timeline::travel(std::int64_t step) {
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
-    const Snapshot from(frame->payload->payload(), frame->memories);
+    replay(*frame, step, {});
+}
+
+/// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,
+/// after each, the first time for the keyframe itself.
+void Timeline::replay(const Keyframe& frame, std::int64_t step,
+                      const std::function<void(std::int64_t)>& look) {
+    const Snapshot from(frame.payload->payload(), frame.memories);
     jumps_->travelling = true;
     jumps_->arrived = false;
     struct Arrive {
@@ -419,8 +441,12 @@ void Timeline::travel(std::int64_t step) {
     } arrive{jumps_->travelling};
     try {
         tree_.restore(from, [&] {
-            for (const Step& each : steps_)
-                if (each.number > frame->step && each.number <= step) redo(each);
+            if (look) look(frame.step);
+            for (const Step& each : steps_) {
+                if (each.number <= frame.step || each.number > step) continue;
+                redo(each);
+                if (look) look(each.number);
+            }
             if (step == newest())
                 for (const Piece& piece : tail_.before) redo(piece);
         });

@@ -58,6 +58,13 @@ class Timeline {
     /// beyond the newest; does nothing if none is kept. Throws Error(out_of_range) for NaN.
     void rewind(double seconds);
 
+    /// Calls `look` for the kept steps from `from` on, in order, up to the present one, with the
+    /// tree in the state after that step. At the end the tree is as it was, bit for bit; as after
+    /// any restoring, watchers are compared at the next barrier. Begins later if the past in
+    /// between was left by restoring a snapshot; does nothing if no step is kept. Throws as `go_to`
+    /// does. `look` must change nothing, and throw nothing.
+    void review(std::int64_t from, const std::function<void(std::int64_t step)>& look);
+
     /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
     /// smaller share makes going to a step slower.
     void set_share(double share) { share_ = share; }
@@ -113,6 +120,8 @@ class Timeline {
     void note_jump();
     void settle();
     void travel(std::int64_t step);
+    void replay(const Keyframe& frame, std::int64_t step,
+                const std::function<void(std::int64_t)>& look);
     void drop(std::deque<Step>::iterator step);
     void drop_after(std::int64_t step);
     void drop_oldest();
