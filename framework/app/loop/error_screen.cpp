@@ -14,7 +14,8 @@ constexpr SurfaceColor red{255, 112, 104, 255};
 constexpr SurfaceColor amber{255, 205, 120, 255};
 constexpr SurfaceColor green{166, 218, 149, 255};
 
-constexpr float margin = 48;  // px
+constexpr float margin = 48;       // px
+constexpr float keys_height = 44;  // px, of the bar with the keys
 
 void fill(Surface& surface, float x, float y, float w, float h, SurfaceColor c) {
     const SurfaceVertex corners[] = {{x, y, 0, 0, c.r, c.g, c.b, c.a},
@@ -235,10 +236,12 @@ bool ErrorScreen::handle(const InputEvent& event) {
 void ErrorScreen::draw(Surface& surface, double) {
     if (!visible()) return;
     const float width = surface.width(), height = surface.height();
+    const float low = height - (actions_.covered_below ? actions_.covered_below() : 0);
+    if (!running_ && actions_.looks_back && actions_.looks_back()) return draw_strip(surface, low);
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
     const float room = std::max(100.0f, width - 2 * margin);
-    const float bottom = height - 44;
+    const float bottom = low - keys_height;
     const std::vector<Line> all = lines();
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
     float y = margin;
@@ -256,7 +259,12 @@ void ErrorScreen::draw(Surface& surface, double) {
             rest.remove_prefix(length);
         } while (!rest.empty());
     }
-    fill(surface, 0, bottom + 4, width, height - bottom - 4, {10, 11, 15, 255});
+    draw_keys(surface, bottom);
+}
+
+/// Draws the keys in a bar, `bottom` being its upper edge.
+void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
+    fill(surface, 0, bottom + 4, surface.width(), keys_height - 4, {10, 11, 15, 255});
     const char* const keys =
         running_ ? (waits_ ? "S  stop it      R  reload      `  console"
                            : "S  stop it      W  wait on      R  reload      `  console      "
@@ -264,6 +272,19 @@ void ErrorScreen::draw(Surface& surface, double) {
                  : "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  "
                    "scroll";
     surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
+}
+
+/// Draws the first line of the error and the keys; the game stays visible above.
+void ErrorScreen::draw_strip(Surface& surface, float bottom) const {
+    const float top = bottom - keys_height - 34;
+    fill(surface, 0, top, surface.width(), 38, {18, 20, 26, 255});
+    fill(surface, 0, top, 5, 38 + keys_height, red);
+    const std::string_view message = error_->message;
+    const float room = std::max(100.0f, surface.width() - 2 * margin);
+    surface.text(margin, top + 10,
+                 message.substr(0, fitting(surface, message, room, 16, Face::bold)), 16, red,
+                 Face::bold);
+    draw_keys(surface, bottom - keys_height);
 }
 
 }  // namespace fettle::app

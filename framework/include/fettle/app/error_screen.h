@@ -21,6 +21,11 @@ class ErrorScreen : public Layer {
         std::function<void()> reload;             // R
         std::function<void()> go_on;              // escape: continue the game
         std::function<void(std::string)> copy{};  // C: the whole text, for a clipboard
+        /// Pixels at the lower edge of the window that another layer covers.
+        std::function<float()> covered_below{};
+        /// True while the state before the error is looked at: only a strip tells of the error, so
+        /// that the game is seen.
+        std::function<bool()> looks_back{};
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
 
@@ -48,6 +53,8 @@ class ErrorScreen : public Layer {
     std::vector<Line> lines_of_error() const;
     std::vector<Line> lines_of_running() const;
     bool handle_key(const std::string& key);
+    void draw_keys(Surface& surface, float bottom) const;
+    void draw_strip(Surface& surface, float bottom) const;
 
     Actions actions_;
     std::optional<script::ScriptError> error_;

@@ -1,0 +1,89 @@
+// The picture of the error screen: where its lines are.
+
+#include <fettle/app/error_screen.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "catch.h"
+
+namespace error_screen_test {
+
+using namespace fettle;
+
+namespace {
+
+/// Notes the texts and the lowest and highest filled point; has characters of a fixed width.
+class NotingSurface : public app::Surface {
+  public:
+    float width() const override { return 1280; }
+    float height() const override { return 800; }
+    Texture create_texture(unsigned, unsigned, const std::uint8_t*) override { return 1; }
+    void update_texture(Texture, unsigned, unsigned, unsigned, unsigned,
+                        const std::uint8_t*) override {}
+    void destroy_texture(Texture) override {}
+    void triangles(std::span<const app::SurfaceVertex> vertices, std::span<const std::uint16_t>,
+                   Texture, const app::ClipRectangle&) override {
+        for (const app::SurfaceVertex& vertex : vertices) top = std::min(top, vertex.y);
+    }
+    float text(float, float y, std::string_view line, float size, app::SurfaceColor color,
+               app::Face) override {
+        if (color.a > 0) lines.push_back({std::string(line), y});
+        return 0.6f * size * static_cast<float>(line.size());
+    }
+    /// The height of the line that contains the text; -1 if there is none.
+    float line_with(std::string_view part) const {
+        for (const auto& [line, y] : lines)
+            if (line.find(part) != std::string::npos) return y;
+        return -1;
+    }
+    std::vector<std::pair<std::string, float>> lines;
+    float top = 800;
+};
+
+script::ScriptError an_error() {
+    script::ScriptError error;
+    error.message = "main.lua:3: world.bal: no such name";
+    error.traceback = "main.lua:3: in update";
+    return error;
+}
+
+}  // namespace
+
+TEST_CASE("the keys of the error screen are above what covers the lower edge") {
+    float covered = 0;
+    app::ErrorScreen screen({.reload = {}, .go_on = {}, .covered_below = [&] { return covered; }});
+    screen.show(an_error());
+    NotingSurface open;
+    screen.draw(open, 0);
+    CHECK(open.line_with("R  reload") > 756);
+    CHECK(open.line_with("no such name") > 0);
+    covered = 60;
+    NotingSurface under;
+    screen.draw(under, 0);
+    CHECK(under.line_with("R  reload") > 0);
+    CHECK(under.line_with("R  reload") < 740);
+}
+
+TEST_CASE("the game is seen above a strip while the past before an error is looked at") {
+    bool past = false;
+    app::ErrorScreen screen({.reload = {},
+                             .go_on = {},
+                             .covered_below = [] { return 60.0f; },
+                             .looks_back = [&] { return past; }});
+    screen.show(an_error());
+    NotingSurface whole;
+    screen.draw(whole, 0);
+    CHECK(whole.top == 0);
+    CHECK(whole.line_with("in update") > 0);
+    past = true;
+    NotingSurface strip;
+    screen.draw(strip, 0);
+    CHECK(strip.top > 600);
+    CHECK(strip.line_with("no such name") > 600);
+    CHECK(strip.line_with("R  reload") > 600);
+    CHECK(strip.line_with("in update") == -1);
+}
+
+}  // namespace error_screen_test
