@@ -78,6 +78,15 @@ TEST_CASE("an overlay is shown while its property is true") {
     CHECK_FALSE(game.services.view.show.overlay(property::Overlay::aabbs));
 }
 
+TEST_CASE("overlays belong to no file of the game") {
+    Game game;
+    const property::Class& show = game.tree.class_named("Show");
+    for (const property::Property* property : show.properties()) {
+        INFO(property->name);
+        CHECK((property->transient || property->owner != &show));
+    }
+}
+
 TEST_CASE("every property of the services has a description") {
     Game game;
     game.tree.each_below(game.tree.root(), [&](property::Handle instance) {

@@ -258,7 +258,8 @@ Property overlay(Show& show, const char* name, const char* doc, Base base) {
             .type = Type::boolean,
             .default_value = false,
             .doc = doc,
-            .binding = column(show, Native::boolean, 0, base)};
+            .binding = column(show, Native::boolean, 0, base),
+            .transient = true};  // no edit of the game: no file and no list of tweaks holds it
 }
 
 std::vector<Property> overlays(Show& show) {
