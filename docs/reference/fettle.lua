@@ -1556,15 +1556,15 @@ View = {}
 
 ---What is shown over the picture, for looking into a game.
 ---@class Show : Object
----@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false
----@field centers boolean Centers of mass. · true or false · default false
----@field contacts boolean Contact points, their normals and impulses. · true or false · default false
----@field grid boolean A grid of metres. · true or false · default false
----@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false
----@field joints boolean Joints and their anchors. · true or false · default false
----@field names boolean Names of bodies. · true or false · default false
----@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false
----@field velocities boolean Velocities of bodies, as lines. · true or false · default false
+---@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false · not saved
+---@field centers boolean Centers of mass. · true or false · default false · not saved
+---@field contacts boolean Contact points, their normals and impulses. · true or false · default false · not saved
+---@field grid boolean A grid of metres. · true or false · default false · not saved
+---@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false · not saved
+---@field joints boolean Joints and their anchors. · true or false · default false · not saved
+---@field names boolean Names of bodies. · true or false · default false · not saved
+---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
+---@field velocities boolean Velocities of bodies, as lines. · true or false · default false · not saved
 local fettle_Show = {}
 
 ---What is shown over the picture, for looking into a game.
@@ -1759,10 +1759,11 @@ Gamepad = {}
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
 ---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
----@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
+---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body selects it while the console is open. · true or false · default true · not saved
+---@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
 ---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
 ---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved
 local fettle_Console = {}
@@ -1839,11 +1840,28 @@ utf8 = {}
 ---@return Connection
 function after(seconds, action) end
 
+---In the console the word stands for the command; what is typed behind it is put behind the command. Without a command the word means itself again.
+---@param word string
+---@param command? string
+function alias(word, command) end
+
+---Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the key is the game's again.
+---@param key string
+---@param command? string
+function bind(key, command) end
+
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is no boolean breaks when it changes. Without a condition all breaks end.
+---@param condition? string|fun(): any
+function break_when(condition) end
+
 ---Defines a class whose instances are in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` describes the class, or its properties by name.
 ---@param name string
 ---@param base? Class|string
 ---@return fun(members: table): Class
 function class(name, base) end
+
+---Empties the log of the console.
+function clear() end
 
 ---A color by name, as "#rgb" or "#rrggbb", with one or two digits more for its opacity, or from channels between 0 and 1.
 ---@param name string
@@ -1875,6 +1893,10 @@ function edit(name, action) end
 ---@return Connection
 function every(seconds, action) end
 
+---Runs the commands in a file of the game, as if they were typed into the console.
+---@param file string
+function exec(file) end
+
 ---Lists every name and description that contains the word.
 ---@param word string
 function find(word) end
@@ -1895,9 +1917,22 @@ function history() end
 ---@param pattern string
 function keep(pattern) end
 
+---Searches the kept past for the last step at which the condition was true, and goes there. While it is true now, it goes to the step at which it became so.
+---@param condition string|fun(): any
+function last_time(condition) end
+
 ---Continues with a saved game at the next barrier. A save that is damaged, newer, of another game or of classes that are not defined is an error, and nothing changes. `game` emits `restored`.
 ---@param slot string
 function load_game(slot) end
+
+---Adds a path or an expression to the watch list of the console: pin("world.ball.mass").
+---@param what string|fun(): any
+---@param ... string|fun(): any
+function pin(what, ...) end
+
+---Shows values over time, of numbers, vectors and booleans, with the past as far as it is kept: plot("world.ball.velocity"). Without an argument the plot ends.
+---@param ... string|fun(): any
+function plot(...) end
 
 ---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out.
 ---@param pattern string
@@ -1964,6 +1999,10 @@ function tweaks() end
 
 ---Reverses the latest edit.
 function undo() end
+
+---Removes an entry from the watch list; without an argument, all.
+---@param what? string
+function unpin(what) end
 
 ---A vector or point; a copy of one; the zero vector.
 ---@param x number

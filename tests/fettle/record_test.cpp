@@ -133,8 +133,8 @@ TEST_CASE("a replay writes nothing to the files of the game and has the same res
     CHECK(again.status == 0);
     const std::string left = ": nothing is written, since this is a replay of run.rec\n";
     CHECK(again.out == "keep" + left + "kept 2 tweaks in ball.json, main.tweaks.json\n" +
-                           "scene.save" + left + "dropped 1 tweak\n" + "delete_save" + left +
-                           "40 steps, each as it was recorded\n" +
+                           "scene.save" + left + "dropped 1 tweak; its value stays as it is\n" +
+                           "delete_save" + left + "40 steps, each as it was recorded\n" +
                            made.out.substr(made.out.rfind('\n', made.out.size() - 2) + 1));
     for (const auto& [name, text] : contents()) {
         INFO(name);
@@ -266,7 +266,7 @@ TEST_CASE("a replay repeats the actions of the user on earlier tweaks") {
     INFO(made.out << made.err);
     REQUIRE(made.status == 0);
     CHECK(contains(made.out, "made again 1 tweak\n"));
-    CHECK(contains(made.out, "dropped 1 tweak\n"));
+    CHECK(contains(made.out, "dropped 1 tweak; its value stays as it is\n"));
     CHECK(contains(made.out, "kept "));
     REQUIRE(fs::exists(folder / "main.tweaks.json"));
     const std::string scene = folder.text("ball.json"), kept = folder.text("main.tweaks.json");

@@ -219,7 +219,7 @@ TEST_CASE("a function without arguments can be called without parentheses") {
     s.console("world.ball.mass = 5");
     CHECK_THAT(s.console("history"), contains("world.ball.mass = 5   console, step 0"));
     CHECK_THAT(s.console("tweaks"), contains("tweaks: this game has no journal of tweaks"));
-    CHECK(s.console("undo") == "undo: world.ball.mass = 5");
+    CHECK_THAT(s.console("undo"), contains("undo: world.ball.mass = 5"));
 }
 
 TEST_CASE("print and the console show records and objects without fields in the same form") {

@@ -140,6 +140,33 @@ void History::write_cell(Handle instance, Symbol name, const CellState& state, U
     }
 }
 
+namespace {
+
+std::string text_of(const Tree& tree, const Property& property, const CellState& state) {
+    if (!state.present) return "nil";
+    if (state.formula)
+        return "is " + (state.formula->source.empty() ? "a function" : state.formula->source);
+    return tree.text(state.value, property.precision());
+}
+
+}  // namespace
+
+/// Tells in the result how the cell was changed.
+void History::tell(Handle instance, const Property& property, const CellState& from,
+                   UndoResult& result) const {
+    if (result.changes.size() == UndoResult::max_changes) {
+        ++result.more_changes;
+        return;
+    }
+    CellState to;
+    if (const Property* now = tree_.find(instance, property.name)) to = capture(instance, *now);
+    std::string after = text_of(tree_, property, to);
+    const bool plain = to.present && !to.formula && !to.value.is_nil();
+    if (plain && !property.unit.empty()) after += " " + property.unit;
+    result.changes.push_back(
+        {tree_.path(instance, property), text_of(tree_, property, from), std::move(after)});
+}
+
 void History::apply(CellEdit& edit, bool back, UndoResult& result) {
     if (!tree_.alive(edit.instance)) {
         result.notes.push_back("an edit of \"" + edit.property.text() +
@@ -150,8 +177,9 @@ void History::apply(CellEdit& edit, bool back, UndoResult& result) {
     const Property* property = tree_.find(edit.instance, edit.property);
     set_cell(edit.instance, edit.property, back ? edit.before : edit.after, result);
     if (property == nullptr) property = tree_.find(edit.instance, edit.property);
-    if (observer_ != nullptr && property != nullptr)
-        observer_->edited(edit.instance, *property, found);
+    if (property == nullptr) return;
+    if (observer_ != nullptr) observer_->edited(edit.instance, *property, found);
+    tell(edit.instance, *property, found, result);
 }
 
 void History::apply(MoveEdit& move, bool back, UndoResult& result) {

@@ -1,7 +1,10 @@
 // Runs one console command. It is compiled as an expression, or else as statements, and run under a
 // budget. Its results and its changes of the tree become lines of text.
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <utility>
 
 #include <fettle/property/observer.h>
 #include <fettle/script/runtime.h>
@@ -13,6 +16,7 @@
 #include <console/long_text.h>
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
+#include <handlers/observed.h>
 #include <lua/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
@@ -129,7 +133,8 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
     }
     changed += machine.recording.dropped;
     if (changed > shown)
-        evaluation.lines.push_back("… " + std::to_string(changed - shown) + " more changes");
+        evaluation.lines.push_back("… " + std::to_string(changed - shown) +
+                                   (changed == shown + 1 ? " more change" : " more changes"));
 }
 
 enum class Compiled { expression, statements, incomplete, wrong };
@@ -156,8 +161,9 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     std::string name;
     if (at == std::string_view::npos) return false;
     const std::string_view path = trimmed(command.substr(0, at));
-    const std::string source(trimmed(command.substr(at + 4)));
-    if (!is_plain_path(path, name) || source.empty()) return false;
+    if (!is_plain_path(path, name) || trimmed(command.substr(at + 4)).empty()) return false;
+    // What is selected now: the formula does not follow the selection.
+    const std::string source = with_selected(machine, trimmed(command.substr(at + 4)));
     if (!path.ends_with("." + name))
         throw Error(ErrorKind::bad_path,
                     "a formula is the value of a property: write it as instance.property is ...");
@@ -193,7 +199,68 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
 
 /// Functions without arguments that may be typed without parentheses.
 bool is_bare_command(std::string_view command) {
-    return command == "undo" || command == "redo" || command == "history" || command == "tweaks";
+    return command == "undo" || command == "redo" || command == "history" || command == "tweaks" ||
+           command == "clear";
+}
+
+/// The arguments that commas separate, outside of brackets and quotes.
+std::vector<std::string_view> arguments_of(std::string_view text) {
+    std::vector<std::string_view> all;
+    std::size_t begin = 0;
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != 0) {
+            if (c == '\\') ++i;
+            if (c == quote) quote = 0;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '(' || c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ')' || c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',' && depth == 0) {
+            all.push_back(trimmed(text.substr(begin, i - begin)));
+            begin = i + 1;
+        }
+    }
+    all.push_back(trimmed(text.substr(begin)));
+    return all;
+}
+
+// Handles `who world.gravity`, `plot it.mass, it.angle`: the words behind the function are its
+// arguments, as texts. Returns false if the command has another form.
+bool call_with_words(lua_State* L, std::string_view command) {
+    constexpr std::string_view functions[] = {"who",  "why",        "pin",      "unpin",
+                                              "plot", "break_when", "last_time"};
+    const std::size_t space = command.find(' ');
+    if (space == std::string_view::npos) return false;
+    const std::string_view name = command.substr(0, space);
+    if (std::find(std::begin(functions), std::end(functions), name) == std::end(functions))
+        return false;
+    const std::string_view rest = trimmed(command.substr(space));
+    // A number of arguments only where there may be several: a condition may contain a comma.
+    const std::vector<std::string_view> arguments =
+        name == "plot" || name == "pin" ? arguments_of(rest) : std::vector{rest};
+    lua_settop(L, 0);
+    push_registry(L, machine_of(L).globals.table);
+    push_text(L, name);
+    lua_gettable(L, 1);
+    luaL_checkstack(L, static_cast<int>(arguments.size()), "arguments");
+    for (const std::string_view argument : arguments) push_text(L, argument);
+    lua_call(L, static_cast<int>(arguments.size()), 0);
+    lua_settop(L, 0);
+    return true;
+}
+
+/// Takes the printed lines.
+void take_lines(Machine& machine, Evaluation& evaluation) {
+    Recording& recording = machine.recording;
+    evaluation.lines = std::exchange(recording.lines, {});
+    if (const std::size_t more = std::exchange(recording.dropped_lines, 0); more > 0)
+        evaluation.lines.push_back("… " + std::to_string(more) +
+                                   (more == 1 ? " more line" : " more lines"));
 }
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
@@ -201,8 +268,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());
         lua_call(L, 0, 0);
-        evaluation.lines = std::move(machine.recording.lines);
-        machine.recording.lines.clear();
+        take_lines(machine, evaluation);
         return;
     }
     switch (compile(L, command)) {
@@ -211,6 +277,10 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             return;
         case Compiled::wrong:
             if (add_formula(L, machine, command)) return;
+            if (call_with_words(L, command)) {
+                take_lines(machine, evaluation);
+                return;
+            }
             lua_error(L);
             return;
         default:
@@ -218,8 +288,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
     }
     lua_call(L, 0, LUA_MULTRET);
     machine.budget.check(L);  // a command that was stopped must not print results
-    evaluation.lines = std::move(machine.recording.lines);
-    machine.recording.lines.clear();
+    take_lines(machine, evaluation);
     add_results(L, machine, command, evaluation);
 }
 
@@ -308,7 +377,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
                     evaluation.error->message +=
                         "; these " + std::to_string(count) + " instances are deleted again";
             // The output before the error is shown, too.
-            evaluation.lines = std::move(machine.recording.lines);
+            take_lines(machine, evaluation);
         }
         evaluation.ok = ok && !evaluation.incomplete;
         if (!evaluation.incomplete) add_echoes(machine, evaluation);

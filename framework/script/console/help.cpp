@@ -215,7 +215,7 @@ std::vector<std::string> function_help(lua_State* L, int index) {
     if (const std::string_view name = generic_name(L, index); !name.empty())
         for (const GlobalDoc& method : instance_docs())
             if (method.name == name) return generic_help(method);
-    for (const auto* docs : {&global_docs(), &library_docs()}) {
+    for (const auto* docs : {&global_docs(), &library_docs(), &callback_docs()}) {
         for (const GlobalDoc& doc : *docs) {
             push_named(L, doc.name);
             const bool same = lua_rawequal(L, -1, index) != 0;

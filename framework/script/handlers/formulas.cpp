@@ -9,13 +9,16 @@
 #include <calls/protected.h>
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
+#include <handlers/observed.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/life.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <text/selected_name.h>
 #include <text/words.h>
+#include <values/recording.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -77,7 +80,14 @@ int formula(lua_State* L) {
     if (lua_type(L, 1) != LUA_TFUNCTION)
         refuse_type(L, 1, "formula: needs a function that returns the value");
     lua_settop(L, 1);
-    push_formula(L, function_source(L, machine_of(L), 1));
+    Machine& machine = machine_of(L);
+    FunctionSource source = function_source(L, machine, 1);
+    if (machine.recording.active && mentions_it(source.text)) {
+        // Typed into the console: the formula keeps what is selected now.
+        source.text = with_selected(machine, source.text);
+        hold_selected(L, machine, 1);
+    }
+    push_formula(L, source);
     return 1;
 }
 
@@ -157,6 +167,10 @@ property::Formula compile_formula(Machine& machine, const std::string& source) {
     machine.errors.caught.reset();
     if (!wrong.empty()) throw Error(ErrorKind::formula, what_is_wrong(std::move(wrong)));
     return {ScriptFormula(machine, function), source};
+}
+
+property::Formula formula_of(lua_State* L, Machine& machine) {
+    return {ScriptFormula(machine, std::make_shared<FunctionRef>(L, machine))};
 }
 
 void push_formula_function(lua_State* L, const property::Tree& tree, Handle instance,

@@ -84,7 +84,7 @@ void print_line(Machine& machine, std::string text) {
     do {
         const std::size_t end = text.find('\n', start);
         if (machine.recording.lines.size() >= max_lines) {
-            ++machine.recording.dropped;
+            ++machine.recording.dropped_lines;
         } else {
             machine.recording.lines.push_back(
                 cut(std::string_view(text).substr(

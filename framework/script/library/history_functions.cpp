@@ -3,10 +3,12 @@
 
 #include <fettle/property/path.h>
 
+#include <handlers/observed.h>
 #include <library/sandbox.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <text/columns.h>
 #include <text/words.h>
 #include <values/values.h>
 
@@ -20,6 +22,12 @@ namespace {
 void tell(Machine& machine, const char* what, const property::UndoResult& result) {
     if (!result.done) return print_line(machine, std::string("nothing to ") + what);
     print_line(machine, std::string(what) + ": " + result.name);
+    for (const property::UndoChange& change : result.changes)
+        print_line(machine,
+                   "  " + change.path + ": " + cut(change.from, 60) + " → " + cut(change.to, 60));
+    if (result.more_changes > 0)
+        print_line(machine, "  … " + std::to_string(result.more_changes) +
+                                (result.more_changes == 1 ? " more change" : " more changes"));
     for (const std::string& note : result.notes) print_line(machine, "  " + note);
 }
 
@@ -64,7 +72,9 @@ Place property_at(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
     Place place = property::resolve(
         machine.tree,
-        check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\""));
+        with_selected(
+            machine,
+            check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\"")));
     if (place.property == nullptr)
         throw Error(ErrorKind::wrong_type, std::string(what) + ": " +
                                                machine.tree.path(place.instance) +

@@ -24,6 +24,7 @@ void open_saves(lua_State* L);
 void open_stated(lua_State* L);
 void open_tweaks(lua_State* L);
 void open_history(lua_State* L);
+void open_console_functions(lua_State* L);
 
 /// Prints a line: into the result of a console command, or to the host.
 void print_line(Machine& machine, std::string text);

@@ -68,8 +68,9 @@ int tweaks(lua_State* L) {
     return 0;
 }
 
-void tell(Machine& machine, const char* done, const std::string& pattern,
-          const TweakReport& report) {
+void tell(
+    Machine& machine, const char* done, const std::string& pattern, const TweakReport& report,
+    std::string (*behind)(std::size_t count) = [](std::size_t) { return std::string(); }) {
     std::string line = std::string(done) + " " + std::to_string(report.count) +
                        (report.count == 1 ? " tweak" : " tweaks");
     if (report.count == 0 && report.problems.empty())
@@ -77,7 +78,7 @@ void tell(Machine& machine, const char* done, const std::string& pattern,
     for (std::size_t i = 0; i < report.files.size(); ++i)
         line +=
             (i == 0 ? " in " : ", ") + std::filesystem::path(report.files[i]).filename().string();
-    print_line(machine, line);
+    print_line(machine, report.count > 0 ? line + behind(report.count) : line);
     for (const std::string& problem : report.problems) print_line(machine, "  " + problem);
 }
 
@@ -99,7 +100,10 @@ int reapply_tweaks(lua_State* L) {
 int drop_tweaks(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string pattern = pattern_at(L, "drop_tweaks");
-    tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern));
+    tell(machine, "dropped", pattern, tweaks_of(machine, "drop_tweaks").drop(pattern),
+         [](std::size_t count) -> std::string {
+             return count == 1 ? "; its value stays as it is" : "; their values stay as they are";
+         });
     return 0;
 }
 

@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include <fettle/script/observed.h>
 #include <fettle/script/runtime.h>
 
 namespace fettle::script {
@@ -22,6 +24,7 @@ struct Host {
     std::function<void(double)> on_rewind;        // empty: there is no timeline
     std::optional<int> quit_status;
     std::map<std::string, HostFunction> functions;  // Lua holds the addresses
+    std::shared_ptr<ConsoleFunctions> console = std::make_shared<ConsoleFunctions>();
 };
 
 }  // namespace fettle::script

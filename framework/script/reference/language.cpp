@@ -10,10 +10,22 @@ const std::vector<GlobalDoc>& global_docs() {
         {"after", "after(seconds: number, action: fun()): Connection",
          "Calls the function once, after that much simulation time. The function may call "
          "wait()."},
+        {"alias", "alias(word: string, command?: string)",
+         "In the console the word stands for the command; what is typed behind it is put behind "
+         "the command. Without a command the word means itself again."},
+        {"bind", "bind(key: string, command?: string)",
+         "Runs the command whenever the key goes down, also while the console is closed: "
+         "bind(\"f5\", \"rewind(5)\"). Keys have the names of the class Keys. The game does not "
+         "get the key. Without a command the key is the game's again."},
+        {"break_when", "break_when(condition?: string|fun(): any)",
+         "Pauses the game after the step in which the condition becomes true, and prints its old "
+         "and new value and who wrote it. A value that is no boolean breaks when it changes. "
+         "Without a condition all breaks end."},
         {"class", "class(name: string, base?: Class|string): fun(members: table): Class",
          "Defines a class whose instances are in the tree: Ball = class(\"Ball\", Body) { lives "
          "= 3 }. Values are properties with their defaults; `doc` describes the class, or its "
          "properties by name."},
+        {"clear", "clear()", "Empties the log of the console."},
         {"color",
          "color(name: string): color\n"
          "color(r: number, g: number, b: number, a?: number): color",
@@ -28,6 +40,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "All writes of the function are one step of undo with that name."},
         {"every", "every(seconds: number, action: fun()): Connection",
          "Calls the function repeatedly at that interval of simulation time; 0 means every step."},
+        {"exec", "exec(file: string)",
+         "Runs the commands in a file of the game, as if they were typed into the console."},
         {"find", "find(word: string)", "Lists every name and description that contains the word."},
         {"formula", "formula(value: fun(): any): Formula",
          "Assigned to a property, the function computes its value: it is called again whenever "
@@ -41,10 +55,19 @@ const std::vector<GlobalDoc>& global_docs() {
          "instance of a scene file into that file, tweaks of an instance that a script made into "
          "`main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one "
          "file). keep(\"world.ball.*\")."},
+        {"last_time", "last_time(condition: string|fun(): any)",
+         "Searches the kept past for the last step at which the condition was true, and goes "
+         "there. While it is true now, it goes to the step at which it became so."},
         {"load_game", "load_game(slot: string)",
          "Continues with a saved game at the next barrier. A save that is damaged, newer, of "
          "another game or of classes that are not defined is an error, and nothing changes. "
          "`game` emits `restored`."},
+        {"pin", "pin(what: string|fun(): any, ...: string|fun(): any)",
+         "Adds a path or an expression to the watch list of the console: "
+         "pin(\"world.ball.mass\")."},
+        {"plot", "plot(...: string|fun(): any)",
+         "Shows values over time, of numbers, vectors and booleans, with the past as far as it is "
+         "kept: plot(\"world.ball.velocity\"). Without an argument the plot ends."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Finds what a pattern matches. If its last part is the name of a child, the result is a "
          "set of instances: query(\"world.*.circle\"). If it is the name of a property, or a "
@@ -109,6 +132,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"tween.sequence", "tween.sequence(tweens: (Object|number)[]): TweenGroup",
          "Runs tweens and groups one after the other; a number is a pause in seconds."},
         {"undo", "undo()", "Reverses the latest edit."},
+        {"unpin", "unpin(what?: string)",
+         "Removes an entry from the watch list; without an argument, all."},
         {"vec",
          "vec(x: number, y: number): vec\n"
          "vec(other: vec): vec\n"

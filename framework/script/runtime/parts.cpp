@@ -68,6 +68,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_formulas(L);
     open_history(L);
     open_tweaks(L);
+    open_console_functions(L);
     open_saves(L);
     open_time(L);
     open_stated(L);

@@ -12,6 +12,7 @@
 #include <console/complete.h>
 #include <console/evaluate.h>
 #include <handlers/connections.h>
+#include <handlers/observed.h>
 #include <handlers/timers.h>
 #include <library/host_functions.h>
 #include <library/pen.h>
@@ -322,6 +323,16 @@ std::vector<Completion> Runtime::complete(std::string_view input, std::size_t cu
 
 bool Runtime::running() const {
     return state_->life.uses > 0;
+}
+
+void Runtime::serve_console(ConsoleFunctions functions) {
+    *state_->host.console = std::move(functions);
+}
+
+Observed Runtime::observe(std::string_view expression) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    return script::observe(machine, expression);
 }
 
 void Runtime::set_it(Handle instance) {

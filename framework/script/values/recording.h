@@ -25,7 +25,8 @@ struct Recording {
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
-    std::size_t dropped = 0;                        // lines and edits beyond the limit
+    std::size_t dropped = 0;                        // edits beyond the limit
+    std::size_t dropped_lines = 0;                  // printed lines beyond the limit
 
     /// The record of a property, which the caller fills in; nullptr beyond the limit.
     Edit* edit_of(property::Handle of, property::Symbol written);

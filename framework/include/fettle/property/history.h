@@ -20,9 +20,19 @@ struct HistoryEntry {
     bool too_large = false;  // over the memory limit: it cannot be undone
 };
 
+/// A property that undo or redo has changed. The values are as printed, with the unit behind `to`;
+/// "is ..." for a formula, "nil" where there is no such property.
+struct UndoChange {
+    std::string path, from, to;
+};
+
 struct UndoResult {
+    static constexpr std::size_t max_changes = 20;
     bool done = false;  // false: there was nothing to undo
     std::string name;
+    /// The first changes of values, and the number of the others.
+    std::vector<UndoChange> changes{};
+    std::size_t more_changes = 0;
     /// One line for each thing that could not be restored: watchers that ended with their instance,
     /// values that their owner refused, instances that their module refused to create or that the
     /// game has deleted since. The rest of the step is undone.

@@ -29,6 +29,8 @@ class Tweaks;
 namespace fettle::script {
 
 struct FETTLE_SCRIPT_PRIVATE Machine;
+struct ConsoleFunctions;
+struct Observed;
 
 struct Options {
     std::uint64_t seed = 0;
@@ -155,6 +157,12 @@ class Runtime {
     std::vector<Completion> complete(std::string_view input, std::size_t cursor);
     /// Whether a call into the scripts, or a console command, has not returned yet.
     bool running() const;
+    /// Carries out `pin`, `plot`, `break_when` and the other functions that need a console
+    /// (observed.h). Without it they are refused, in a replay they do nothing.
+    void serve_console(ConsoleFunctions functions);
+    /// A path or an expression as a value to observe; `it` in it is the instance that is selected
+    /// now. Throws Error for a text that does not compile.
+    Observed observe(std::string_view expression);
     /// Sets the value of `it` in the console.
     void set_it(property::Handle instance);
     property::Handle it() const;

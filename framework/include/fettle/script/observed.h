@@ -1,0 +1,52 @@
+#pragma once
+// Values that a person observes (pinned, plotted, awaited), and the functions of scripts that a
+// console carries out.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/value.h>
+#include <fettle/script/export.h>
+
+FETTLE_SCRIPT_BEGIN
+
+namespace fettle::script {
+
+/// A path or an expression given as text, or a function.
+struct Observed {
+    std::string text;  // "world.ball.mass > 5"; the source of a function, as far as it is known
+    std::string path;  // of the property, if the text is one; "" otherwise
+    std::string unit;  // of that property
+    /// Computes the value. It may change nothing, and is stopped after the instructions of a
+    /// formula. Throws Error, which says why there is no value.
+    std::function<property::Value()> value;
+    /// Computes the formulas of the properties that the text names, which `value` must not do: it
+    /// would read their last results. Not to be called while the past is shown.
+    std::function<void()> settle = [] {};
+};
+
+/// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
+struct ConsoleFunctions {
+    std::function<void(Observed)> pin{};
+    /// Returns how many were pinned; "" is all of them.
+    std::function<std::size_t(const std::string& text)> unpin{};
+    /// Shows the values over time; an empty list ends it.
+    std::function<void(std::vector<Observed>)> plot{};
+    /// Pauses the game after the step in which the condition becomes true. Without a condition:
+    /// forgets all of them.
+    std::function<void(Observed)> break_when{};
+    /// Searches the kept past for the last step at which the condition was true, and goes there.
+    std::function<void(Observed)> last_time{};
+    /// Runs the command when the key goes down; an empty command ends it.
+    std::function<void(const std::string& key, const std::string& command)> bind{};
+    /// The word stands for the command; an empty command ends it.
+    std::function<void(const std::string& word, const std::string& command)> alias{};
+    /// Runs the commands of a text after the present one, as if they were typed.
+    std::function<void(const std::string& text)> exec{};
+    std::function<void()> clear{};
+};
+
+}  // namespace fettle::script
+
+FETTLE_SCRIPT_END

@@ -1,0 +1,137 @@
+// Functions that need a console:
+//   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
+//   bind(key, command)  alias(word, command)  exec(file)  clear()
+
+#include <fettle/property/path.h>
+#include <fettle/property/storage/assets.h>
+#include <fettle/script/observed.h>
+#include <fettle/script/runtime.h>
+
+#include <handlers/observed.h>
+#include <library/sandbox.h>
+#include <lua/guard.h>
+#include <lua/host.h>
+#include <lua/machine.h>
+#include <lua/sources.h>
+#include <lua/stack.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+/// The function of the console; nullptr in a replay, which does not have all of them.
+template <class Function>
+const Function* served(const Machine& machine, Function ConsoleFunctions::*member,
+                       const char* what) {
+    const Function& function = (*machine.host.console).*member;
+    if (function) return &function;
+    if (!machine.options.replay.empty()) return nullptr;
+    throw Error(ErrorKind::rejected, std::string(what) + ": this run has no console");
+}
+
+int pin(lua_State* L) {
+    Machine& machine = machine_of(L);
+    if (lua_gettop(L) == 0) refuse_type(L, 1, "pin: needs a path or an expression as text");
+    for (int i = 1; i <= lua_gettop(L); ++i) {
+        Observed what = observe(L, i, "pin");
+        if (const auto* function = served(machine, &ConsoleFunctions::pin, "pin"))
+            (*function)(std::move(what));
+    }
+    return 0;
+}
+
+int unpin(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string text = lua_isnoneornil(L, 1)
+                                 ? std::string()
+                                 : check_text(L, 1, "unpin: needs the text that was pinned");
+    const auto* function = served(machine, &ConsoleFunctions::unpin, "unpin");
+    if (function == nullptr) return 0;
+    if ((*function)(text.empty() ? text : with_selected(machine, text)) == 0)
+        print_line(machine, "nothing like that is pinned");
+    return 0;
+}
+
+int plot(lua_State* L) {
+    Machine& machine = machine_of(L);
+    std::vector<Observed> all;
+    for (int i = 1; i <= lua_gettop(L); ++i) all.push_back(observe(L, i, "plot"));
+    if (const auto* function = served(machine, &ConsoleFunctions::plot, "plot"))
+        (*function)(std::move(all));
+    return 0;
+}
+
+int break_when(lua_State* L) {
+    Machine& machine = machine_of(L);
+    Observed condition;
+    if (!lua_isnoneornil(L, 1)) condition = observe(L, 1, "break_when");
+    if (const auto* function = served(machine, &ConsoleFunctions::break_when, "break_when"))
+        (*function)(std::move(condition));
+    return 0;
+}
+
+int last_time(lua_State* L) {
+    Machine& machine = machine_of(L);
+    Observed condition = observe(L, 1, "last_time");
+    if (const auto* function = served(machine, &ConsoleFunctions::last_time, "last_time"))
+        (*function)(std::move(condition));
+    return 0;
+}
+
+std::string command_at(lua_State* L, const std::string& what) {
+    return lua_isnoneornil(L, 2) ? std::string()
+                                 : check_text(L, 2, what + ": the command is a text");
+}
+
+int bind(lua_State* L) {
+    const std::string key = check_text(L, 1, "bind: needs the name of a key like \"f5\"");
+    const std::string command = command_at(L, "bind");
+    if (const auto* function = served(machine_of(L), &ConsoleFunctions::bind, "bind"))
+        (*function)(key, command);
+    return 0;
+}
+
+int alias(lua_State* L) {
+    const std::string word = check_text(L, 1, "alias: needs a word");
+    if (!property::is_identifier(word))
+        throw Error(ErrorKind::bad_name,
+                    "alias: \"" + word + "\" is no word of letters, digits and underscores");
+    const std::string command = command_at(L, "alias");
+    if (const auto* function = served(machine_of(L), &ConsoleFunctions::alias, "alias"))
+        (*function)(word, command);
+    return 0;
+}
+
+int exec(lua_State* L) {
+    constexpr std::string_view endings[] = {".lua"};
+    Machine& machine = machine_of(L);
+    const std::string file = check_text(L, 1, "exec: needs a file of commands");
+    const std::string text = machine.sources.files.read(
+        property::Assets(machine.sources.files, machine.sources.folder, machine.options.assets)
+            .find("exec", file, endings));
+    if (const auto* function = served(machine, &ConsoleFunctions::exec, "exec")) (*function)(text);
+    return 0;
+}
+
+int clear(lua_State* L) {
+    if (const auto* function = served(machine_of(L), &ConsoleFunctions::clear, "clear"))
+        (*function)();
+    return 0;
+}
+
+}  // namespace
+
+void open_console_functions(lua_State* L) {
+    add_function<pin>(L, "pin");
+    add_function<unpin>(L, "unpin");
+    add_function<plot>(L, "plot");
+    add_function<break_when>(L, "break_when");
+    add_function<last_time>(L, "last_time");
+    add_function<bind>(L, "bind");
+    add_function<alias>(L, "alias");
+    add_function<exec>(L, "exec");
+    add_function<clear>(L, "clear");
+}
+
+}  // namespace fettle::script
