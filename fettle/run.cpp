@@ -137,7 +137,9 @@ class WindowRun {
           error_screen_(
               {.reload = [this] { reload_ = true; },
                .go_on = [this] { session_->loop().resume(); },
-               .copy = [this](const std::string& text) { window().clipboard().write(text); }}) {}
+               .copy = [this](const std::string& text) { window().clipboard().write(text); },
+               .covered_below = [this] { return session_ ? session_->covered_below() : 0; },
+               .looks_back = [this] { return session_ && session_->looks_back(); }}) {}
 
     int play() {
         start();

@@ -84,7 +84,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
     loop_->on_error([this](const script::ScriptError& error) { fail(error); });
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
-    loop_->after_barrier([this] { tweaks_->barrier(); });
+    loop_->after_barrier([this] {
+        tweaks_->barrier();
+#ifdef FETTLE_WITH_CONSOLE
+        if (std::exchange(stepped_, false) && console_) console_->after_step();
+#endif
+    });
     add_modules();
     make_console(clipboard);
     if (options.test)
@@ -182,7 +187,11 @@ void Session::add_modules() {
     for (module::Module* m : modules_.all())
         loop_->add({.name = std::string(m->name()),
                     .step = [m](double dt) { m->step(dt); },
-                    .report = [this, m] { m->report(tree_); },
+                    .report =
+                        [this, m] {
+                            m->report(tree_);
+                            stepped_ = true;
+                        },
                     .hash = [m] { return m->hash(); }});
     loop_->add({.name = std::string(visuals_.name()),
                 .step = [this](double dt) { visuals_.step(dt); },
@@ -199,6 +208,9 @@ void Session::add_modules() {
         modules_.renew();
         store_->tick();
         type_what_is_due();
+#ifdef FETTLE_WITH_CONSOLE
+        if (console_) console_->between_frames();
+#endif
     });
 }
 
@@ -230,11 +242,26 @@ void Session::make_console(app::Clipboard* clipboard) {
                 return view.to_world({x, y});
             },
         .to_pixels = [&view](property::Vec2 world) { return view.to_screen(world); },
-        .tweaks = tweaks_.get()};
+        .tweaks = tweaks_.get(),
+        .review = [this](std::int64_t from,
+                         const auto& look) { loop_->timeline().review(from, look); },
+        .replay = replayed_ != nullptr};
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : early_notes_) console_->print(text);
 #endif
+}
+
+float Session::covered_below() const {
+#ifdef FETTLE_WITH_CONSOLE
+    return console_ ? console_->covered_below() : 0;
+#else
+    return 0;
+#endif
+}
+
+bool Session::looks_back() const {
+    return services_->clock.step < services_->clock.newest;
 }
 
 bool Session::console_is_open() const {

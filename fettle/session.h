@@ -56,6 +56,10 @@ class Session {
     /// Receives what the game prints, and notes, in place of the terminal. Errors are then given to
     /// `errors` only.
     void on_output(std::function<void(std::string_view)> sink) { output_ = std::move(sink); }
+    /// Pixels at the lower edge of the window that the console covers.
+    float covered_below() const;
+    /// Whether the game is at an earlier step than the newest.
+    bool looks_back() const;
     /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
@@ -103,6 +107,7 @@ class Session {
     std::function<void(std::string_view)> output_;
     std::vector<std::string> early_notes_;  // notes from before the console existed
     std::uint64_t typed_ = 0;               // the last step whose --console commands were run
+    bool stepped_ = false;  // the modules have made a step, which is not delivered yet
     bool failed_ = false;
     bool ending_ = false;
     std::string interruption_;  // the last message about stopped scripts

@@ -105,6 +105,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
             outline_.fold(row.instance, !row.unfolded);
         if (!on_arrow) choose(row.instance);
     }
+    if (ImGui::IsItemClicked(1) && menu) menu(tree_.path(row.instance));
     ImGui::PopID();
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -120,11 +121,15 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     list.AddCircleFilled(ImVec2(x + em * 0.2f, at.y + height / 2), em * 0.2f,
                          class_color(kind.name()));
     x += em * 0.7f;
-    float class_width = text_width(kind.name()) + em * 0.5f;
+    float class_width = [&] {
+        const FontScope font(fonts().sans);
+        return text_width(kind.name()) + em * 0.5f;
+    }();
     std::string name =
         outline_.searched().empty() ? tree_.name(row.instance) : tree_.path(row.instance);
     if (name.empty()) name = tree_.path(row.instance);
     draw_text_fit(list, ImVec2(x, y), palette::text, name, end.x - class_width - x - em * 0.5f);
+    const FontScope font(fonts().sans);
     draw_text(list, ImVec2(end.x - class_width, y), palette::faint, kind.name());
 }
 
@@ -157,7 +162,7 @@ void Inspector::draw_header(ImFont* bold) {
     ImGui::Dummy(ImVec2(width, em * 1.5f));
     float y = at.y + em * 0.25f;
     compat::push_font(bold);
-    draw_text_fit(list, ImVec2(at.x, y), palette::text, last_path_,
+    draw_path_fit(list, ImVec2(at.x, y), palette::text, last_path_,
                   width - class_width - em * 0.5f);
     ImGui::PopFont();
     ImVec2 low(at.x + width - class_width, at.y + em * 0.1f);

@@ -21,6 +21,8 @@ class Inspector {
     std::function<void(property::Handle)> chosen;
     /// Called with the name of a clicked method, to be inserted into the command.
     std::function<void(const std::string&)> insert;
+    /// Called with the path of an instance that was clicked with the right button.
+    std::function<void(const std::string& path)> menu;
 
     property::Handle selected() const { return selected_; }
     /// Selects the instance and unfolds the outline down to it. `property`: name of the property to

@@ -93,6 +93,7 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
         problems_.erase(target.property);
     } catch (const std::exception& error) {
         problems_[target.property] = property::exception_text(error);
+        fields_.refuse();
     }
 }
 
@@ -143,7 +144,9 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
     std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
-    bool resettable = !property.read_only && !ad_hoc && tree_.overridden(instance, property);
+    // What the simulation writes differs from the default all the time; nobody has set it.
+    bool resettable = !property.read_only && !ad_hoc && !property.simulated &&
+                      tree_.overridden(instance, property);
     bool gone = false;
     label(target, label_width, resettable, formula != nullptr, bold);
     ImGui::SameLine(start + label_width);
@@ -156,6 +159,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         widget(target, value, available - label_width - button);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && menu)
+            menu(tree_.path(instance, property));
         if (resettable || ad_hoc) {
             ImGui::SameLine(start + available - ImGui::GetFrameHeight());
             gone = reset_button(target);
@@ -163,9 +168,12 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     } catch (const std::exception& error) {
         problems_[&property] = property::exception_text(error);
     }
+    const bool settled = fields_.take_settled();
     if (std::string typed = fields_.take_problem(); !typed.empty()) {
         problems_[&property] = typed;
         edited_ = true;  // an expression ran, which may have changed anything
+    } else if (settled && !edited_) {
+        problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
         remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
@@ -199,9 +207,19 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
         list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
                              ImGui::GetFontSize() * 0.14f, palette::accent);
     ImU32 color = target.property->read_only ? palette::dim : palette::text;
-    draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name,
-                  width - mark - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::IsItemHovered()) tooltip(target, bold);
+    const FontScope font(fonts().sans);
+    float room = width - mark - ImGui::GetStyle().ItemSpacing.x;
+    // The fields of a vector have no room for the unit.
+    if (target.property->type == Type::vec2 && !target.property->unit.empty()) {
+        const float unit = text_width(target.property->unit);
+        draw_text(list, ImVec2(at.x + mark + room - unit, y), palette::dim, target.property->unit);
+        room -= unit + text_width(" ");
+    }
+    draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
+    if (!ImGui::IsItemHovered()) return;
+    if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
+    const FontScope mono(fonts().mono);
+    tooltip(target, bold);
 }
 
 void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
@@ -213,7 +231,10 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
     ImGui::TextUnformatted(describe(tree_, *target.property).c_str());
     ImGui::PopStyleColor();
-    if (!target.property->doc.empty()) ImGui::TextUnformatted(target.property->doc.c_str());
+    if (!target.property->doc.empty()) {
+        const FontScope font(fonts().sans);
+        ImGui::TextUnformatted(target.property->doc.c_str());
+    }
     for (const std::string& source : target.property->derives_from)
         ImGui::BulletText("from %s", source.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
@@ -315,22 +336,25 @@ void PropertyEditor::enumerator(const Target& target, const Value& value, float 
     ImGui::EndCombo();
 }
 
-std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width) {
+std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 value, float width,
+                                                  bool one_row) {
     NumberLook look = look_of(*target.property);
     look.unit = {};
     float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     float half = std::floor((width - gap) / 2);
+    const bool beside =
+        one_row || half >= text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
     look.label = "x";
-    auto x = fields_.number("##x", value.x(), look, half);
-    ImGui::SameLine(0, gap);
+    auto x = fields_.number("##x", value.x(), look, beside ? half : width);
+    if (beside) ImGui::SameLine(0, gap);
     look.label = "y";
-    auto y = fields_.number("##y", value.y(), look, width - gap - half);
+    auto y = fields_.number("##y", value.y(), look, beside ? width - gap - half : width);
     if (!x && !y) return std::nullopt;
     return Vec2(x.value_or(value.x()), y.value_or(value.y()));
 }
 
 void PropertyEditor::vector(const Target& target, const Value& value, float width) {
-    if (auto changed = vector_fields(target, value.vec2(), width)) write(target, Value(*changed));
+    if (auto changed = vector_fields(target, value.vec2(), width, false)) write(target, Value(*changed));
 }
 
 void PropertyEditor::color(const Target& target, const Value& value, float width) {
@@ -439,7 +463,7 @@ void PropertyEditor::element(const Target& target, const List& elements, std::si
     } else {
         ImGui::BeginDisabled(fixed);
         if (old.is(Type::vec2)) {
-            if (auto v = vector_fields(target, old.vec2(), room)) changed = Value(*v);
+            if (auto v = vector_fields(target, old.vec2(), room, true)) changed = Value(*v);
         } else if (old.is_numeric()) {
             NumberLook look = look_of(*target.property);
             look.integer = old.is(Type::integer);

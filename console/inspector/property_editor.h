@@ -25,6 +25,8 @@ class PropertyEditor {
 
     /// Called when a reference is clicked.
     std::function<void(property::Handle)> follow;
+    /// Called with the path of a property that was clicked with the right button.
+    std::function<void(const std::string& path)> menu;
 
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
@@ -69,9 +71,10 @@ class PropertyEditor {
     void list(const Target& target, const property::Value& value, float width);
     void element(const Target& target, const property::List& elements, std::size_t index,
                  float width);
-    /// The new vector if one of its two fields changed.
+    /// The new vector if one of its two fields changed. Where both do not fit side by side, they are
+    /// one above the other, unless they must be in `one_row`.
     std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
-                                                float width);
+                                                float width, bool one_row);
     static NumberLook look_of(const property::Property& property);
     void write(const Target& target, const property::Value& value);
     /// Runs an edit; the text of its exception is shown below the row.

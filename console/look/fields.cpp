@@ -6,11 +6,14 @@
 #include <cstdlib>
 #include <utility>
 
+#include <look/imgui_compat.h>
 #include <look/theme.h>
 
 namespace fettle::console {
 
 namespace {
+
+constexpr double widest_share = 1e4;
 
 int grow(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
@@ -36,34 +39,55 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
                        ImGui::GetColorU32(hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
                        style.FrameRounding);
     double span = look.range.max - look.range.min;
-    if (std::isfinite(span) && span > 0 && std::isfinite(value)) {
+    // Of a very large range any usual value is the same part.
+    if (span > 0 && span <= widest_share && std::isfinite(value)) {
         double part = std::clamp((value - look.range.min) / span, 0.0, 1.0);
         float x = low.x + static_cast<float>(part) * (high.x - low.x);
         if (x > low.x + 1)
-            list.AddRectFilled(low, ImVec2(x, high.y), with_alpha(palette::accent, 0.22f),
-                               style.FrameRounding);
+            list.AddRectFilled(low, ImVec2(x, high.y), palette::share, style.FrameRounding);
     }
     float alpha = style.Alpha;
     ImVec2 at(low.x + style.FramePadding.x, low.y + style.FramePadding.y);
     if (!look.label.empty()) {
-        ImU32 tint = look.label == "x" ? palette::rgb(0xf08a7e) : palette::rgb(0x8fd48a);
+        ImU32 tint = look.label == "x" ? palette::axis_x : palette::axis_y;
         at.x += draw_text(list, at, with_alpha(tint, alpha), look.label) + style.FramePadding.x;
     }
     float room = high.x - style.FramePadding.x - at.x;
-    std::string shown = digits;
-    // Shows as many digits as fit. While the user types, all digits are shown.
-    for (int precision = 8; precision > 1 && text_width(shown) > room; --precision) {
-        char shorter[40];
-        std::snprintf(shorter, sizeof shorter, "%.*g", precision, value);
-        shown = shorter;
-    }
-    draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, room);
-    float used = text_width(shown) + text_width(" ");
-    if (!look.unit.empty() && used + text_width(look.unit) <= room)
+    const float unit = look.unit.empty() ? 0 : text_width(" ") + text_width(look.unit);
+    std::string shown = look.integer ? digits : short_number(value);
+    for (int precision = 3; precision > 1 && text_width(shown) + unit > room; --precision)
+        shown = short_number(value, precision);
+    draw_text_fit(list, at, with_alpha(palette::text, alpha), shown, std::max(1.0f, room - unit));
+    const float used = std::min(text_width(shown), room - unit) + text_width(" ");
+    if (!look.unit.empty())
         draw_text(list, ImVec2(at.x + used, at.y), with_alpha(palette::dim, alpha), look.unit);
+    // While the user types, and in the tooltip, all digits are shown.
+    if (shown != digits && ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("%s%s%.*s", digits.c_str(), look.unit.empty() ? "" : " ",
+                          static_cast<int>(look.unit.size()), look.unit.data());
 }
 
 }  // namespace
+
+std::string short_number(double value, int digits) {
+    if (!std::isfinite(value)) return property::number_text(value);
+    if (std::abs(value) < 1e-6) return "0";
+    const double size = std::abs(value);
+    char text[64];
+    if (size >= 1e7 || size < 1e-3) {
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        return text;
+    }
+    const int before = std::max(0, static_cast<int>(std::floor(std::log10(size))) + 1);
+    const int leading = size < 1 ? -static_cast<int>(std::floor(std::log10(size))) - 1 : 0;
+    const int decimals = std::max(0, digits - before + leading);
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    std::string shown = text;
+    if (shown.find('.') == std::string::npos) return shown;
+    while (shown.back() == '0') shown.pop_back();
+    if (shown.back() == '.') shown.pop_back();
+    return shown;
+}
 
 bool input_line(const char* id, const char* hint, std::string& text, int flags) {
     return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
@@ -79,7 +103,17 @@ void Fields::start_typing(ImGuiID field, std::string text) {
     problem_.clear();
 }
 
+void Fields::refuse() {
+    if (committed_ == 0 || !by_enter_) return;
+    typing_ = std::exchange(committed_, 0);
+    typing_active_ = false;
+    typing_seen_ = true;
+    frames_to_focus_ = 4;
+    buffer_ = committed_text_;
+}
+
 void Fields::end_frame() {
+    committed_ = 0;
     // The edited field was not drawn: it is out of sight, or its property was deleted.
     if (typing_ != 0 && (!typing_seen_ || (!typing_active_ && frames_to_focus_ <= 0))) typing_ = 0;
     typing_seen_ = false;
@@ -87,6 +121,10 @@ void Fields::end_frame() {
 
 std::string Fields::take_problem() {
     return std::exchange(problem_, {});
+}
+
+bool Fields::take_settled() {
+    return std::exchange(settled_, false);
 }
 
 std::optional<double> Fields::number(const char* id, double value, const NumberLook& look,
@@ -106,7 +144,6 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
         start_ = value;
         travelled_ = 0;
         moved_ = false;
-        if (io.KeyCtrl) start_typing(field, digits);
         return std::nullopt;
     }
     if (ImGui::IsItemActive()) {
@@ -114,7 +151,7 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
         if (!moved_ || io.MouseDelta.x == 0 || !std::isfinite(start_)) return std::nullopt;
         // The distance includes the part before the drag threshold.
         travelled_ = travelled_ == 0 ? ImGui::GetMouseDragDelta(0, 0).x
-                                     : travelled_ + io.MouseDelta.x * (io.KeyAlt     ? 0.01
+                                     : travelled_ + io.MouseDelta.x * (io.KeyCtrl    ? 0.01
                                                                        : io.KeyShift ? 0.1
                                                                                      : 1);
         double next = dragged(travelled_, look);
@@ -133,7 +170,7 @@ double Fields::dragged(double pixels, const NumberLook& look) {
         std::isfinite(span) && span > 0 ? span / 250 : std::max(std::abs(start_), 1.0) * 0.01;
     if (look.integer) speed = std::max(speed, 0.1);
     ImGuiIO& io = ImGui::GetIO();
-    double fine = io.KeyAlt ? 0.01 : io.KeyShift ? 0.1 : 1;
+    double fine = io.KeyCtrl ? 0.01 : io.KeyShift ? 0.1 : 1;
     double exponent = std::floor(std::log10(speed * fine));
     int decimals = look.integer ? 0 : static_cast<int>(std::clamp(-exponent, 0.0, 12.0));
     char text[400];
@@ -152,6 +189,7 @@ std::optional<double> Fields::parse(const std::string& typed, std::string_view u
         if (auto result = calculate(text)) return result;
     }
     problem_ = "\"" + typed + "\" is not a number";
+    refuse();
     return std::nullopt;
 }
 
@@ -184,7 +222,12 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
     if (!typing_active_) return std::nullopt;  // the field gets the focus in the next frames
     typing_ = 0;
     typing_active_ = false;
-    if (buffer_ == before_) return std::nullopt;
+    settled_ = true;
+    by_enter_ = compat::enter_pressed();
+    // Escape restores what the field of Dear ImGui began with, which may be a refused text.
+    if (buffer_ == before_ || compat::escape_pressed()) return std::nullopt;
+    committed_ = field;
+    committed_text_ = buffer_;
     return std::exchange(buffer_, {});
 }
 

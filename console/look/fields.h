@@ -25,7 +25,7 @@ class Fields {
     /// Computes a text that is not a number ("2 * math.pi"); optional.
     std::function<std::optional<double>(const std::string& expression)> calculate;
 
-    /// A number that is dragged sideways (shift: slower; alt: slowest), or clicked for typing.
+    /// A number that is dragged sideways (shift: slower; control: slowest), or clicked for typing.
     /// Returns the new value on each change.
     std::optional<double> number(const char* id, double value, const NumberLook& look, float width);
     /// One line of text. Returns the new text when Enter is pressed or the field loses the focus.
@@ -35,8 +35,13 @@ class Fields {
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
     /// Must be called once per frame, after all fields.
     void end_frame();
-    /// The last typed text if it is not a number, otherwise "".
+    /// The message if the last typed text is not a number, otherwise "".
     std::string take_problem();
+    /// True once after typing has ended, whatever was typed.
+    bool take_settled();
+    /// The value that a field has just returned is refused: if it was entered with Enter, the field
+    /// keeps the focus and the text, so that it can be mended.
+    void refuse();
 
   private:
     std::optional<double> typed_number(const char* id, const NumberLook& look, float width);
@@ -54,7 +59,13 @@ class Fields {
     double start_ = 0, travelled_ = 0;
     bool moved_ = false;
     std::string problem_;
+    ImGuiID committed_ = 0;  // the field that returned a text in this frame
+    std::string committed_text_;
+    bool by_enter_ = false, settled_ = false;
 };
+
+/// A number for people: `digits` significant digits, but all digits before the point; 0 below 1e-6.
+std::string short_number(double value, int digits = 4);
 
 /// An input line without a length limit. `flags`: ImGuiInputTextFlags.
 bool input_line(const char* id, const char* hint, std::string& text, int flags);

@@ -148,6 +148,8 @@ void ImGuiBackend::build_fonts(float font_size) {
     io.Fonts->Clear();
     regular_ = add_font(*io.Fonts, "DejaVuSansMono.ttf", font_size);
     bold_ = add_font(*io.Fonts, "DejaVuSansMono-Bold.ttf", font_size);
+    if (regular_ != nullptr && bold_ != nullptr)
+        add_font(*io.Fonts, "DejaVuSans.ttf", font_size);  // the third font, for labels
     if (regular_ == nullptr) {
         regular_ = io.Fonts->AddFontDefault();
         io.FontGlobalScale = font_size / 13;  // scales the built-in font, which is 13 pixels high

@@ -121,6 +121,21 @@ inline void mouse_wheel(ImGuiIO& io, float notches) {
 
 #endif
 
+/// Whether the key went down in this frame.
+inline bool pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+    return ImGui::IsKeyPressed(key, false);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+#endif
+}
+inline bool enter_pressed() {
+    return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_Tab);
+}
+inline bool escape_pressed() {
+    return pressed(ImGuiKey_Escape);
+}
+
 /// Selects another font in the current size. To be ended with ImGui::PopFont().
 inline void push_font(ImFont* font) {
 #if IMGUI_VERSION_NUM >= 19200

@@ -1,7 +1,10 @@
 #include <look/theme.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <look/imgui_compat.h>
 #include <model/utf8.h>
 
 namespace fettle::console {
@@ -31,6 +34,7 @@ void apply_sizes(ImGuiStyle& style, float em) {
     style.FrameBorderSize = 0;
     style.WindowMinSize = ImVec2(8, 8);
     style.ColorButtonPosition = ImGuiDir_Left;
+    style.DisabledAlpha = disabled_alpha;
 }
 
 void apply_colors(ImGuiStyle& style) {
@@ -39,7 +43,7 @@ void apply_colors(ImGuiStyle& style) {
     set(ImGuiCol_TextDisabled, palette::dim);
     set(ImGuiCol_WindowBg, palette::panel);
     set(ImGuiCol_ChildBg, palette::clear);
-    set(ImGuiCol_PopupBg, palette::rgb(0x1a1e26, 250));
+    set(ImGuiCol_PopupBg, palette::popup);
     set(ImGuiCol_Border, palette::line);
     set(ImGuiCol_FrameBg, palette::raised);
     set(ImGuiCol_FrameBgHovered, palette::hover);
@@ -117,6 +121,8 @@ ImU32 line_color(LineKind kind) {
             return palette::error;
         case LineKind::trace:
             return palette::dim;
+        case LineKind::fold:
+            return palette::path;
         default:
             return palette::text;
     }
@@ -130,8 +136,27 @@ ImU32 class_color(std::string_view class_name) {
     hash ^= hash >> 15;
     float hue = std::fmod(static_cast<float>(hash % 997) * 0.61803399f, 1.0f);
     float r = 0, g = 0, b = 0;
-    ImGui::ColorConvertHSVtoRGB(hue, 0.5f, 0.92f, r, g, b);
+    ImGui::ColorConvertHSVtoRGB(hue, 0.38f, 0.95f, r, g, b);
     return ImGui::ColorConvertFloat4ToU32(ImVec4(r, g, b, 1));
+}
+
+Fonts fonts() {
+    const auto& all = ImGui::GetIO().Fonts->Fonts;
+    const auto nth = [&](int n) { return all[std::min(n, all.Size - 1)]; };
+    return {nth(0), nth(1), nth(2)};
+}
+
+FontScope::FontScope(ImFont* font) {
+    compat::push_font(font);
+}
+FontScope::~FontScope() {
+    ImGui::PopFont();
+}
+
+ImU32 series_color(std::size_t index) {
+    constexpr std::array<ImU32, 6> colors = {palette::accent, palette::path,  palette::string,
+                                             palette::number, palette::error, palette::note};
+    return colors[index % colors.size()];
 }
 
 float text_width(std::string_view text) {
@@ -142,6 +167,16 @@ float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text)
     if (text.empty()) return 0;
     list.AddText(at, color, text.data(), text.data() + text.size());
     return text_width(text);
+}
+
+void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width) {
+    if (text_width(path) > width) {
+        const float dots = text_width("…");
+        if (dots <= width) at.x += draw_text(list, at, color, "…");
+        while (!path.empty() && text_width(path) > width - dots)
+            path.remove_prefix(next_code_point(path, 0));
+    }
+    draw_text(list, at, color, path);
 }
 
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width) {

@@ -1,6 +1,9 @@
 #include <model/log.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
 
 #include <model/highlight.h>
 #include <model/utf8.h>
@@ -36,6 +39,11 @@ Span span_at(std::string_view source, std::size_t column) {
     return {begin, end, Token::plain};
 }
 
+/// Whether a repeated line of that kind is counted. The lines of an error belong together.
+bool is_counted(LineKind kind) {
+    return kind == LineKind::output || kind == LineKind::note;
+}
+
 }  // namespace
 
 void Log::push(LineKind kind, std::string text) {
@@ -44,7 +52,16 @@ void Log::push(LineKind kind, std::string text) {
         text.resize(code_point_boundary(text, max_line_bytes));
         text += " … (" + std::to_string(whole) + " bytes)";
     }
-    lines_.push_back({kind, std::move(text)});
+    if (is_counted(kind) && !lines_.empty() && lines_.back().kind == kind &&
+        lines_.back().text == text && !text.empty()) {
+        ++lines_.back().count;
+        return;
+    }
+    push(LogLine{kind, std::move(text)});
+}
+
+void Log::push(LogLine line) {
+    lines_.push_back(std::move(line));
     if (lines_.size() > max_lines) {
         lines_.pop_front();
         ++dropped_;
@@ -89,7 +106,29 @@ void Log::error(const script::ScriptError& error) {
 void Log::clear() {
     dropped_ += lines_.size();
     lines_.clear();
-    ++clearings_;
+    ++rearranged_;
+}
+
+void Log::output(const std::vector<std::string>& lines) {
+    const bool folds = lines.size() > max_unfolded;
+    const std::size_t shown = folds ? shown_of_folded : lines.size();
+    for (std::size_t i = 0; i < shown; ++i) output(lines[i]);
+    if (!folds) return;
+    LogLine fold{LineKind::fold, "… " + std::to_string(lines.size() - shown) + " more lines"};
+    for (std::size_t i = shown; i < lines.size(); ++i) fold.hidden.push_back(lines[i]);
+    push(std::move(fold));
+}
+
+void Log::unfold(std::size_t index) {
+    if (index >= lines_.size() || lines_[index].kind != LineKind::fold) return;
+    const std::vector<std::string> hidden = std::move(lines_[index].hidden);
+    const auto fold = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(index));
+    std::deque<LogLine> behind(std::make_move_iterator(std::next(fold)),
+                               std::make_move_iterator(lines_.end()));
+    lines_.erase(fold, lines_.end());
+    for (const std::string& line : hidden) output(line);
+    for (LogLine& line : behind) push(std::move(line));
+    ++rearranged_;
 }
 
 }  // namespace fettle::console

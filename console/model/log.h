@@ -7,6 +7,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/script/runtime.h>
 
@@ -20,41 +21,52 @@ enum class LineKind : std::uint8_t {
     error,
     source,  // the line of code with an error
     caret,   // spaces and carets below it
-    trace    // traceback and locals
+    trace,   // traceback and locals
+    fold     // stands for the lines in `hidden`
 };
 
 struct LogLine {
     LineKind kind;
     std::string text;
+    std::size_t count = 1;              // how often in succession it was printed
+    std::vector<std::string> hidden{};  // of a fold
 };
 
 class Log {
   public:
     static constexpr std::size_t max_lines = 20'000;
     static constexpr std::size_t max_line_bytes = 16 * 1024;
+    /// Output of one command with more lines is folded after the first of them.
+    static constexpr std::size_t max_unfolded = 60, shown_of_folded = 40;
 
     void command(std::string_view text);
+    /// A line that is printed several times in succession is stored once, with their number.
     void output(std::string_view text) { add(LineKind::output, text); }
+    /// The output of a command.
+    void output(const std::vector<std::string>& lines);
     void note(std::string_view text) { add(LineKind::note, text); }
     /// Adds the message, the source line with carets below the error, and the traceback if it
     /// contains more than the message.
     void error(const script::ScriptError& error);
     void error(std::string_view message) { add(LineKind::error, message); }
     void clear();
+    /// Puts the hidden lines in the place of the fold at that index of `lines`.
+    void unfold(std::size_t index);
 
     const std::deque<LogLine>& lines() const { return lines_; }
     /// Number of lines dropped so far: line i of `lines` has number `dropped() + i`.
     std::uint64_t dropped() const { return dropped_; }
-    /// Number of calls of `clear`.
-    std::uint64_t clearings() const { return clearings_; }
+    /// A number that changes when lines other than the last have changed.
+    std::uint64_t rearranged() const { return rearranged_; }
 
   private:
     void add(LineKind kind, std::string_view text);
     void push(LineKind kind, std::string text);
+    void push(LogLine line);
 
     std::deque<LogLine> lines_;
     std::uint64_t dropped_ = 0;
-    std::uint64_t clearings_ = 0;
+    std::uint64_t rearranged_ = 0;
 };
 
 }  // namespace fettle::console

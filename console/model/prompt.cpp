@@ -63,8 +63,12 @@ bool Prompt::key(const Key& key) {
         return true;
     }
     if (key.name == "escape") {
-        if (!edit_.selecting()) return false;
-        edit_.place(edit_.cursor(), false);
+        if (edit_.empty()) return false;
+        if (edit_.selecting())
+            edit_.place(edit_.cursor(), false);
+        else
+            edit_.assign("");
+        text_changed();
         return true;
     }
     if (key.control && !key.alt && control_key(key)) return true;
@@ -252,12 +256,11 @@ bool Prompt::control_key(const Key& key) {
         if (clipboard_ != nullptr) paste(clipboard_->read());
         return true;
     } else if (key.name == "z") {
-        if (key.shift)
-            edit_.redo();
-        else
-            edit_.undo();
+        // Where nothing typed is left to undo, the game's last edit is undone.
+        const bool done = key.shift ? edit_.redo() : edit_.undo();
+        if (!done && edit_.empty()) run(key.shift ? "redo" : "undo");
     } else if (key.name == "y") {
-        edit_.redo();
+        if (!edit_.redo() && edit_.empty()) run("redo");
     } else if (key.name == "u") {
         edit_.erase(Motion::line_start);
     } else if (key.name == "k") {
@@ -335,27 +338,58 @@ void Prompt::submit(bool force) {
         return;
     }
     if (!interpreter_.evaluate) return;
+    if (run(command, force)) {
+        history_.add(command);
+        if (std::string problem = history_.take_problem(); !problem.empty()) log_.note(problem);
+        edit_ = TextEdit();
+        text_changed();
+        return;
+    }
+    if (!edit_.selecting()) edit_.place(edit_.text().size(), false);
+    new_line();
+}
+
+void Prompt::alias(const std::string& word, const std::string& command) {
+    if (command.empty())
+        aliases_.erase(word);
+    else
+        aliases_[word] = command;
+}
+
+/// The command with the meaning of its first word, if that is an alias.
+std::string Prompt::expanded(const std::string& command) const {
+    const std::size_t begin = std::min(command.find_first_not_of(" \n"), command.size());
+    std::size_t end = begin;
+    while (end < command.size() && continues_name(static_cast<unsigned char>(command[end])) &&
+           command[end] != '.' && command[end] != ':')
+        ++end;
+    const auto found = aliases_.find(command.substr(begin, end - begin));
+    if (found == aliases_.end()) return command;
+    // An assignment to a variable of that name is what it says.
+    const std::size_t next = std::min(command.find_first_not_of(' ', end), command.size());
+    if (next < command.size() && command[next] == '=') return command;
+    return found->second + command.substr(end);
+}
+
+bool Prompt::run(const std::string& command, bool force) {
+    if (!interpreter_.evaluate) return true;
     script::Evaluation evaluation;
     try {
-        evaluation = interpreter_.evaluate(command);
+        evaluation = interpreter_.evaluate(expanded(command));
     } catch (const std::exception& error) {
         evaluation.error.emplace();
         evaluation.error->message = property::exception_text(error);
     }
-    if (evaluation.incomplete && !force) {
-        if (!edit_.selecting()) edit_.place(edit_.text().size(), false);
-        return new_line();
-    }
+    if (evaluation.incomplete && !force) return false;
     log_.command(command);
-    for (const std::string& line : evaluation.lines) log_.output(line);
+    log_.output(evaluation.lines);
     if (evaluation.error)
         log_.error(*evaluation.error);
     else if (evaluation.incomplete)
         log_.error("the command is not complete: something opened is not closed");
-    history_.add(command);
-    if (std::string problem = history_.take_problem(); !problem.empty()) log_.note(problem);
-    edit_ = TextEdit();
-    text_changed();
+    if (clears_) log_.clear();
+    clears_ = false;
+    return true;
 }
 
 }  // namespace fettle::console

@@ -4,6 +4,7 @@
 // without a window.
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,14 @@ class Prompt {
     void paste(std::string_view text);
     /// Runs the typed command. An incomplete chunk gets another line instead, unless forced.
     void submit(bool force);
+    /// Runs a command and logs it with its output. False, and nothing has run, if it is incomplete,
+    /// unless forced.
+    bool run(const std::string& command, bool force = true);
+    /// From now on the word at the beginning of a command stands for `command`; if that is empty,
+    /// for itself.
+    void alias(const std::string& word, const std::string& command);
+    /// The log is emptied when the running command has ended.
+    void clear_log_afterwards() { clears_ = true; }
 
     TextEdit& edit() { return edit_; }
     const TextEdit& edit() const { return edit_; }
@@ -60,6 +69,7 @@ class Prompt {
     void find_older(std::size_t from);
     void new_line();
     bool copy();
+    std::string expanded(const std::string& command) const;
 
     Interpreter interpreter_;
     Log& log_;
@@ -77,6 +87,9 @@ class Prompt {
     std::string before_search_;
     std::size_t search_at_ = 0;
     bool search_failed_ = false;
+
+    std::map<std::string, std::string> aliases_;
+    bool clears_ = false;
 };
 
 }  // namespace fettle::console

@@ -54,6 +54,9 @@ property::ClassDescriptor console_class() {
     list.push_back(flag_property(
         "picks", true, "Whether a click on a body selects it while the console is open."));
     list.push_back(number_property("font_size", 15, {8, 48}, "px", "Height of the text."));
+    list.push_back(
+        number_property("scale", 1, {0.5, 4}, "",
+                        "Factor of the size of the text, and of what is measured by it."));
     list.push_back(number_property("height", 0.45, {0.15, 1}, "",
                                    "Height of the console as a share of the window."));
     list.push_back(
@@ -62,7 +65,8 @@ property::ClassDescriptor console_class() {
         "memory_limit", 128, {1, 1e6}, "MB",
         "How much memory one command may add, by Lua's values and by what it makes in the tree; a "
         "command that needs more is stopped."));
-    list.push_back(number_property("opacity", 0.94, {0.3, 1}, "", "Of the background."));
+    list.push_back(number_property("opacity", 1, {0.3, 1}, "",
+                                   "Of the background. Below 1 the game is seen behind the text."));
     Property key;
     key.name = "key";
     key.type = Type::text;

@@ -76,6 +76,18 @@ std::size_t sequence_length(std::string_view text) {
 
 }  // namespace
 
+std::string lua_string(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\';
+        else if (c == '\n')
+            out += "\\";  // before the line break itself
+        out += c;
+    }
+    return out + '"';
+}
+
 std::string clean_text(std::string_view text) {
     std::string out;
     out.reserve(text.size());

@@ -23,6 +23,9 @@ std::size_t code_point_count(std::string_view text);
 std::size_t code_point_offset(std::string_view text, std::size_t index);
 void append_code_point(std::string& text, char32_t character);
 
+/// The text as a string of Lua.
+std::string lua_string(std::string_view text);
+
 /// Converts text for one line of the log: line ends become "
 /// ", a tab becomes two spaces, other control characters are removed, and invalid UTF-8 becomes
 /// U+FFFD.

@@ -2,6 +2,8 @@
 
 #include <fettle/console/console.h>
 
+#include <algorithm>
+
 #include <fettle/property/path.h>
 
 #include <panel/state.h>
@@ -35,7 +37,27 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
       log_view(log),
       prompt_view(prompt),
       inspector(tree),
-      tweak_list(options.tweaks) {
+      tweak_list(options.tweaks),
+      context_menu(tree),
+      observing(tree, log, prompt) {
+    connect();
+    if (interpreter.limit_memory)
+        interpreter.limit_memory(
+            [this] {
+                constexpr double megabyte = 1 << 20;
+                return static_cast<std::size_t>(
+                    static_cast<double>(settings.number("memory_limit")) * megabyte);
+            },
+            "console.memory_limit");
+    if (interpreter.serve) {
+        script::ConsoleFunctions functions = observing.functions();
+        if (options.replay) functions.exec = {};
+        interpreter.serve(std::move(functions));
+    }
+    if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+}
+
+void Console::State::connect() {
     log_view.is_link = [this](std::string_view path) { return is_link(path); };
     log_view.follow = [this](std::string_view path, bool insert) { follow_link(path, insert); };
     tweak_list.evaluate = interpreter.evaluate;
@@ -52,15 +74,22 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
         return evaluation.result.as_double();
     };
-    if (interpreter.limit_memory)
-        interpreter.limit_memory(
-            [this] {
-                constexpr double megabyte = 1 << 20;
-                return static_cast<std::size_t>(
-                    static_cast<double>(settings.number("memory_limit")) * megabyte);
-            },
-            "console.memory_limit");
-    if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+    log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
+    log_view.unfold = [this](std::size_t index) { log.unfold(index); };
+    inspector.menu =
+        inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
+    context_menu.run = watch_list.run =
+        plot_view.run = [this](const std::string& command) { run(command); };
+    context_menu.insert = inspector.insert;
+    context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
+    watch_list.follow = tweak_list.follow;
+    watch_list.menu = log_view.menu;
+    plot_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
+}
+
+void Console::State::run(const std::string& command) {
+    prompt.run(command);
+    log_view.scroll_to_end();
 }
 
 void Console::State::open(bool opened) {
@@ -81,9 +110,12 @@ void Console::State::follow_settings() {
         fed_button = fed_key = fed_text = false;
         panel_rect = inspector_rect = {};
         time_bar.hide();
+        watch_list.hide();
+        plot_view.hide();
         inspector.editor().end_drag();
         popup_open = false;
     }
+    find_selected_again();
     was_open = opened;
     pause_time(opened && settings.flag("pauses"));
 }
@@ -103,9 +135,26 @@ void Console::State::choose(Handle instance) {
     if (!tree.alive(instance)) return;
     bool fresh = inspector.selected() != instance;
     inspector.select(instance);
+    selected_path = tree.path(instance);
     if (interpreter.set_it) interpreter.set_it(instance);
     std::string line = "it = " + tree.path(instance);
     if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
+}
+
+void Console::State::find_selected_again() {
+    if (tree.alive(inspector.selected())) {
+        selected_path = tree.path(inspector.selected());
+        return;
+    }
+    if (!inspector.selected() || selected_path.empty()) return;
+    try {
+        const property::Place place = property::resolve(tree, selected_path);
+        if (place.property != nullptr) return;
+        inspector.select(place.instance);
+        if (interpreter.set_it) interpreter.set_it(place.instance);
+    } catch (const property::Error&) {
+        // There is none; it may come.
+    }
 }
 
 bool Console::State::is_link(std::string_view path) const {
@@ -139,6 +188,21 @@ Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
 
 Console::~Console() {
     if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
+    if (state_->interpreter.serve) state_->interpreter.serve({});
+}
+
+void Console::after_step() {
+    state_->observing.after_step();
+}
+void Console::between_frames() {
+    state_->observing.between_frames(state_->options.review);
+}
+float Console::covered_below() const {
+    const State& s = *state_;
+    float top = s.height;
+    for (const Rect& rect : {s.time_bar.rect(), s.watch_list.rect(), s.plot_view.rect()})
+        if (s.was_open && !rect.empty()) top = std::min(top, rect.low.y);
+    return std::max(0.0f, s.height - top);
 }
 
 bool Console::handle(const app::InputEvent& event) {

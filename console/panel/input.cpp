@@ -55,6 +55,7 @@ bool Console::State::press_key(const InputEvent& event) {
         return true;
     }
     swallow_text = false;
+    if (run_key(event)) return true;
     if (!was_open) {
         keys.press(event.name, HeldKeys::Owner::game);
         return false;
@@ -67,6 +68,18 @@ bool Console::State::press_key(const InputEvent& event) {
         ui.feed_modifiers(event);
         prompt_key(event);
     }
+    return true;
+}
+
+bool Console::State::run_key(const InputEvent& event) {
+    const bool function_key = event.name.size() > 1 && event.name[0] == 'f' &&
+                              event.name[1] >= '0' && event.name[1] <= '9';
+    if (was_open && !function_key) return false;
+    const std::string command = observing.command_of_key(event.name);
+    if (command.empty() || keys.held_by_game(event.name)) return false;
+    keys.press(event.name, HeldKeys::Owner::console);
+    if (!event.repeated) run(command);
+    swallow_text = !was_open;  // the character that the key types
     return true;
 }
 
@@ -107,8 +120,13 @@ void Console::State::prompt_key(const InputEvent& event) {
         clipboard->write(log_view.selected());
         return;
     }
+    const bool listed = settings.flag("tweaks");
+    const std::size_t before = log.lines().size() + log.dropped();
     if (prompt.key(key)) {
-        if (key.name == "enter") log_view.scroll_to_end();
+        const bool printed = log.lines().size() + log.dropped() != before;
+        if (key.name == "enter" || printed) log_view.scroll_to_end();
+        // The output of a command is shown in place of the list that was there before.
+        if (listed && printed) settings.set("tweaks", property::Value(false));
         return;
     }
     if (key.name == "page_up" || key.name == "page_down")
@@ -124,7 +142,8 @@ void Console::State::prompt_key(const InputEvent& event) {
 
 bool Console::State::over_windows(float x, float y) const {
     return popup_open || panel_rect.contains(x, y) || inspector_rect.contains(x, y) ||
-           time_bar.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
+           time_bar.rect().contains(x, y) || watch_list.rect().contains(x, y) ||
+           plot_view.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
 }
 
 bool Console::State::mouse(const InputEvent& event) {
@@ -142,9 +161,9 @@ bool Console::State::mouse(const InputEvent& event) {
                 feed(event);
                 return true;
             }
-            if (was_open && event.name == "left" && options.to_world && settings.flag("picks")) {
+            if (was_open && (event.name == "left" || event.name == "right") && options.to_world &&
+                settings.flag("picks") && click_game(event.x, event.y, event.name == "right")) {
                 buttons.press(event.name, HeldKeys::Owner::console);
-                click_game(event.x, event.y);
                 return true;
             }
             buttons.press(event.name, HeldKeys::Owner::game);
@@ -158,12 +177,17 @@ bool Console::State::mouse(const InputEvent& event) {
     return owner == HeldKeys::Owner::console || over;
 }
 
-void Console::State::click_game(float x, float y) {
+/// The left button is never the game's here, the right one where there is no body.
+bool Console::State::click_game(float x, float y, bool menu) {
     try {
-        if (property::Handle found = pick(tree, options.to_world(x, y))) choose(found);
+        const property::Handle found = pick(tree, options.to_world(x, y));
+        if (!found) return !menu;
+        choose(found);
+        if (menu) context_menu.open(tree.path(found));
     } catch (const std::exception& error) {
         log.error(property::exception_text(error));
     }
+    return true;
 }
 
 // --- To widgets

@@ -21,6 +21,9 @@ Interpreter interpreter_of(script::Runtime& runtime) {
                                           std::string property) {
         runtime.on_command_memory(std::move(bytes), std::move(property));
     };
+    interpreter.serve = [&runtime](script::ConsoleFunctions functions) {
+        runtime.serve_console(std::move(functions));
+    };
     return interpreter;
 }
 

@@ -25,7 +25,9 @@ void Console::State::frame(double seconds) {
     if (building || width <= 0 || height <= 0) return;
     building = true;
     fed_button = fed_key = fed_text = false;
-    ui.begin_frame(width, height, seconds, std::round(settings.number("font_size")));
+    ui.begin_frame(width, height, seconds,
+                   std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
+                              6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
     if (options.to_pixels && tree.alive(inspector.selected()))
         draw_outline(*ImGui::GetBackgroundDrawList(), tree, inspector.selected(), options.to_pixels,
@@ -41,7 +43,9 @@ void Console::State::frame(double seconds) {
     }
     draw_panel(width - 2 * margin - right, panel_height(), cell);
     draw_time_bar(inspector_rect.empty() ? 0 : right);
+    draw_observed(inspector_rect.empty() ? 0 : right);
     prompt_view.draw_menu(cell, ui.bold());
+    context_menu.draw();
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
     ui.navigate_with_keys(popup_open);
@@ -59,6 +63,27 @@ void Console::State::draw_time_bar(float right) {
     if (inspector_rect.high.y < low - TimeBar::height()) right = 0;
     time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
                   ui.bold());
+}
+
+/// Draws the watch list and the plot above the time bar.
+void Console::State::draw_observed(float right) {
+    observing.look();
+    const float low = time_bar.rect().empty() ? height - margin : time_bar.rect().low.y - margin;
+    const float room = low - panel_rect.high.y - margin;
+    if (inspector_rect.high.y < low - room) right = 0;
+    const float wide = width - 2 * margin - right, em = ImGui::GetFontSize();
+    const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
+    const float opacity = settings.number("opacity");
+    const float list =
+        pinned ? std::min(wide, plotted ? std::max(24 * em, wide * 0.35f) : 34 * em) : 0.0f;
+    watch_list.draw(ImVec2(margin, low), list, std::max(room, 4 * em), tree, observing.pins(),
+                    opacity);
+    const float left = margin + list + (pinned ? margin : 0);
+    const TimeBar::Times now = time_bar.times();
+    plot_view.draw(
+        ImVec2(left, low),
+        ImVec2(std::max(12 * em, wide - (left - margin)), std::clamp(room * 0.6f, 9 * em, 16 * em)),
+        tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt}, opacity);
 }
 
 // --- The panel
@@ -85,6 +110,7 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
 }
 
 bool Console::State::title_button(const char* label, bool lit, float& right) {
+    const FontScope font(fonts().sans);
     float pad = ImGui::GetStyle().FramePadding.x;
     const std::string_view shown =
         std::string_view(label).substr(0, std::string_view(label).find("##"));
@@ -135,6 +161,7 @@ void Console::State::draw_title(float cell) {
         x += std::min(text_width(it), right - x) + 3 * cell;
     }
     constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
+    const FontScope font(fonts().sans);
     float hint_width = text_width(hints);
     if (x + hint_width + 2 * cell < right)
         draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);

@@ -6,6 +6,7 @@
 
 #include <fettle/console/console.h>
 
+#include <inspector/context_menu.h>
 #include <inspector/inspector.h>
 #include <look/imgui_backend.h>
 #include <model/history.h>
@@ -14,10 +15,13 @@
 #include <model/rect.h>
 #include <model/settings.h>
 #include <panel/held_keys.h>
+#include <panel/observing.h>
 #include <views/log_view.h>
+#include <views/plot_view.h>
 #include <views/prompt_view.h>
 #include <views/time_bar.h>
 #include <views/tweak_list.h>
+#include <views/watch_list.h>
 
 namespace fettle::console {
 
@@ -47,7 +51,10 @@ struct Console::State {
     void feed(const app::InputEvent& event);
     bool widgets_have_keyboard();
     bool over_windows(float x, float y) const;
-    void click_game(float x, float y);
+    bool click_game(float x, float y, bool menu);
+    /// Runs the command of a key, if it has one. Function keys work while the console is open, the
+    /// others only while it is closed.
+    bool run_key(const app::InputEvent& event);
 
     // --- Actions (console.cpp)
     bool is_open() { return settings.flag("open"); }
@@ -55,6 +62,12 @@ struct Console::State {
     void follow_settings();
     void pause_time(bool paused);
     void choose(property::Handle instance);
+    /// If the selected instance was deleted, and there is one at its path again (the game has made
+    /// it anew), that is selected.
+    void find_selected_again();
+    void connect();
+    /// Runs a command of a button, a menu or a key as if it were typed.
+    void run(const std::string& command);
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
 
@@ -66,6 +79,7 @@ struct Console::State {
     bool title_button(const char* label, bool lit, float& right);
     void draw_height_handle();
     void draw_time_bar(float right);
+    void draw_observed(float right);
     void draw_inspector(float left, float width);
     void draw_width_handle();
 
@@ -84,7 +98,12 @@ struct Console::State {
     Inspector inspector;
     TimeBar time_bar{tree, interpreter};
     TweakList tweak_list;
+    ContextMenu context_menu;
+    Observing observing;
+    WatchList watch_list;
+    PlotView plot_view;
 
+    std::string selected_path;  // of the selected instance when it was last seen
     HeldKeys keys, buttons;
     bool was_open = false;
     bool swallow_text = false;  // the character of the toggle key follows and is dropped

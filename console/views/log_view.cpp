@@ -39,30 +39,70 @@ const LogLine* LogView::line(std::uint64_t number) const {
     return &log_.lines()[number - log_.dropped()];
 }
 
-void LogView::wrap_line(std::uint64_t number, const std::string& text) {
+/// Columns by which the rows behind the first are indented: to the last column of a table, or, in
+/// other lines, as far as the line itself.
+std::size_t LogView::hanging_indent(std::string_view text) const {
+    const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+    std::size_t hang = begin;
+    for (std::size_t gap = text.find("  ", begin); gap != std::string_view::npos;
+         gap = text.find("  ", hang)) {
+        const std::size_t next = text.find_first_not_of(' ', gap);
+        if (next == std::string_view::npos) break;
+        const std::size_t column = code_point_count(text.substr(0, next));
+        if (column > columns_ / 2) break;
+        hang = next;
+    }
+    return std::min(code_point_count(text.substr(0, hang)), columns_ / 2);
+}
+
+/// Adds a row with the part of a line of carets that lies below a row of its source line.
+void LogView::mark_row(std::uint64_t number, const Row& source) {
+    const LogLine* found = line(number);
+    if (found == nullptr || found->kind != LineKind::caret) return;
+    const std::string_view code = line(source.line)->text;
+    const std::size_t from = code_point_count(code.substr(0, source.begin));
+    const std::size_t to = source.end == code.size() ? found->text.size()
+                                                     : code_point_count(code.substr(0, source.end));
+    const std::size_t first = found->text.find('^');
+    const std::size_t begin = std::min(from, found->text.size());
+    const std::size_t end = std::min(to, found->text.size());
+    if (first >= end || begin >= found->text.size()) return;
+    rows_.push_back({number, begin, end, begin == 0, source.indent});
+}
+
+void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
+    // Carets are added below the row with the place that they mark.
+    if (whole.kind == LineKind::caret) return;
+    const std::string& text = whole.text;
+    const std::size_t hang = hanging_indent(text);
     std::size_t begin = 0;
     do {
-        std::size_t end = begin + code_point_offset(std::string_view(text).substr(begin), columns_);
+        const std::size_t indent = begin == 0 ? 0 : hang;
+        std::size_t end =
+            begin + code_point_offset(std::string_view(text).substr(begin), columns_ - indent);
         if (end < text.size()) {
             // Break after a blank, unless the row would be less than half full.
             std::size_t space = text.rfind(' ', end - 1);
-            if (space != std::string::npos && space > begin + columns_ / 2) end = space + 1;
+            if (space != std::string::npos && space > begin + (columns_ - indent) / 2)
+                end = space + 1;
         }
-        rows_.push_back({number, begin, end, begin == 0});
+        rows_.push_back({number, begin, end, begin == 0, indent});
+        if (whole.kind == LineKind::source) mark_row(number + 1, Row(rows_.back()));
         begin = end;
     } while (begin < text.size());
 }
 
 void LogView::wrap(std::size_t columns) {
-    if (columns != columns_ || clearings_ != log_.clearings()) {
+    if (columns != columns_ || rearranged_ != log_.rearranged()) {
         rows_.clear();
         columns_ = columns;
         wrapped_ = log_.dropped();
-        clearings_ = log_.clearings();
+        if (rearranged_ != log_.rearranged()) selection_.reset();
+        rearranged_ = log_.rearranged();
     }
     while (!rows_.empty() && rows_.front().line < log_.dropped()) rows_.pop_front();
     wrapped_ = std::max(wrapped_, log_.dropped());
-    for (; const LogLine* next = line(wrapped_); ++wrapped_) wrap_line(wrapped_, next->text);
+    for (; const LogLine* next = line(wrapped_); ++wrapped_) wrap_line(wrapped_, *next);
 }
 
 void LogView::scroll(float line_height) {
@@ -120,7 +160,7 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         draw_text(list, at, palette::faint, "·");
     else if (row.first && found->kind == LineKind::error)
         draw_text(list, at, palette::error, "✗");
-    at.x += static_cast<float>(gutter) * cell;
+    at.x += static_cast<float>(gutter + row.indent) * cell;
 
     std::string_view text = found->text;
     std::size_t done = row.begin;
@@ -146,6 +186,8 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         }
     }
     put(row.end, base);
+    if (found->count > 1 && row.end == text.size())
+        draw_text(list, ImVec2(x + cell, at.y), palette::faint, "×" + std::to_string(found->count));
 }
 
 void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float cell) {
@@ -157,7 +199,7 @@ void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float
     if (begin > end || (begin == end && to.line == row.line)) return;
     std::string_view text = line(row.line)->text;
     auto column = [&](std::size_t offset) {
-        return static_cast<float>(gutter +
+        return static_cast<float>(gutter + row.indent +
                                   code_point_count(text.substr(row.begin, offset - row.begin)));
     };
     float right = column(end) + (to.line > row.line && end == text.size() ? 0.5f : 0);
@@ -174,7 +216,7 @@ LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
     const LogLine* found = line(row.line);
     if (found == nullptr) return {row.line, 0};
     std::string_view text = std::string_view(found->text).substr(row.begin, row.end - row.begin);
-    auto cells = static_cast<std::size_t>(std::max(0.0f, column));
+    auto cells = static_cast<std::size_t>(std::max(0.0f, column - static_cast<float>(row.indent)));
     return {row.line, row.begin + code_point_offset(text, cells)};
 }
 
@@ -200,7 +242,13 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
                 link_line_ = point.line;
                 link_ = span;
                 ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+                if (ImGui::IsMouseClicked(1) && menu) menu(path);
             }
+        if (found != nullptr && found->kind == LineKind::fold) {
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            if (ImGui::IsMouseClicked(0) && unfold)
+                return unfold(static_cast<std::size_t>(point.line - log_.dropped()));
+        }
     }
     Point caret = point_at(row, column + 0.5f);  // between the characters nearest to the mouse
     if (hovered && ImGui::IsMouseClicked(0)) {
@@ -228,6 +276,15 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
         }
         dragging_ = false;
     }
+}
+
+std::vector<std::string> LogView::shown_rows() const {
+    std::vector<std::string> all;
+    for (const Row& row : rows_)
+        if (const LogLine* found = line(row.line))
+            all.push_back(std::string(row.indent, ' ') +
+                          found->text.substr(row.begin, row.end - row.begin));
+    return all;
 }
 
 std::string LogView::selected() const {

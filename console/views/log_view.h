@@ -9,6 +9,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <model/highlight.h>
 #include <model/log.h>
@@ -23,6 +25,10 @@ class LogView {
     std::function<bool(std::string_view path)> is_link;
     /// Called when a link is clicked. `insert`: control or shift is held.
     std::function<void(std::string_view path, bool insert)> follow;
+    /// Called when a path is clicked with the right button.
+    std::function<void(std::string_view path)> menu;
+    /// Called when a fold is clicked; `index` of the lines of the log.
+    std::function<void(std::size_t index)> unfold;
 
     /// Fills the window down to `height`. `cell`: width of a character in pixels.
     void draw(float height, float cell);
@@ -32,6 +38,9 @@ class LogView {
     bool selecting() const { return selection_ && selection_->from != selection_->to; }
     void clear_selection() { selection_.reset(); }
     std::string selected() const;
+
+    /// All rows as text, from the first column behind the signs.
+    std::vector<std::string> shown_rows() const;
 
     // Sizes of the last drawing, in pixels.
     float cell() const { return cell_; }
@@ -45,6 +54,7 @@ class LogView {
         std::uint64_t line;      // number of the line since the beginning
         std::size_t begin, end;  // bytes of the line
         bool first;              // the first row of its line
+        std::size_t indent = 0;  // columns; rows behind the first begin below the text of a column
     };
     struct Point {
         std::uint64_t line = 0;
@@ -55,7 +65,9 @@ class LogView {
         Point from, to;  // in the order of selection; `from` may be behind `to`
     };
     void wrap(std::size_t columns);
-    void wrap_line(std::uint64_t number, const std::string& text);
+    void wrap_line(std::uint64_t number, const LogLine& line);
+    std::size_t hanging_indent(std::string_view text) const;
+    void mark_row(std::uint64_t number, const Row& source);
     void scroll(float line_height);
     void mouse(ImVec2 origin, float line_height, float cell);
     void draw_row(const Row& row, ImVec2 at, float line_height, float cell);
@@ -67,7 +79,7 @@ class LogView {
     std::deque<Row> rows_;
     std::size_t columns_ = 0;
     std::uint64_t wrapped_ = 0;  // lines with smaller numbers have rows
-    std::uint64_t clearings_ = 0;
+    std::uint64_t rearranged_ = 0;
     std::optional<Selection> selection_;
     bool dragging_ = false;
     float pages_ = 0;

@@ -169,7 +169,7 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
               menu_anchor_.y);
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(ImVec2(width, 0));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::rgb(0x1a1e26, 252));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::popup);
     ImGui::Begin("##candidates", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
@@ -212,7 +212,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     ImVec2 end(at.x + width, at.y + height);
     float rounding = ImGui::GetStyle().FrameRounding;
     if (chosen || hovered)
-        list.AddRectFilled(at, end, chosen ? palette::rgb(0x333c4b) : palette::hover, rounding);
+        list.AddRectFilled(at, end, chosen ? palette::chosen : palette::hover, rounding);
     if (chosen) list.AddRectFilled(at, ImVec2(at.x + 3, end.y), palette::accent, rounding);
     ImVec2 text(at.x + cell, at.y + (height - ImGui::GetTextLineHeight()) / 2);
     const std::string& label = candidate.completion.label;

@@ -53,6 +53,7 @@ bool TimeBar::available() const {
 
 TimeBar::Times TimeBar::times() const {
     Times now;
+    if (!available()) return now;
     now.step = value("step").integer();
     now.oldest = std::min(value("oldest").integer(), now.step);
     now.newest = std::max(value("newest").integer(), now.step);

@@ -18,6 +18,14 @@ class TimeBar {
     TimeBar(property::Tree& tree, const Interpreter& interpreter)
         : tree_(tree), interpreter_(interpreter) {}
 
+    struct Times {
+        std::int64_t step = 0, oldest = 0, newest = 0;
+        double dt = 0;
+        bool paused = false;
+        bool in_past() const { return step < newest; }
+    };
+    Times times() const;
+
     /// Whether the game stores its past.
     bool available() const;
     static float height();
@@ -25,6 +33,8 @@ class TimeBar {
     void draw(ImVec2 corner, float width, float opacity, ImFont* bold);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = {}; }
+    /// Pauses the game and goes to a step.
+    void go_to(std::int64_t step);
 
     // Rectangles of the parts, for tests.
     const Rect& track() const { return track_; }
@@ -33,16 +43,8 @@ class TimeBar {
     const Rect& return_button() const { return return_; }
 
   private:
-    struct Times {
-        std::int64_t step = 0, oldest = 0, newest = 0;
-        double dt = 0;
-        bool paused = false;
-        bool in_past() const { return step < newest; }
-    };
-    Times times() const;
     property::Value value(const char* name) const;
     void set(const char* name, bool on);
-    void go_to(std::int64_t step);
     bool icon(const char* id, Rect& place);
     void draw_play(const Times& now);
     void draw_step(const Times& now);

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include <look/theme.h>
+#include <model/utf8.h>
 
 namespace fettle::console {
 
@@ -37,19 +38,6 @@ void fitted(ImU32 color, const std::string& text, float width) {
                           text.c_str());
 }
 
-/// The text as a Lua string.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            out += '\\';
-        else if (c == '\n')
-            out += "\\";  // before the line break itself
-        out += c;
-    }
-    return out + '"';
-}
-
 }  // namespace
 
 void TweakList::refresh(bool now) {
@@ -69,7 +57,7 @@ std::size_t TweakList::open_count() {
 // Runs a command, so that a recording of the run contains it.
 void TweakList::act(const char* function, const std::string& pattern) {
     if (!evaluate) return;
-    const script::Evaluation said = evaluate(function + ("(" + quoted(pattern) + ")"));
+    const script::Evaluation said = evaluate(function + ("(" + lua_string(pattern) + ")"));
     if (say) {
         for (const std::string& line : said.lines) say(line);
         if (said.error) say(said.error->message);

@@ -155,6 +155,18 @@ TEST_CASE("a click on a body selects it and sets it") {
     CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
 }
 
+TEST_CASE("an instance that the game makes anew is selected again") {
+    Rig rig;
+    property::Handle world = rig.tree.child(rig.tree.root(), "world");
+    rig.console.select(rig.tree.child(world, "crate"));
+    rig.tree.destroy(rig.console.selected());
+    rig.draw();
+    CHECK_FALSE(rig.console.selected());
+    property::Handle again = rig.tree.create(rig.tree.class_named("Body"), world, "crate");
+    rig.draw();
+    CHECK(rig.console.selected() == again);
+}
+
 TEST_CASE("a click does not select when picking is off or the console is closed") {
     Rig rig;
     Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));

@@ -209,6 +209,37 @@ TEST_CASE("the candidates are closed when other text is typed") {
     CHECK_FALSE(rig.menu().open());
 }
 
+TEST_CASE("Escape clears the text before it closes the console") {
+    Rig rig;
+    rig.key("grave");
+    rig.type("world.ball");
+    CHECK(rig.key("escape"));
+    CHECK(rig.input().empty());
+    CHECK(rig.console.is_open());
+    CHECK(rig.key("ctrl+z"));  // the text comes back
+    CHECK(rig.input() == "world.ball");
+    rig.key("escape");
+    rig.key("escape");
+    CHECK_FALSE(rig.console.is_open());
+}
+
+TEST_CASE("ctrl Z undoes typing and then the game's last edit") {
+    Rig rig;
+    rig.key("grave");
+    rig.type("a");
+    rig.key("ctrl+z");
+    CHECK(rig.input().empty());
+    CHECK(rig.commands.empty());
+    rig.key("ctrl+z");
+    REQUIRE(rig.commands.size() == 1);
+    CHECK(rig.commands.back() == "undo");
+    Rig again;
+    again.key("grave");
+    again.key("ctrl+y");
+    again.key("ctrl+shift+z");
+    CHECK(again.commands == std::vector<std::string>{"redo", "redo"});
+}
+
 TEST_CASE("Escape closes the candidates before the console") {
     OpenRig rig;
     rig.type("f");
@@ -218,9 +249,10 @@ TEST_CASE("Escape closes the candidates before the console") {
     CHECK_FALSE(rig.menu().open());
     CHECK(rig.console.is_open());
     rig.key("escape");
+    CHECK(rig.console.is_open());
+    CHECK(rig.input().empty());
+    rig.key("escape");
     CHECK_FALSE(rig.console.is_open());
-    rig.key("grave");
-    CHECK(rig.input() == "f");  // the typed text is unchanged
 }
 
 TEST_CASE("the latest command with the same beginning is suggested and accepted by Right") {

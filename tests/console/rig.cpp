@@ -63,6 +63,7 @@ std::vector<Property> body_properties() {
                     .type = Type::list,
                     .default_value = List{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)},
                     .element = Type::vec2});
+    list.push_back({.name = "speed", .default_value = 0.0, .unit = "m/s", .simulated = true});
     list.push_back({.name = "energy", .default_value = 12.5, .unit = "J", .read_only = true});
     return list;
 }

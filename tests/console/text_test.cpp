@@ -108,6 +108,41 @@ TEST_CASE("the log drops its oldest lines and cuts very long ones") {
     CHECK(log.lines().empty());
 }
 
+TEST_CASE("a repeated line is stored once with its number") {
+    Log log;
+    for (int i = 0; i < 5; ++i) log.output("beep");
+    log.output("boop");
+    log.output("beep");
+    REQUIRE(log.lines().size() == 3);
+    CHECK(log.lines()[0].count == 5);
+    CHECK(log.lines()[2].count == 1);
+    log.command("beep");
+    log.command("beep");
+    CHECK(log.lines().size() == 5);  // what was typed stays as it is
+}
+
+TEST_CASE("long output of a command is folded and can be opened") {
+    Log log;
+    std::vector<std::string> lines;
+    for (int i = 0; i < 100; ++i) lines.push_back("line " + std::to_string(i));
+    log.output(lines);
+    log.note("after it");
+    REQUIRE(log.lines().size() == Log::shown_of_folded + 2);
+    CHECK(log.lines()[Log::shown_of_folded].text == "… 60 more lines");
+    const auto before = log.rearranged();
+    log.unfold(0);  // not a fold
+    CHECK(log.rearranged() == before);
+    log.unfold(Log::shown_of_folded);
+    REQUIRE(log.lines().size() == 101);
+    CHECK(log.lines()[99].text == "line 99");
+    CHECK(log.lines()[100].text == "after it");
+    CHECK(log.rearranged() != before);
+    log.clear();
+    lines.resize(Log::max_unfolded);
+    log.output(lines);
+    CHECK(log.lines().size() == Log::max_unfolded);
+}
+
 TEST_CASE("a printed text with several lines makes several lines") {
     Log log;
     log.output("a\nb\n");

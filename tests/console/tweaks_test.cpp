@@ -67,6 +67,15 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
 }
 
+TEST_CASE("a command shows its output in place of the list of tweaks") {
+    TweakedRig rig;
+    rig.type("world.ball.mass");
+    CHECK(rig.value("console.tweaks") == Value(true));
+    rig.key("enter");
+    CHECK(rig.value("console.tweaks") == Value(false));
+    CHECK(rig.logged("world.ball.mass: 5"));
+}
+
 TEST_CASE("tweaks of an earlier run are applied again from the list as one edit") {
     const Place place;
     {

@@ -119,6 +119,69 @@ TEST_CASE("long lines are wrapped and any text can be drawn") {
     CHECK(rig.surface.triangle_count() > 1000);
 }
 
+TEST_CASE("the caret is below the place that it marks where the source line is wrapped") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    script::ScriptError error;
+    error.message = "main.lua:1: world.boll: no such name";
+    error.file = "main.lua";
+    error.line = 1;
+    error.source_line = "local sum = " + std::string(200, '1') + " + world.boll";
+    error.column = static_cast<int>(error.source_line.find("boll")) + 1;
+    rig.console.report(error);
+    rig.draw(3);
+    const auto rows = rig.state().log_view.shown_rows();
+    std::string above, marked;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        if (rows[i].find('^') != std::string::npos) {
+            above = rows[i - 1];
+            marked = rows[i];
+        }
+    INFO(above << '\n' << marked);
+    REQUIRE(marked.find("^^^^") != std::string::npos);
+    CHECK(above.substr(marked.find('^'), 4) == "boll");
+}
+
+TEST_CASE("wrapped rows of a table begin below its last column") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    rig.console.print("  :apply_force   " + std::string(40, 'a') + " " + std::string(60, 'b'));
+    rig.draw(3);
+    const auto rows = rig.state().log_view.shown_rows();
+    CHECK(rows.back().find("bbb") == rows[rows.size() - 2].find("aaa"));
+}
+
+TEST_CASE("a click opens folded output") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    std::vector<std::string> lines;
+    for (int i = 0; i < 70; ++i) lines.push_back("line " + std::to_string(i));
+    rig.state().log.output(lines);
+    rig.draw(3);
+    const auto& view = rig.state().log_view;
+    rig.click(view.text_end().x + 4 * view.cell(), view.text_end().y - view.line_height() / 2);
+    rig.draw(3);
+    CHECK(rig.logged("line 69"));
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("the text grows by a factor") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    const float cell = rig.state().log_view.cell();
+    property::set(rig.tree, "console.scale", Value(2.0));
+    rig.draw(3);
+    CHECK(rig.state().log_view.cell() == Approx(2 * cell).margin(1));
+    property::set(rig.tree, "console.scale", Value(4.0));
+    property::set(rig.tree, "console.font_size", Value(48.0));
+    rig.draw(3);
+    CHECK(rig.surface.faults() == 0);
+}
+
 TEST_CASE("changes of the size properties take effect at once") {
     Rig rig;
     rig.key("grave");

@@ -5,6 +5,7 @@
 // windows; a click on a body of the game selects that body. Its settings are properties of the
 // instance `console`: `console.open = true`, `console.pauses = true`.
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -35,6 +36,13 @@ struct Options {
     std::function<property::Vec2(property::Vec2 world)> to_pixels{};
     /// Tweaks to list, keep and drop; null: nothing of them is shown.
     property::Tweaks* tweaks = nullptr;
+    /// Shows the kept past: calls `look` after each step from `from` on, with the tree as it was
+    /// then (app::Timeline::review). Without it, plots begin when they are made, and `last_time`
+    /// is refused.
+    std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
+        review{};
+    /// The run repeats a recording, which contains the commands that `exec` ran: it runs none.
+    bool replay = false;
 };
 
 /// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty if neither
@@ -52,8 +60,16 @@ class Console : public app::Layer {
     bool handle(const app::InputEvent& event) override;
     void draw(app::Surface& surface, double seconds) override;
 
+    /// To be called when the modules have made a step and its changes are delivered: breaks and
+    /// plots look at each step.
+    void after_step();
+    /// To be called between two frames: commands that wait are run, and the past is searched.
+    void between_frames();
+
     bool is_open() const;
     void open(bool open = true);
+    /// Pixels at the lower edge of the window that the console covers now.
+    float covered_below() const;
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
     /// game.
     void select(property::Handle instance);

@@ -9,6 +9,7 @@
 
 #include <fettle/console/export.h>
 #include <fettle/property/value.h>
+#include <fettle/script/observed.h>
 #include <fettle/script/runtime.h>
 
 FETTLE_CONSOLE_BEGIN
@@ -22,6 +23,7 @@ struct Interpreter {
         complete{};
     std::function<void(property::Handle instance)> set_it{};
     std::function<void(std::function<std::size_t()> bytes, std::string property)> limit_memory{};
+    std::function<void(script::ConsoleFunctions functions)> serve{};
 };
 
 /// The runtime must outlive it.

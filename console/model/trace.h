@@ -1,0 +1,55 @@
+#pragma once
+// The values of an observed expression, step by step.
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include <fettle/property/value.h>
+#include <fettle/script/observed.h>
+
+namespace fettle::console {
+
+class Trace {
+  public:
+    static constexpr std::size_t max_samples = 36'000;
+
+    struct Sample {
+        std::int64_t step;
+        double x, y;  // y: of vectors only
+    };
+
+    explicit Trace(script::Observed what) : what_(std::move(what)) {}
+
+    const script::Observed& what() const { return what_; }
+    /// Computes the value and stores it as that of the step. Later samples are dropped, because the
+    /// game went back and goes on from here.
+    /// `past`: the past is shown, so formulas are not computed.
+    void take(std::int64_t step, bool past = false);
+    /// Computes the value without storing it.
+    void look(bool past = false);
+
+    /// The last computed value; nil if that failed, and then `problem` is the reason.
+    const property::Value& value() const { return value_; }
+    const std::string& problem() const { return problem_; }
+    /// Ascending by step. Only numbers, vectors and booleans (0 and 1) have samples.
+    const std::deque<Sample>& samples() const { return samples_; }
+    bool is_vector() const { return vector_; }
+    /// Whether the kept past is to be read for this trace.
+    bool wants_past = true;
+
+  private:
+    script::Observed what_;
+    property::Value value_;
+    std::string problem_;
+    std::deque<Sample> samples_;
+    bool vector_ = false;
+    int rest_ = 0;  // calls without computing, after an error
+};
+
+/// As Lua: everything but nil and false.
+inline bool is_true(const property::Value& value) {
+    return !value.is_nil() && !(value.is(property::Type::boolean) && !value.boolean());
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,227 @@
+#include <panel/observing.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include <fettle/app/input.h>
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/spelling.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Type;
+using property::Value;
+
+namespace {
+
+constexpr std::size_t max_pins = 50, max_plots = 12;
+
+}  // namespace
+
+script::ConsoleFunctions Observing::functions() {
+    script::ConsoleFunctions f;
+    f.pin = [this](script::Observed what) { pin(std::move(what)); };
+    f.unpin = [this](const std::string& text) { return unpin(text); };
+    f.plot = [this](std::vector<script::Observed> all) { plot(std::move(all)); };
+    f.break_when = [this](script::Observed condition) { break_when(std::move(condition)); };
+    f.last_time = [this](script::Observed condition) { searched_ = std::move(condition); };
+    f.bind = [this](const std::string& key, const std::string& command) { bind(key, command); };
+    f.alias = [this](const std::string& word, const std::string& command) {
+        prompt_.alias(word, command);
+    };
+    f.exec = [this](const std::string& text) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) waiting_.push_back(line);
+        waiting_.emplace_back();  // ends a command that is not complete
+    };
+    f.clear = [this] { prompt_.clear_log_afterwards(); };
+    return f;
+}
+
+// --- Requests
+
+void Observing::pin(script::Observed what) {
+    unpin(what.text);
+    if (pins_.size() == max_pins)
+        throw property::Error(
+            property::ErrorKind::rejected,
+            "pin: there are " + std::to_string(max_pins) + " pinned values already; unpin one");
+    pins_.emplace_back(std::move(what));
+    pins_.back().look();
+}
+
+std::size_t Observing::unpin(const std::string& text) {
+    return std::erase_if(pins_,
+                         [&](const Trace& pin) { return text.empty() || pin.what().text == text; });
+}
+
+void Observing::plot(std::vector<script::Observed> all) {
+    if (all.size() > max_plots)
+        throw property::Error(property::ErrorKind::rejected,
+                              "plot: at most " + std::to_string(max_plots) + " values at once");
+    plots_.clear();
+    for (script::Observed& what : all) {
+        plots_.emplace_back(std::move(what));
+        plots_.back().look();
+        const Trace& added = plots_.back();
+        const bool drawn = added.value().is_numeric() || added.value().is(Type::vec2) ||
+                           added.value().is(Type::boolean);
+        if (added.problem().empty() && !added.value().is_nil() && !drawn) {
+            const std::string text = added.what().text;
+            plots_.clear();
+            throw property::Error(property::ErrorKind::wrong_type,
+                                  "plot: " + text + " is neither a number, a vector nor a boolean");
+        }
+    }
+}
+
+void Observing::break_when(script::Observed condition) {
+    if (!condition.value) {
+        breaks_.clear();
+        return;
+    }
+    breaks_.add(std::move(condition));
+}
+
+void Observing::bind(const std::string& key, const std::string& command) {
+    const auto names = app::key_names();
+    if (std::find(names.begin(), names.end(), key) == names.end()) {
+        const std::vector<std::string> all(names.begin(), names.end());
+        throw property::Error(
+            property::ErrorKind::unknown_name,
+            "bind: there is no key \"" + key + "\"" + property::suggestion(key, all));
+    }
+    if (command.empty())
+        keys_.erase(key);
+    else
+        keys_[key] = command;
+}
+
+std::string Observing::command_of_key(const std::string& key) const {
+    const auto found = keys_.find(key);
+    return found == keys_.end() ? std::string() : found->second;
+}
+
+// --- Each step, each frame
+
+void Observing::after_step() {
+    const auto step = static_cast<std::int64_t>(tree_.step());
+    for (auto* all : {&pins_, &plots_})
+        for (Trace& trace : *all) trace.take(step);
+    const std::vector<std::string> lines = breaks_.look();
+    if (lines.empty()) return;
+    for (const std::string& line : lines) log_.note(line);
+    pause();
+}
+
+void Observing::look() {
+    for (auto* all : {&pins_, &plots_})
+        for (Trace& trace : *all) trace.look();
+}
+
+void Observing::between_frames(const Review& review) {
+    run_waiting();
+    read_past(review);
+    search_past(review);
+}
+
+/// Runs the lines of a file of commands. A command may have several lines.
+void Observing::run_waiting() {
+    // A command may add others.
+    std::string command;
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+        const bool last = waiting_[i].empty() && i + 1 == waiting_.size();
+        command += (command.empty() ? "" : "\n") + waiting_[i];
+        const bool blank = command.find_first_not_of(" \t\r\n") == std::string::npos;
+        const bool comment = !blank && command.find('\n') == std::string::npos &&
+                             command.compare(command.find_first_not_of(' '), 2, "--") == 0;
+        if (blank || comment || prompt_.run(std::string(command), last)) command.clear();
+    }
+    waiting_.clear();
+}
+
+/// Fills new plots and pins with the past.
+void Observing::read_past(const Review& review) {
+    std::vector<Trace*> wanting;
+    for (auto* all : {&pins_, &plots_})
+        for (Trace& trace : *all)
+            if (std::exchange(trace.wants_past, false)) wanting.push_back(&trace);
+    if (wanting.empty() || !review) return;
+    try {
+        review(time_value("oldest", 0), [&](std::int64_t step) {
+            for (Trace* trace : wanting) trace->take(step, true);
+        });
+    } catch (const std::exception& error) {
+        log_.error(property::exception_text(error));
+    }
+}
+
+void Observing::search_past(const Review& review) {
+    if (!searched_) return;
+    const script::Observed condition = *std::exchange(searched_, std::nullopt);
+    if (!review) return log_.error("last_time: this game keeps no past");
+    std::int64_t first = -1, last_true = -1, became = -1;
+    bool now = false;
+    std::string problem;
+    try {
+        review(time_value("oldest", 0), [&](std::int64_t step) {
+            if (first < 0) first = step;
+            bool holds = false;
+            try {
+                holds = is_true(condition.value());
+            } catch (const std::exception& error) {
+                problem = property::exception_text(error);
+            }
+            if (holds && !now) became = step;
+            if (holds) last_true = step;
+            now = holds;
+        });
+    } catch (const std::exception& error) {
+        return log_.error(property::exception_text(error));
+    }
+    const std::int64_t here = static_cast<std::int64_t>(tree_.step());
+    const std::string what = "last_time " + condition.text + ": ";
+    if (first < 0) return log_.note(what + "no step is kept");
+    if (last_true < 0)
+        return problem.empty() ? log_.note(what + "never since step " + std::to_string(first))
+                               : log_.error(what + problem);
+    if (now && became == first)
+        return log_.note(what + "true now, and ever since step " + std::to_string(first));
+    const std::int64_t to = now ? became : last_true;
+    log_.note(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
+              std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
+    go_to(to);
+}
+
+// --- Time
+
+std::int64_t Observing::time_value(const char* name, std::int64_t otherwise) const {
+    const Handle time = tree_.child(tree_.root(), "time");
+    const property::Property* property = time ? tree_.find(time, name) : nullptr;
+    const Value value = property != nullptr ? tree_.get(time, *property) : Value();
+    return value.is(Type::integer) ? value.integer() : otherwise;
+}
+
+// As in the time bar: pausing is no edit by a person.
+void Observing::pause() {
+    const Handle time = tree_.child(tree_.root(), "time");
+    if (!time || tree_.find(time, "paused") == nullptr) return;
+    const property::Tree::CauseScope cause(tree_, property::Writer::module);
+    tree_.set(time, "paused", Value(true));
+}
+
+void Observing::go_to(std::int64_t step) {
+    pause();
+    const Handle time = tree_.child(tree_.root(), "time");
+    if (!time || tree_.class_of(time).method("go_to") == nullptr) return;
+    try {
+        tree_.call(time, "go_to", {Value(step)});
+    } catch (const std::exception& error) {
+        log_.error(property::exception_text(error));
+    }
+}
+
+}  // namespace fettle::console

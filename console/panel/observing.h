@@ -1,0 +1,67 @@
+#pragma once
+// What a person observes: pinned values, plots, conditions that break, searches of the past; and
+// the commands that wait, or that a key or a word stands for.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+#include <fettle/script/observed.h>
+
+#include <model/breaks.h>
+#include <model/log.h>
+#include <model/prompt.h>
+#include <model/trace.h>
+
+namespace fettle::console {
+
+class Observing {
+  public:
+    using Review =
+        std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>;
+
+    Observing(property::Tree& tree, Log& log, Prompt& prompt)
+        : tree_(tree), log_(log), prompt_(prompt), breaks_(tree) {}
+
+    /// The functions of scripts that this carries out.
+    script::ConsoleFunctions functions();
+    void after_step();
+    /// `review` shows the kept past; may be empty.
+    void between_frames(const Review& review);
+    /// Computes the pinned values for a picture.
+    void look();
+
+    /// The command of a key, "" if it has none.
+    std::string command_of_key(const std::string& key) const;
+
+    std::vector<Trace>& pins() { return pins_; }
+    std::vector<Trace>& plots() { return plots_; }
+
+  private:
+    void pin(script::Observed what);
+    std::size_t unpin(const std::string& text);
+    void plot(std::vector<script::Observed> all);
+    void break_when(script::Observed condition);
+    void bind(const std::string& key, const std::string& command);
+    void run_waiting();
+    void read_past(const Review& review);
+    void search_past(const Review& review);
+    void pause();
+    std::int64_t time_value(const char* name, std::int64_t otherwise) const;
+    void go_to(std::int64_t step);
+
+    property::Tree& tree_;
+    Log& log_;
+    Prompt& prompt_;
+    Breaks breaks_;
+    std::vector<Trace> pins_, plots_;
+    std::optional<script::Observed> searched_;
+    std::vector<std::string> waiting_;  // lines of commands
+    std::map<std::string, std::string> keys_;
+};
+
+}  // namespace fettle::console

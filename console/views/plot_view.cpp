@@ -1,0 +1,224 @@
+#include <views/plot_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <look/fields.h>
+#include <look/theme.h>
+#include <views/watch_list.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr int plot_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                           ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr double rows_wanted = 4;  // lines of the grid
+
+/// 1, 2 or 5 times a power of ten, at least `span` / rows.
+double spacing_for(double span) {
+    const double raw = span / rows_wanted;
+    const double power = std::pow(10, std::floor(std::log10(raw)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= raw) return factor * power;
+    return 10 * power;
+}
+
+/// The color of the part of a trace: vectors have two lines.
+ImU32 color_of(const std::vector<Trace>& plots, std::size_t index, bool second) {
+    if (plots[index].is_vector() && plots.size() == 1)
+        return second ? palette::axis_y : palette::axis_x;
+    const ImU32 color = series_color(index);
+    return second ? with_alpha(color, 0.6f) : color;
+}
+
+/// The sample at the step, or the last before it; nullptr if there is none.
+const Trace::Sample* sample_at(const Trace& trace, std::int64_t step) {
+    const auto& all = trace.samples();
+    auto found =
+        std::upper_bound(all.begin(), all.end(), step,
+                         [](std::int64_t s, const Trace::Sample& a) { return s < a.step; });
+    return found == all.begin() ? nullptr : &*std::prev(found);
+}
+
+}  // namespace
+
+PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times& times) const {
+    Scale scale;
+    scale.last = std::max(times.newest, times.step);
+    scale.first = std::min(times.oldest, scale.last - 1);
+    bool any = false;
+    for (const Trace& trace : plots)
+        for (const Trace::Sample& s : trace.samples()) {
+            if (s.step < scale.first) continue;
+            const double other = trace.is_vector() ? s.y : s.x;
+            scale.low = any ? std::min({scale.low, s.x, other}) : std::min(s.x, other);
+            scale.high = any ? std::max({scale.high, s.x, other}) : std::max(s.x, other);
+            any = true;
+        }
+    // Differences that come from rounding are no differences.
+    const double size = std::max(std::abs(scale.low), std::abs(scale.high));
+    if (scale.high - scale.low < 1e-6 * std::max(size, 1e-6)) {
+        const double room = std::max(0.5 * size, 1e-6);
+        scale.low -= room;
+        scale.high += room;
+    }
+    const double edge = 0.04 * (scale.high - scale.low);  // the curve does not touch the frame
+    scale.low -= edge;
+    scale.high += edge;
+    return scale;
+}
+
+ImVec2 PlotView::point(const Scale& scale, std::int64_t step, double value) const {
+    const double x = static_cast<double>(step - scale.first) /
+                     static_cast<double>(std::max<std::int64_t>(1, scale.last - scale.first));
+    const double y = (value - scale.low) / (scale.high - scale.low);
+    return ImVec2(area_.low.x + (area_.high.x - area_.low.x) * static_cast<float>(x),
+                  area_.high.y - (area_.high.y - area_.low.y) * static_cast<float>(y));
+}
+
+void PlotView::draw_grid(const Scale& scale, const Times& times) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float line = ImGui::GetTextLineHeight();
+    const double apart = spacing_for(scale.high - scale.low);
+    for (double v = std::ceil(scale.low / apart) * apart; v <= scale.high; v += apart) {
+        const float y = point(scale, scale.first, v).y;
+        list.AddLine(ImVec2(area_.low.x, y), ImVec2(area_.high.x, y),
+                     with_alpha(palette::line, 0.6f));
+        const std::string text = short_number(std::abs(v) < apart * 1e-6 ? 0 : v);
+        draw_text(list, ImVec2(area_.low.x - text_width(text) - 6, y - line / 2), palette::faint,
+                  text);
+    }
+    const double seconds = static_cast<double>(scale.last - scale.first) * times.dt;
+    const double tick = std::max(spacing_for(seconds), times.dt);
+    for (double back = tick; back < seconds; back += tick) {
+        const float x =
+            area_.high.x - (area_.high.x - area_.low.x) * static_cast<float>(back / seconds);
+        list.AddLine(ImVec2(x, area_.low.y), ImVec2(x, area_.high.y),
+                     with_alpha(palette::line, 0.35f));
+        const std::string text = "-" + short_number(back) + " s";
+        draw_text(list, ImVec2(x - text_width(text) / 2, area_.high.y + 2), palette::faint, text);
+    }
+}
+
+void PlotView::draw_curves(const Scale& scale, const std::vector<Trace>& plots) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    std::vector<ImVec2> points;
+    // No more points than two for each column of pixels.
+    const double columns = std::max(2.0, 2.0 * static_cast<double>(area_.high.x - area_.low.x));
+    for (std::size_t i = 0; i < plots.size(); ++i)
+        for (const bool second : {false, true}) {
+            if (second && !plots[i].is_vector()) continue;
+            const auto& samples = plots[i].samples();
+            const auto stride =
+                static_cast<std::size_t>(std::ceil(static_cast<double>(samples.size()) / columns));
+            points.clear();
+            for (std::size_t k = 0; k < samples.size(); k += std::max<std::size_t>(1, stride))
+                if (samples[k].step >= scale.first)
+                    points.push_back(
+                        point(scale, samples[k].step, second ? samples[k].y : samples[k].x));
+            list.AddPolyline(points.data(), static_cast<int>(points.size()),
+                             color_of(plots, i, second), 0, 1.6f);
+        }
+}
+
+void PlotView::draw_cursor(const Scale& scale, const Times& times, std::int64_t step) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto upright = [&](std::int64_t at, ImU32 color) {
+        const float x = point(scale, at, scale.low).x;
+        list.AddLine(ImVec2(x, area_.low.y), ImVec2(x, area_.high.y), color);
+    };
+    if (times.step < scale.last) upright(times.step, palette::note);
+    if (step >= 0) upright(step, palette::dim);
+}
+
+void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>& plots,
+                           std::int64_t step) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = ImGui::GetTextLineHeight() + 2;
+    const float right = at.x + ImGui::GetContentRegionAvail().x - side - em;
+    float x = at.x;
+    for (std::size_t i = 0; i < plots.size() && x < right; ++i) {
+        const Trace& trace = plots[i];
+        const Trace::Sample* s = step >= 0 ? sample_at(trace, step) : nullptr;
+        property::Value shown = trace.value();
+        if (s != nullptr)
+            shown = trace.is_vector() ? property::Value(property::Vec2(s->x, s->y))
+                                      : property::Value(s->x);
+        const std::string value =
+            trace.problem().empty() ? short_text(tree, shown, trace.what().unit) : trace.problem();
+        list.AddRectFilled(ImVec2(x, at.y + em * 0.5f), ImVec2(x + em * 0.8f, at.y + em * 0.7f),
+                           color_of(plots, i, false));
+        if (trace.is_vector())
+            list.AddRectFilled(ImVec2(x, at.y + em * 0.8f), ImVec2(x + em * 0.8f, at.y + em * 1.0f),
+                               color_of(plots, i, true));
+        x += em * 1.1f;
+        // Each trace gets its part of the line.
+        const float part = (right - at.x) / static_cast<float>(plots.size());
+        const float name = std::max(
+            em, std::min(text_width(trace.what().text), part - text_width(value) - 3 * em));
+        draw_path_fit(list, ImVec2(x, at.y), palette::text, trace.what().text, name);
+        x += name + em * 0.5f;
+        draw_text_fit(list, ImVec2(x, at.y),
+                      trace.problem().empty() ? palette::number : palette::error, value,
+                      std::max(1.0f, right - x));
+        x += text_width(value) + em * 1.5f;
+    }
+    ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
+    const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
+    close_ = item_rect();
+    const bool hot = ImGui::IsItemHovered();
+    draw_text(list, ImVec2(close_.low.x + (side - text_width("×")) / 2, at.y),
+              hot ? palette::accent : palette::dim, "×");
+    if (hot) ImGui::SetTooltip("end the plot");
+    if (pressed && run) run("plot()");
+}
+
+void PlotView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
+                    const std::vector<Trace>& plots, const Times& times, float opacity) {
+    if (plots.empty()) return hide();
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - size.y));
+    ImGui::SetNextWindowSize(size);
+    ImGui::SetNextWindowBgAlpha(opacity);
+    ImGui::Begin("##plot", nullptr, plot_flags);
+    rect_ = window_rect();
+    const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().WindowPadding.y;
+    area_ = {ImVec2(rect_.low.x + 5.5f * em, rect_.low.y + padding + 1.7f * em),
+             ImVec2(rect_.high.x - em, rect_.high.y - padding - 1.2f * em)};
+    if (area_.high.x < area_.low.x + em || area_.high.y < area_.low.y + em) {
+        ImGui::End();
+        return;
+    }
+    const Scale scale = scale_of(plots, times);
+    const ImVec2 before = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(area_.low);
+    ImGui::InvisibleButton("curves",
+                           ImVec2(area_.high.x - area_.low.x, area_.high.y - area_.low.y));
+    std::int64_t under = -1;
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        const float share = std::clamp(
+            (ImGui::GetIO().MousePos.x - area_.low.x) / (area_.high.x - area_.low.x), 0.0f, 1.0f);
+        under = scale.first + std::llround(share * static_cast<double>(scale.last - scale.first));
+    }
+    if (ImGui::IsItemActive() && under >= times.oldest && under != asked_ && go_to) {
+        asked_ = under;
+        go_to(under);
+    }
+    if (!ImGui::IsItemActive()) asked_ = -1;
+    ImGui::SetCursorScreenPos(before);
+    ImGui::GetWindowDrawList()->AddRectFilled(area_.low, area_.high, palette::well);
+    draw_grid(scale, times);
+    ImGui::GetWindowDrawList()->PushClipRect(area_.low, area_.high, true);
+    draw_curves(scale, plots);
+    draw_cursor(scale, times, under);
+    ImGui::GetWindowDrawList()->PopClipRect();
+    draw_legend(tree, plots, under);
+    ImGui::End();
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,56 @@
+#pragma once
+// Values over time, with the kept past. A click goes to that step.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <model/rect.h>
+#include <model/trace.h>
+
+namespace fettle::console {
+
+class PlotView {
+  public:
+    /// Runs a command as if it were typed.
+    std::function<void(const std::string& command)> run;
+    /// Goes to a step of the kept past.
+    std::function<void(std::int64_t step)> go_to;
+
+    /// The step of the game, the kept ones, and the seconds of a step.
+    struct Times {
+        std::int64_t step = 0, oldest = 0, newest = 0;
+        double dt = 1.0 / 60;
+    };
+
+    /// Draws a window with its lower left corner at `corner`.
+    void draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
+              const std::vector<Trace>& plots, const Times& times, float opacity);
+    const Rect& rect() const { return rect_; }
+    void hide() { rect_ = area_ = {}; }
+    /// The rectangle of the curves, and of the button that ends the plot; for tests.
+    const Rect& area() const { return area_; }
+    const Rect& close_button() const { return close_; }
+
+  private:
+    struct Scale {
+        std::int64_t first = 0, last = 1;
+        double low = 0, high = 1;
+    };
+    Scale scale_of(const std::vector<Trace>& plots, const Times& times) const;
+    ImVec2 point(const Scale& scale, std::int64_t step, double value) const;
+    void draw_grid(const Scale& scale, const Times& times) const;
+    void draw_curves(const Scale& scale, const std::vector<Trace>& plots) const;
+    void draw_legend(const property::Tree& tree, const std::vector<Trace>& plots,
+                     std::int64_t step);
+    void draw_cursor(const Scale& scale, const Times& times, std::int64_t step) const;
+
+    Rect rect_, area_, close_;
+    std::int64_t asked_ = -1;
+};
+
+}  // namespace fettle::console

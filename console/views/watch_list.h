@@ -1,0 +1,49 @@
+#pragma once
+// The pinned values, each with a line of its latest samples.
+
+#include <imgui.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <model/rect.h>
+#include <model/trace.h>
+
+namespace fettle::console {
+
+/// The value for people: short numbers, with the unit.
+std::string short_text(const property::Tree& tree, const property::Value& value,
+                       const std::string& unit);
+
+class WatchList {
+  public:
+    /// Runs a command as if it were typed.
+    std::function<void(const std::string& command)> run;
+    /// Called when a pinned path is clicked; when it is clicked with the right button.
+    std::function<void(std::string_view path)> follow, menu;
+
+    /// Draws a window with its lower left corner at `corner`; not taller than `room`.
+    void draw(ImVec2 corner, float width, float room, const property::Tree& tree,
+              const std::vector<Trace>& pins, float opacity);
+    const Rect& rect() const { return rect_; }
+    void hide() { rect_ = {}; }
+    /// The rectangle of the button that unpins the nth value, for tests.
+    Rect button(std::size_t index) const {
+        return index < buttons_.size() ? buttons_[index] : Rect();
+    }
+
+  private:
+    void draw_row(const property::Tree& tree, const Trace& pin, float width);
+
+    Rect rect_;
+    std::vector<Rect> buttons_;
+    std::string unpinned_;
+};
+
+/// Draws samples as a line into a rectangle, scaled to their range.
+void draw_sparkline(ImDrawList& list, const Rect& rect, const Trace& trace);
+
+}  // namespace fettle::console

@@ -1,0 +1,338 @@
+// Pinned values, plots, breaks, searches of the past, keys and words with commands: the console
+// with the Lua runtime.
+
+#include <fstream>
+#include <map>
+
+#include "catch.h"
+#include "rig.h"
+#include "temporary_folder.h"
+
+namespace observing_test {
+
+using namespace fettle;
+using console::test::Rig;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// A rig whose commands are Lua, in a game that makes steps and keeps a past: the position of
+/// `world.ball` at step n is (n, -4).
+class ObservingRig : public Rig {
+  public:
+    ObservingRig() : runtime(tree, {}), lua(tree, runtime, options()) {
+        property::ClassDescriptor time;
+        time.name = "Clock";
+        for (const char* name : {"step", "oldest", "newest"})
+            time.properties.push_back(
+                {.name = name, .type = property::Type::integer, .default_value = Value(0)});
+        for (const char* name : {"paused", "step_once"})
+            time.properties.push_back(
+                {.name = name, .type = property::Type::boolean, .default_value = Value(false)});
+        property::Method go_to;
+        go_to.name = "go_to";
+        go_to.parameters = {{"step", property::Type::integer}};
+        go_to.required = 1;
+        go_to.context = this;
+        go_to.call = [](void* self, property::Tree&, property::Handle, property::Row,
+                        std::span<const Value> arguments) -> property::Result {
+            static_cast<ObservingRig*>(self)->went_to = arguments[0].integer();
+            return Value();
+        };
+        time.methods = {go_to};
+        tree.destroy(tree.child(tree.root(), "time"));
+        tree.create(tree.define(std::move(time)), tree.root(), "time");
+        lua.open();
+        show();
+    }
+    void run(const std::string& command) {
+        lua.state().run(command);
+        lua.between_frames();
+    }
+    void step(int count = 1) {
+        for (; count > 0 && !value("time.paused").boolean(); --count) {
+            ++now;
+            tree.set_step(static_cast<std::uint64_t>(now));
+            place(now);
+            tree.barrier();
+            lua.after_step();
+            lua.between_frames();
+        }
+    }
+    void show(int frames = 3) {
+        for (; frames > 0; --frames) {
+            surface.clear();
+            lua.draw(surface, 1.0 / 60);
+        }
+    }
+    std::string text() {
+        std::string all;
+        for (const console::LogLine& line : lua.state().log.lines()) all += line.text + "\n";
+        return all;
+    }
+    bool press_key(std::string_view name) {
+        const bool taken = lua.handle(console::test::key_event(name, true));
+        lua.handle(console::test::key_event(name, false));
+        return taken;
+    }
+    void click_at(ImVec2 at, const char* which = "left") {
+        for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,
+                                app::EventKind::mouse_released}) {
+            app::InputEvent event;
+            event.kind = kind;
+            event.name = which;
+            event.x = at.x;
+            event.y = at.y;
+            lua.handle(event);
+            show(2);
+        }
+    }
+    const std::vector<console::Trace>& pins() { return lua.state().observing.pins(); }
+    const std::vector<console::Trace>& plots() { return lua.state().observing.plots(); }
+
+    std::int64_t now = 0, went_to = -1;
+    script::Runtime runtime;
+    console::Console lua;
+
+  private:
+    void place(std::int64_t n) {
+        const property::Tree::CauseScope cause(tree, property::Writer::simulation);
+        property::set(tree, "world.ball.position", Value(Vec2(static_cast<double>(n), -4)));
+        for (const char* name : {"time.step", "time.newest"}) property::set(tree, name, Value(n));
+    }
+    console::Options options() {
+        console::Options made;
+        made.clipboard = &clipboard;
+        made.review = [this](std::int64_t from, const auto& look) {
+            for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= now; ++n) {
+                place(n);
+                look(n);
+            }
+        };
+        return made;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a pinned value is shown with its unit and followed from the kept past on") {
+    ObservingRig rig;
+    rig.step(50);
+    rig.run("pin world.ball.position.x");
+    REQUIRE(rig.pins().size() == 1);
+    CHECK(rig.pins()[0].samples().size() == 51);
+    CHECK(rig.pins()[0].value() == Value(50.0));
+    rig.step(3);
+    CHECK(rig.pins()[0].samples().size() == 54);
+    CHECK(rig.pins()[0].samples().back().x == 53);
+    rig.run("pin world.ball.position.x");  // again: no second one
+    CHECK(rig.pins().size() == 1);
+    rig.run("pin world.ball.mass * 2");
+    rig.show();
+    CHECK_FALSE(rig.lua.state().watch_list.rect().empty());
+    rig.click_at(rig.lua.state().watch_list.button(1).middle());
+    REQUIRE(rig.pins().size() == 1);
+    rig.run("unpin()");
+    CHECK(rig.pins().empty());
+    rig.show();
+    CHECK(rig.lua.state().watch_list.rect().empty());
+}
+
+TEST_CASE("a pinned value that fails shows why and comes back") {
+    ObservingRig rig;
+    rig.run("pin world.crate.mass");
+    rig.run("world.crate:delete()");
+    rig.step(2);
+    CHECK(rig.pins()[0].problem().find("crate") != std::string::npos);
+    rig.show();
+    CHECK(rig.surface.faults() == 0);
+    rig.run("world.crate = Body { mass = 4 }");
+    rig.step(100);
+    CHECK(rig.pins()[0].problem().empty());
+    CHECK(rig.pins()[0].value() == Value(4.0));
+}
+
+TEST_CASE("a plot shows the past and a click goes to that moment") {
+    ObservingRig rig;
+    rig.step(100);
+    rig.run("plot world.ball.position, world.ball.mass > 2");
+    REQUIRE(rig.plots().size() == 2);
+    CHECK(rig.plots()[0].is_vector());
+    CHECK(rig.plots()[0].samples().front().step == 0);
+    CHECK(rig.plots()[1].samples().back().x == 0);
+    rig.show();
+    const console::Rect area = rig.lua.state().plot_view.area();
+    REQUIRE_FALSE(area.empty());
+    rig.click_at(area.middle());
+    CHECK(rig.went_to == Approx(50).margin(2));
+    CHECK(rig.value("time.paused") == Value(true));
+    rig.click_at(rig.lua.state().plot_view.close_button().middle());
+    CHECK(rig.plots().empty());
+    rig.run("plot world.ball.label");
+    CHECK(rig.text().find("neither a number, a vector nor a boolean") != std::string::npos);
+}
+
+TEST_CASE("samples after a moment are dropped when the game goes on from it") {
+    ObservingRig rig;
+    rig.run("plot world.ball.position.x");
+    rig.step(20);
+    rig.now = 10;
+    rig.step(1);
+    CHECK(rig.plots()[0].samples().back().step == 11);
+    CHECK(rig.plots()[0].samples().size() == 12);
+}
+
+TEST_CASE("a break pauses the game when its condition becomes true") {
+    ObservingRig rig;
+    rig.run("break_when world.ball.position.x >= 7");
+    rig.step(20);
+    CHECK(rig.now == 7);
+    CHECK(rig.value("time.paused") == Value(true));
+    INFO(rig.text());
+    CHECK(rig.text().find("break at step 7: world.ball.position.x >= 7: false → true") !=
+          std::string::npos);
+    CHECK(rig.text().find("world.ball.position.x = 7 m   simulation") != std::string::npos);
+    // It breaks once, not in every step in which it is true.
+    property::set(rig.tree, "time.paused", Value(false));
+    rig.step(5);
+    CHECK(rig.now == 12);
+}
+
+TEST_CASE("a break on a value waits for a change and all breaks can be ended") {
+    ObservingRig rig;
+    rig.run("break_when world.crate.mass");
+    rig.step(5);
+    CHECK(rig.now == 5);
+    rig.run("world.crate.mass = 8");
+    rig.step(5);
+    CHECK(rig.now == 6);
+    INFO(rig.text());
+    CHECK(rig.text().find("world.crate.mass: 1 → 8") != std::string::npos);
+    CHECK(rig.text().find("world.crate.mass = 8 kg   console") != std::string::npos);
+    rig.run("time.paused = false");
+    rig.run("break_when()");
+    rig.run("world.crate.mass = 9");
+    rig.step(5);
+    CHECK(rig.now == 11);
+}
+
+TEST_CASE("last_time finds the last step at which a condition was true and goes there") {
+    ObservingRig rig;
+    rig.step(60);
+    rig.run("last_time world.ball.position.x < 20");
+    CHECK(rig.went_to == 19);
+    CHECK(rig.text().find("true at step 19, 41 steps ago") != std::string::npos);
+    rig.run("last_time world.ball.position.x > 30");  // true now: since when
+    CHECK(rig.went_to == 31);
+    rig.went_to = -1;
+    rig.run("last_time world.ball.position.x > 1000");
+    CHECK(rig.went_to == -1);
+    CHECK(rig.text().find("never since step 0") != std::string::npos);
+    rig.run("last_time world.ball.position.x >= 0");
+    CHECK(rig.text().find("true now, and ever since step 0") != std::string::npos);
+    rig.run("last_time world.boll.position.x >= 0");
+    CHECK(rig.text().find("did you mean \"ball\"") != std::string::npos);
+}
+
+TEST_CASE("a key runs its command while the console is closed") {
+    ObservingRig rig;
+    rig.run("bind('k', 'world.ball.mass = 7')");
+    rig.lua.open(false);
+    CHECK(rig.press_key("k"));
+    CHECK(rig.value("world.ball.mass") == Value(7.0));
+    CHECK_FALSE(rig.press_key("j"));
+    rig.lua.open();
+    rig.run("world.ball.mass = 1");
+    rig.press_key("k");  // typed
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    rig.run("bind('f5', 'world.ball.mass = 5')");
+    rig.press_key("f5");
+    CHECK(rig.value("world.ball.mass") == Value(5.0));
+    rig.run("bind('k')");
+    rig.lua.open(false);
+    CHECK_FALSE(rig.press_key("k"));
+    rig.run("bind('spacd', 'x = 1')");
+    CHECK(rig.text().find("there is no key \"spacd\" (did you mean \"space\"?)") !=
+          std::string::npos);
+}
+
+TEST_CASE("an alias stands for a command with what follows it") {
+    ObservingRig rig;
+    rig.run("alias('heavy', 'world.ball.mass =')");
+    rig.run("heavy 12");
+    CHECK(rig.value("world.ball.mass") == Value(12.0));
+    rig.run("heavy = 3");  // a variable
+    CHECK(rig.value("world.ball.mass") == Value(12.0));
+    rig.run("alias('heavy')");
+    rig.run("heavy 13");
+    CHECK(rig.value("world.ball.mass") == Value(12.0));
+}
+
+TEST_CASE("the commands in a file are run as if they were typed") {
+    TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << "x = 1\n";
+    std::ofstream(folder.path / "setup.lua") << "-- prepares\n"
+                                                "world.ball.mass = 3\n"
+                                                "\n"
+                                                "for i = 1, 2 do\n"
+                                                "  world.crate.mass = 10 * i\n"
+                                                "end\n"
+                                                "world.floor.friction is world.ball.mass / 6\n"
+                                                "world.boll\n";
+    ObservingRig rig;
+    REQUIRE(rig.runtime.load(folder.path));
+    rig.run("exec 'setup.lua'");
+    INFO(rig.text());
+    CHECK(rig.value("world.ball.mass") == Value(3.0));
+    CHECK(rig.value("world.crate.mass") == Value(20.0));
+    CHECK(rig.value("world.floor.friction").number() == Approx(0.5));
+    CHECK(rig.text().find("world.boll: no such name") != std::string::npos);
+    rig.run("exec 'setip.lua'");
+    CHECK(rig.text().find("did you mean \"setup.lua\"") != std::string::npos);
+}
+
+TEST_CASE("clear empties the log") {
+    ObservingRig rig;
+    rig.run("1 + 1");
+    rig.run("clear");
+    CHECK(rig.text().empty());
+    rig.run("2 + 2");
+    CHECK(rig.text().find("4") != std::string::npos);
+}
+
+TEST_CASE("the menu of a property pins and plots and copies its path") {
+    ObservingRig rig;
+    rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.show();
+    auto& state = rig.lua.state();
+    const auto open = [&] {
+        const console::Rect at =
+            state.inspector.editor().widget_rect(rig.tree.property(rig.lua.selected(), "mass"));
+        REQUIRE_FALSE(at.empty());
+        rig.click_at(at.middle(), "right");
+        rig.show();
+    };
+    const auto choose = [&](const char* entry) {
+        open();
+        const console::Rect at = state.context_menu.entry(entry);
+        REQUIRE_FALSE(at.empty());
+        rig.click_at(at.middle());
+    };
+    choose("Pin");
+    REQUIRE(rig.pins().size() == 1);
+    CHECK(rig.pins()[0].what().path == "world.ball.mass");
+    choose("Plot");
+    CHECK(rig.plots().size() == 1);
+    choose("Copy path");
+    CHECK(rig.clipboard.text == "world.ball.mass");
+    choose("Who");
+    CHECK(rig.text().find("who world.ball.mass") != std::string::npos);
+    rig.run("world.ball.mass = 4");
+    choose("Reset");
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    choose("Formula …");
+    CHECK(state.prompt.edit().text() == "world.ball.mass is ");
+}
+
+}  // namespace observing_test
