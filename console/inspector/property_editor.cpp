@@ -371,7 +371,8 @@ void PropertyEditor::reference(Handle to, float width) {
     bool alive = tree_.alive(to);
     std::string name = alive ? tree_.path(to) : to ? "(deleted)" : "none";
     ImVec2 at = ImGui::GetCursorScreenPos();
-    bool clicked = ImGui::InvisibleButton("link", ImVec2(width, ImGui::GetFrameHeight()));
+    bool clicked =
+        ImGui::InvisibleButton("link", ImVec2(std::max(1.0f, width), ImGui::GetFrameHeight()));
     bool hovered = alive && ImGui::IsItemHovered();
     ImVec2 text(at.x, at.y + ImGui::GetStyle().FramePadding.y);
     draw_text_fit(*ImGui::GetWindowDrawList(), text, alive ? palette::path : palette::dim, name,

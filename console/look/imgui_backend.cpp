@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <look/imgui_compat.h>
@@ -38,6 +39,19 @@ ImFont* add_font(ImFontAtlas& atlas, const char* name, float size) {
     config.OversampleV = 1;
     config.PixelSnapH = true;
     return atlas.AddFontFromFileTTF(file.c_str(), size, &config, glyphs);
+}
+
+/// ImGui ends the program, or computes with integers that overflow, for values beyond what a screen
+/// and a mouse can have. NaN becomes `low`.
+template <class Number>
+Number within(Number value, Number low, Number high) {
+    return value > low ? std::min(value, high) : low;
+}
+
+constexpr float farthest = 1e6f;  // px
+
+ImVec2 position_of(const app::InputEvent& event) {
+    return {within(event.x, -farthest, farthest), within(event.y, -farthest, farthest)};
 }
 
 int mouse_button(const std::string& name) {
@@ -98,19 +112,22 @@ void ImGuiBackend::feed(const app::InputEvent& event) {
         case app::EventKind::text:
             io.AddInputCharacter(event.character);
             break;
-        case app::EventKind::mouse_moved:
-            compat::mouse_position(io, event.x, event.y);
+        case app::EventKind::mouse_moved: {
+            const ImVec2 at = position_of(event);
+            compat::mouse_position(io, at.x, at.y);
             break;
+        }
         case app::EventKind::mouse_pressed:
         case app::EventKind::mouse_released: {
-            compat::mouse_position(io, event.x, event.y);
+            const ImVec2 at = position_of(event);
+            compat::mouse_position(io, at.x, at.y);
             int button = mouse_button(event.name);
             if (button >= 0)
                 compat::mouse_button(io, button, event.kind == app::EventKind::mouse_pressed);
             break;
         }
         case app::EventKind::wheel:
-            compat::mouse_wheel(io, event.delta);
+            if (!std::isnan(event.delta)) compat::mouse_wheel(io, within(event.delta, -1e3f, 1e3f));
             break;
         default:
             break;
@@ -164,8 +181,9 @@ void ImGuiBackend::begin_frame(float width, float height, double seconds, float 
     activate();
     ImGuiIO& io = ImGui::GetIO();
     if (font_size != font_size_) build_fonts(font_size);
-    io.DisplaySize = ImVec2(std::max(width, 1.0f), std::max(height, 1.0f));
-    io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-5, 1.0));
+    constexpr float largest = 32768;  // px
+    io.DisplaySize = ImVec2(within(width, 1.0f, largest), within(height, 1.0f, largest));
+    io.DeltaTime = static_cast<float>(within(seconds, 1e-5, 1.0));
     ImGui::NewFrame();
 }
 

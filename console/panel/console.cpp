@@ -211,8 +211,9 @@ bool Console::handle(const app::InputEvent& event) {
 
 void Console::draw(app::Surface& surface, double seconds) {
     State& s = *state_;
-    s.width = surface.width();
-    s.height = surface.height();
+    constexpr float largest = 32768;  // px; a layout of infinite size has no place for anything
+    s.width = std::min(surface.width(), largest);
+    s.height = std::min(surface.height(), largest);
     s.follow_settings();
     if (!s.was_open) return;
     s.frame(seconds);

@@ -22,7 +22,7 @@ constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
 }  // namespace
 
 void Console::State::frame(double seconds) {
-    if (building || width <= 0 || height <= 0) return;
+    if (building || !(width > 0) || !(height > 0)) return;  // also NaN
     building = true;
     fed_button = fed_key = fed_text = false;
     ui.begin_frame(width, height, seconds,

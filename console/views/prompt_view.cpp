@@ -42,7 +42,7 @@ void PromptView::draw(float height, float cell, bool focused) {
     list.AddRect(corner, end, focused ? with_alpha(palette::accent, 0.55f) : palette::line,
                  style.FrameRounding);
 
-    ImGui::InvisibleButton("prompt", size);
+    ImGui::InvisibleButton("prompt", ImVec2(std::max(1.0f, size.x), std::max(1.0f, size.y)));
     rect_ = item_rect();
     follow_caret(size, line_height, cell);
     ImVec2 origin(corner.x + style.FramePadding.x - scroll_.x,
@@ -205,7 +205,7 @@ void PromptView::draw_candidate(std::size_t index, float width, float label_widt
     ImVec2 at = ImGui::GetCursorScreenPos();
     float height = ImGui::GetTextLineHeightWithSpacing() + row_padding;
     ImGui::PushID(static_cast<int>(index));
-    bool clicked = ImGui::InvisibleButton("candidate", ImVec2(width, height));
+    bool clicked = ImGui::InvisibleButton("candidate", ImVec2(std::max(1.0f, width), height));
     bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
     bool chosen = index == prompt_.menu().selected();

@@ -156,7 +156,7 @@ void TimeBar::draw_step(const Times& now) {
 
 void TimeBar::draw_track(const Times& now, float width) {
     const float tall = ImGui::GetTextLineHeight() + 12;
-    ImGui::InvisibleButton("track", ImVec2(width, tall));
+    ImGui::InvisibleButton("track", ImVec2(std::max(1.0f, width), tall));
     track_ = item_rect();
     const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));

@@ -1,6 +1,10 @@
 // What the console draws: the log with selection and links, sizes, fonts, any surface.
 
+#include <cmath>
 #include <deque>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "catch.h"
 #include "rig.h"
@@ -223,6 +227,54 @@ TEST_CASE("the console draws on another surface and on tiny ones") {
     }
     rig.draw();
     CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("the console draws whatever the numbers of a host are") {
+    /// Only its size is used.
+    struct Sized : app::Surface {
+        float wide = 0, high = 0;
+        int drawn = 0;
+        float width() const override { return wide; }
+        float height() const override { return high; }
+        Texture create_texture(unsigned, unsigned, const std::uint8_t*) override { return 1; }
+        void update_texture(Texture, unsigned, unsigned, unsigned, unsigned,
+                            const std::uint8_t*) override {}
+        void destroy_texture(Texture) override {}
+        void triangles(std::span<const app::SurfaceVertex>, std::span<const std::uint16_t>, Texture,
+                       const app::ClipRectangle&) override {
+            ++drawn;
+        }
+    };
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    const float odd[] = {std::nanf(""), -infinite, -1.0f, 0.0f,  1e-40f,  1.0f,
+                         7.0f,          333.0f,    1e9f,  1e38f, infinite};
+    Rig rig;
+    rig.key("grave");
+    rig.draw(2);
+    rig.console.select(rig.tree.root());
+    for (const float number : odd) {
+        INFO(number);
+        app::InputEvent event;
+        for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,
+                                app::EventKind::mouse_released, app::EventKind::wheel}) {
+            event.kind = kind;
+            event.name = "left";
+            event.x = event.y = event.delta = number;
+            rig.console.handle(event);
+            rig.draw();
+        }
+        Sized surface;
+        surface.wide = number;
+        surface.high = 300;
+        rig.console.draw(surface, 1.0 / 60);
+        std::swap(surface.wide, surface.high);
+        rig.console.draw(surface, 1.0 / 60);
+        rig.console.draw(rig.surface, double(number));
+    }
+    Sized good;
+    good.wide = good.high = 500;
+    rig.console.draw(good, 1.0 / 60);
+    CHECK(good.drawn > 0);
 }
 
 TEST_CASE("two consoles at the same time do not affect each other") {
