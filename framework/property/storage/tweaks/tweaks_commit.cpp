@@ -29,7 +29,8 @@ bool Tweaks::State::visible(const Entry& entry) const {
 }
 
 void Tweaks::State::barrier() {
-    if (fresh.empty() && dirty.empty() && changed.empty() && removed.empty()) return;
+    if (fresh.empty() && dirty.empty() && changed.empty() && earlier_renamed.empty() && removed.empty())
+        return;
     if (rest > 0) {
         --rest;
         return;
@@ -238,8 +239,8 @@ void Tweaks::State::commit() {
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
     }
-    for (const JournalRow* row : changed)
-        (row->state == RowState::open ? changes.renamed : changes.settled).push_back(row);
+    changes.settled.assign(changed.begin(), changed.end());
+    changes.renamed.assign(earlier_renamed.begin(), earlier_renamed.end());
     for (const JournalRow& row : removed) changes.removed.push_back(&row);
     try {
         const bool nothing = changes.put.empty() && changes.withdrawn.empty() &&
@@ -262,6 +263,7 @@ void Tweaks::State::commit() {
     }
     dirty.clear();
     changed.clear();
+    earlier_renamed.clear();
     removed.clear();
     if (!std::exchange(last_failure, {}).empty()) warn("tweaks are journaled again");
 }
