@@ -115,6 +115,33 @@ TEST_CASE("a command of the console is one step of undo") {
     CHECK_THAT(s.console("who('world.ball')"), contains("is an instance"));
 }
 
+TEST_CASE("an error that goes through many formulas names the last one and where it began") {
+    Stage s;
+    s.run(R"(
+        for i = 1, 300 do
+            local object, before = Object {}, i > 1 and world["o" .. i - 1]
+            world:add(object, "o" .. i)
+            object.v = 1
+            if before then object.v = formula(function() return before.v + 1 end) end
+        end
+    )");
+    CHECK(s.prints("print(world.o300.v)") == "300");
+    s.run("world.o1.v = formula(function() error('here it began') end)");
+    const std::string broken = s.fails("print(world.o300.v)");
+    CHECK_THAT(broken, contains("world.o300.v is in error: world.o1.v is in error: ") &&
+                           contains("here it began"));
+    CHECK(broken.size() < 200);
+    CHECK(s.prints("print(world.o300:problem('v'))").size() < 200);
+    s.run("world.o1.v = formula(function() return world.o300.v end)");
+    const std::string cycle = s.fails("print(world.o150.v)");
+    CHECK_THAT(cycle, contains("it depends on itself, through more than 24 other formulas"));
+    CHECK(cycle.size() < 400);
+    s.step();
+    for (const auto& error : s.errors) CHECK(error.message.size() < 400);
+    s.run("world.o1.v = 5");
+    CHECK(s.prints("print(world.o300.v)") == "304");
+}
+
 TEST_CASE("changes by a script can be undone only within an edit") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");

@@ -220,11 +220,24 @@ void Formulas::settle(Entry& e) {
         } catch (const Error&) {
             if (too_deep_ == nullptr) throw;
         }
-        if (too_deep_ != nullptr)
-            ends.push_back(too_deep_);
-        else
+        if (too_deep_ == nullptr) {
             ends.pop_back();
+        } else if (std::find(ends.begin(), ends.end(), too_deep_) == ends.end()) {
+            ends.push_back(too_deep_);
+        } else {
+            fail_in_long_cycle(*too_deep_);
+        }
     }
+}
+
+// A cycle that is longer than formulas may be nested. This formula counts as settled while the
+// others of the cycle read it, so they end with its error. They are settled before it is settled
+// again, and it reads them then.
+void Formulas::fail_in_long_cycle(Entry& e) {
+    e.origin.clear();
+    fail(e, "it depends on itself, through more than " + std::to_string(deepest_nest) +
+                " other formulas");
+    note_settled(e);
 }
 
 void Formulas::settle(Cell cell) {
@@ -234,9 +247,12 @@ void Formulas::settle(Cell cell) {
     if (e->running) throw Error(ErrorKind::formula, note_cycle(*e));
     // An inquiry must not write the memory of the owner, so the formula keeps its value.
     if (!settled(*e) && underway_.inquiry == nullptr) settle(*e);
-    if (!e->error.empty() && !e->removed)
-        throw Error(ErrorKind::formula,
-                    tree_.path(e->instance, *e->property) + " is in error: " + e->error);
+    if (e->error.empty() || e->removed) return;
+    // An error that goes through many formulas names the one that was read and the one in which it
+    // began. With all of them in between, the texts of n formulas would have the length of n².
+    const std::string start = tree_.path(e->instance, *e->property) + " is in error: ";
+    passed_on_ = e->origin.empty() ? start + e->error : e->origin;
+    throw Error(ErrorKind::formula, e->origin.empty() ? passed_on_ : start + e->origin);
 }
 
 // Every formula of a cycle gets the same text, which begins with the formula that was made first.
@@ -281,6 +297,8 @@ void Formulas::run(Entry& e) {
         if (error.empty()) error = "failed";
     }
     if (!e.cycle.empty()) error = e.cycle;
+    e.origin = !error.empty() && !passed_on_.empty() && error.ends_with(passed_on_) ? passed_on_
+                                                                                    : std::string();
     note_in(nullptr);  // reads by a setter are not noted
     stack_.pop_back();
     e.running = false;
@@ -313,6 +331,7 @@ void Formulas::finish(Entry& e, const Value& result) {
             changes_.tell([&](Observer& o) { o.wrote(e.instance, *e.property, next); });
         }
     } catch (...) {
+        e.origin.clear();
         return fail(e, exception_text());
     }
     if (!(next == e.value) || !e.error.empty()) {

@@ -95,7 +95,8 @@ class Formulas {
         Formula formula;
         std::vector<Dependency> dependencies;
         std::string error;
-        std::string cycle;  // a cycle that was found during the run
+        std::string origin;  // the message of the formula that it read and where the error began
+        std::string cycle;   // a cycle that was found during the run
         std::uint64_t number = 0;
         std::uint64_t version = 1;
         Value value;                // the last good result
@@ -133,6 +134,7 @@ class Formulas {
     /// Sets the list that receives reads; nullptr: reads are not noted. Returns the previous list.
     std::vector<Read>* note_in(std::vector<Read>* reads);
     void finish(Entry& e, const Value& result);
+    void fail_in_long_cycle(Entry& e);
     void fail(Entry& e, const std::string& error);
     void set_dependencies(Entry& e, const std::vector<Read>& found);
     void make_volatile(Entry& e);
@@ -152,6 +154,7 @@ class Formulas {
     std::uint64_t settlings_ = 1;  // number of settled formulas so far
     std::unordered_map<std::uint32_t, std::unordered_set<Symbol>>
         read_of_;                // slot -> names with dependents
+    std::string passed_on_;      // where the error began that a read of a formula threw last
     std::vector<Entry*> stack_;  // running formulas, outermost first
     Entry* too_deep_ = nullptr;  // is settled first, then the stack is built again
     bool pending_ = false;       // some entry is not clean
