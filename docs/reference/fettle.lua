@@ -1573,13 +1573,187 @@ Show = {}
 
 ---Everything that is heard.
 ---@class Audio : Object
+---@field max_voices integer How many voices may sound at once. One more ends the oldest; music ends last. · 1 to 256 · default 64
 ---@field muted boolean Silences everything and leaves the volume as it is. · true or false · default false
+---@field voices Object[] The voices that sound, oldest first. · any length · read-only, simulated
 ---@field volume number Loudness of everything, 1 being that of the recordings. · 0 to 1 · default 1
+---@field buses Buses The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
 local fettle_Audio = {}
+
+---Ends every voice, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_Audio:stop(fade) end
 
 ---Everything that is heard.
 ---@class Class.Audio : Class
 Audio = {}
+
+---The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
+---@class Buses : Object
+local fettle_Buses = {}
+
+---The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
+---@class Class.Buses : Class
+Buses = {}
+
+---A group of sounds with a volume of its own. It acts below `audio.buses`.
+---@class Bus : Object
+---@field muted boolean Silences the bus and leaves its volume as it is. · true or false · default false
+---@field volume number Loudness of all sounds of the bus. · 0 to 1 · default 1
+local fettle_Bus = {}
+
+---A group of sounds with a volume of its own. It acts below `audio.buses`.
+---@class Class.Bus : Class
+---@overload fun(members?: table): Bus
+Bus = {}
+
+---A voice has played to its end. Not for one that was stopped.
+---@class SoundSource.finished
+---@field voice Voice The voice, which lives until the next step.
+---@field instance SoundSource To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---What can be played. Its voices are below it while they sound.
+---@class SoundSource : Object
+---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "effects"
+---@field duration number How long it sounds at a pitch of 1. · s · any finite number · read-only, simulated
+---@field loop boolean Whether a voice begins again at the end. · true or false · default false
+---@field max_voices integer How many of its voices may sound at once. One more ends the oldest. · 1 to 256 · default 8
+---@field pitch number How fast it is played: 2 is an octave higher and half as long. · 0.01 to 100 · default 1
+---@field position vec? Where it is heard from: from the center of the body or other instance with a position that it is below, and turning with it, or else in the world. nil: at that center, or everywhere the same if it is below none. · m · -1000000000 to 1000000000 · default nil · may be nil
+---@field range number How far from the center of the view it can be heard. Only for a sound that is heard from a place. · m · 0.001 to 1000000 · default 50
+---@field volume number Loudness, 1 being that of the recording. · 0 to 4 · default 1
+local fettle_SoundSource = {}
+
+---Begins a voice. Music that sounds already goes on, and other music of its bus fades out.
+---@param volume? number Of this voice.
+---@param pitch? number Of this voice.
+---@param fade? number How long it takes to become loud, 0 to 1000. · s
+---@param time? number Where in the sound it begins. · s
+---@param position? vec Where in the world it is heard from. · m
+---@return Voice voice The voice, as long as it sounds.
+function fettle_SoundSource:play(volume, pitch, fade, time, position) end
+
+---Ends its voices, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_SoundSource:stop(fade) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: SoundSource, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: SoundSource, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: SoundSource, event: "finished", handler: fun(record: SoundSource.finished)): Connection
+function fettle_SoundSource:on(event, handler) end
+
+---What can be played. Its voices are below it while they sound.
+---@class Class.SoundSource : Class
+SoundSource = {}
+
+---A sound from a file, kept decoded: for effects, which may sound many at once.
+---@class Sound : SoundSource
+---@field file string The file below the game's folder: WAV, OGG or FLAC, and MP3 with SFML 2.6. · any text · default ""
+local fettle_Sound = {}
+
+---A sound from a file, kept decoded: for effects, which may sound many at once.
+---@class Class.Sound : Class
+---@overload fun(members?: table): Sound
+Sound = {}
+
+---Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---@class Music : SoundSource
+---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "music"
+---@field fade number How long it takes to fade in, and other music of its bus to fade out. · s · 0 to 1000 · default 1
+---@field file string The file below the game's folder: WAV, OGG or FLAC, and MP3 with SFML 2.6. · any text · default ""
+---@field loop boolean Whether it begins again at the end. · true or false · default true
+local fettle_Music = {}
+
+---Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---@class Class.Music : Class
+---@overload fun(members?: table): Music
+Music = {}
+
+---A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, `explosion`, `blip` and `power_up` make ready ones. A changed parameter is heard at once, also in voices that sound.
+---@class Synth : SoundSource
+---@field arpeggio number Semitones by which the pitch jumps at `arpeggio_time`. · -48 to 48 · default 0
+---@field arpeggio_time number When the pitch jumps. · s · 0 to 10 · default 0.1
+---@field attack number How long the sound takes to become loud. · s · 0 to 10 · default 0
+---@field decay number How long it takes to end. · s · 0 to 10 · default 0.2
+---@field duty number The part of a period in which a square wave is high. Other waves have none. · 0.01 to 0.99 · default 0.5
+---@field duty_slide number How much `duty` grows a second. · 1/s · -100 to 100 · default 0
+---@field flanger number The sound is heard a second time, so much later. 0: once. · ms · 0 to 50 · default 0
+---@field flanger_slide number How fast that delay grows. · ms/s · -1000 to 1000 · default 0
+---@field frequency number The pitch at the beginning. · Hz · 1 to 20000 · default 440
+---@field high_pass number Lower tones than this are weakened, which sounds thin. 0: none. · Hz · 0 to 20000 · default 0
+---@field high_pass_slide number Octaves a second by which `high_pass` rises. · 1/s · -100 to 100 · default 0
+---@field low_pass number Higher tones than this are weakened, which sounds dull. 20000: none. · Hz · 20 to 20000 · default 20000
+---@field low_pass_slide number Octaves a second by which `low_pass` rises. · 1/s · -100 to 100 · default 0
+---@field punch number How much louder it is at the beginning of `sustain`: 1 is twice as loud. · 0 to 1 · default 0
+---@field resonance number How much tones at `low_pass` stand out. · 0 to 1 · default 0
+---@field retrigger number After this time slides and arpeggio begin again, again and again. 0: never. · s · 0 to 10 · default 0
+---@field seed integer Which noise it is. The same seed gives the same noise. · 0 to 1e+15 · default 1
+---@field slide number Octaves a second by which the pitch rises, or falls if negative. · 1/s · -100 to 100 · default 0
+---@field slide_change number How fast `slide` itself changes, in octaves a second each second. · 1/s² · -1000 to 1000 · default 0
+---@field sustain number How long it stays loud. · s · 0 to 10 · default 0.1
+---@field vibrato number How far the pitch swings to either side, in semitones. · 0 to 24 · default 0
+---@field vibrato_rate number How often it swings. · Hz · 0 to 200 · default 8
+---@field volume number Loudness, 1 being as loud as a file can be. · 0 to 4 · default 0.5
+---@field wave "square"|"saw"|"sine"|"triangle"|"noise" The form of the wave. · "square", "saw", "sine", "triangle", "noise" · default "square"
+local fettle_Synth = {}
+
+---Changes about half of the numbers by a random amount, with the random numbers of the game.
+---@param amount? number How much, 0 to 1: 0.1 is a variation, 1 another sound. Default 0.1.
+function fettle_Synth:mutate(amount) end
+
+---Sets all parameters to those of a preset.
+---@param name string "coin", "jump", "hit", "explosion", "blip", "power_up".
+function fettle_Synth:preset(name) end
+
+---The form of the sound, for a picture of it.
+---@param columns integer In how many parts of the same length, 1 to 4096.
+---@return vec[] columns For each part its lowest and its highest sample, from -1 to 1: vec(lowest, highest).
+function fettle_Synth:wave_form(columns) end
+
+---A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, `explosion`, `blip` and `power_up` make ready ones. A changed parameter is heard at once, also in voices that sound.
+---@class Class.Synth : Class
+---@overload fun(members?: table): Synth
+Synth = {}
+
+---It has played to its end.
+---@class Voice.finished
+---@field instance Voice To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---@class Voice : Object
+---@field fade number Loudness while it fades, on its way to `fade_to`. · 0 to 1 · default 1
+---@field fade_time number How long it takes to fade from 0 to 1. · s · 0 to 1000 · default 0
+---@field fade_to number The loudness to which it fades. A voice that has faded to 0 ends. · 0 to 1 · default 1
+---@field pitch number How fast it is played, in addition to the pitch of its source. · 0.01 to 100 · default 1
+---@field playing boolean Off, it pauses. · true or false · default true
+---@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1000000000 to 1000000000 · default nil · may be nil
+---@field time number How much of the sound it has played. Setting it goes there. · s · 0 to 1000000 · default 0
+---@field volume number Loudness, in addition to that of its source. · 0 to 4 · default 1
+local fettle_Voice = {}
+
+---Ends it, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_Voice:stop(fade) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Voice, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Voice, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Voice, event: "finished", handler: fun(record: Voice.finished)): Connection
+function fettle_Voice:on(event, handler) end
+
+---One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---@class Class.Voice : Class
+---@overload fun(members?: table): Voice
+Voice = {}
 
 ---What the player does: keys, mouse, gamepads.
 ---@class Input : Object

@@ -23,6 +23,17 @@ function Thing:repaint()
     end
 end
 
+-- Each impact is heard, the louder the faster and the lower the heavier. Of two things, one is enough.
+local knock = Synth {
+    wave = "triangle", frequency = 260, slide = -5, sustain = 0.01, decay = 0.11, low_pass = 3000, volume = 0.4, max_voices = 12,
+}
+
+function Thing:contact_hit(hit)
+    if hit.other:is_a("Thing") and hit.other.name < self.name then return end
+    local loudness = math.min(1, hit.speed / 12)
+    knock:play { volume = loudness * loudness, pitch = math.max(0.4, math.min(2.5, self.mass ^ -0.25)), position = hit.point }
+end
+
 function Thing:ready()
     self:repaint()
 end

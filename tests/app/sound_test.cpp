@@ -30,13 +30,19 @@ std::string bytes_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+script::Options seeded() {
+    script::Options options;
+    options.seed = 3;
+    return options;
+}
+
 struct SoundGame {
     TemporaryFolder folder;
     property::GameFiles files;
     property::Assets assets{files, folder.path};
     property::Tree tree;
     Services services{tree, &assets};
-    script::Runtime runtime{tree, {.seed = 3}};
+    script::Runtime runtime{tree, seeded()};
     Loop loop{tree, runtime, services};
     std::string printed, errors;
 

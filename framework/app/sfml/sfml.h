@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include <SFML/Audio.hpp>
 #include <SFML/Config.hpp>
 #include <SFML/Graphics.hpp>
 #include <SFML/Window.hpp>
@@ -21,7 +22,24 @@ std::string button_name(sf::Mouse::Button button);
 /// Sets name and delta of an axis event. `position`: percent, y down positive.
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
 
+/// True if OpenAL has opened a sound device. sfml_audio.cpp defines this function.
+bool openal_device_opened();
+
 #if SFML_VERSION_MAJOR >= 3
+
+/// Whether the library plays through OpenAL, which can write what it plays to a file.
+inline constexpr bool plays_on_openal = false;
+/// True if the library could open a sound device. Only meaningful while a stream exists, which
+/// opens it.
+inline bool audio_device_opened() {
+    return sf::PlaybackDevice::getDevice().has_value();
+}
+class StereoStream : public sf::SoundStream {
+  protected:
+    void open(unsigned rate) {
+        initialize(2, rate, {sf::SoundChannel::FrontLeft, sf::SoundChannel::FrontRight});
+    }
+};
 
 using Byte = std::uint8_t;
 inline constexpr auto key_apostrophe = sf::Keyboard::Key::Apostrophe;
@@ -176,6 +194,15 @@ inline bool poll(sf::RenderWindow& window, InputEvent& out) {
 }
 
 #else
+
+inline constexpr bool plays_on_openal = true;
+inline bool audio_device_opened() {
+    return openal_device_opened();
+}
+class StereoStream : public sf::SoundStream {
+  protected:
+    void open(unsigned rate) { initialize(2, rate); }
+};
 
 using Byte = sf::Uint8;
 inline constexpr auto key_apostrophe = sf::Keyboard::Key::Quote;

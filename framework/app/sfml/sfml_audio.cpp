@@ -1,22 +1,35 @@
-// Checks for a sound device. The library does not tell whether it has found one.
+// Opening a sound device. SFML 2 does not tell whether it has found one, and the libraries below it
+// write pages of messages to the terminal if there is none.
 
 #include <sfml/sfml_audio.h>
 
-#if SFML_VERSION_MAJOR < 3 && defined(__unix__) && !defined(__APPLE__)
+#if defined(__unix__) && !defined(__APPLE__)
 #include <dlfcn.h>
+
+#include <cstdlib>
 #endif
 
 namespace fettle::app::sfml {
 
-#if SFML_VERSION_MAJOR >= 3
+#if defined(__unix__) && !defined(__APPLE__)
 
-bool audio_device_opened() {
-    return sf::PlaybackDevice::getDevice().has_value();
+namespace {
+
+/// Takes the messages of ALSA, which OpenAL uses.
+void ignore_message(const char*, int, const char*, int, const char*, ...) {}
+
+}  // namespace
+
+void silence_audio_libraries() {
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);  // a user may want the messages
+    void* alsa = dlopen("libasound.so.2", RTLD_LAZY | RTLD_LOCAL);
+    if (alsa == nullptr) return;
+    using SetHandler = int (*)(void (*)(const char*, int, const char*, int, const char*, ...));
+    const auto set = reinterpret_cast<SetHandler>(dlsym(alsa, "snd_lib_error_set_handler"));
+    if (set != nullptr) set(ignore_message);
 }
 
-#elif defined(__unix__) && !defined(__APPLE__)
-
-bool audio_device_opened() {
+bool openal_device_opened() {
     // SFML uses the same library, so it is already loaded and adds no dependency. Where it is not
     // found (a static build), nothing is known, and playing without a device does no harm.
     void* openal = dlopen("libopenal.so.1", RTLD_LAZY | RTLD_NOLOAD);
@@ -28,7 +41,9 @@ bool audio_device_opened() {
 
 #else
 
-bool audio_device_opened() {
+void silence_audio_libraries() {}
+
+bool openal_device_opened() {
     return true;
 }
 

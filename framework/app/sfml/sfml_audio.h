@@ -1,18 +1,16 @@
 #pragma once
-// One interface for the sound of SFML 2 and 3.
+// Sound of SFML: streams that the program fills.
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include <SFML/Audio.hpp>
-#include <SFML/Config.hpp>
 #include <SFML/System/Err.hpp>
 
-namespace fettle::app::sfml {
+#include <sfml/sfml.h>
 
-/// Whether the library plays through OpenAL, which can write what it plays to a file.
-inline constexpr bool plays_on_openal = SFML_VERSION_MAJOR < 3;
+namespace fettle::app::sfml {
 
 /// The library prints its own messages to a stream, which would be on the terminal of the player.
 class NoMessages {
@@ -25,17 +23,13 @@ class NoMessages {
     std::streambuf* before_;
 };
 
+/// The same for the libraries that it plays through. To be called before the first stream exists.
+void silence_audio_libraries();
+
 /// Stereo samples of 16 bits that the library asks for on a thread of its own. A derived class
 /// calls `stop` in its destructor, since that thread calls its members.
-class AudioStream : public sf::SoundStream {
+class AudioStream : public StereoStream {
   protected:
-    void open(unsigned rate) {
-#if SFML_VERSION_MAJOR >= 3
-        initialize(2, rate, {sf::SoundChannel::FrontLeft, sf::SoundChannel::FrontRight});
-#else
-        initialize(2, rate);
-#endif
-    }
     /// The next samples, left and right in turn. They stay valid until the next call.
     virtual std::span<const std::int16_t> next() = 0;
 
@@ -50,9 +44,5 @@ class AudioStream : public sf::SoundStream {
         // The stream has no beginning to which one could go back.
     }
 };
-
-/// True if the library could open a sound device. Only meaningful while a stream exists, which
-/// opens it.
-bool audio_device_opened();
 
 }  // namespace fettle::app::sfml

@@ -35,6 +35,7 @@ void Loudspeaker::follow(const Services& services, bool halted) {
     if (failed_ || (device_ == nullptr && audio.voices.empty())) return;
     if (device_ == nullptr) {
         const sfml::NoMessages quiet;
+        sfml::silence_audio_libraries();
         device_ = std::make_unique<Device>();
         if (!sfml::audio_device_opened()) {
             device_.reset();

@@ -128,8 +128,9 @@ double smooth_step(double phase, double d) {
     return 0;
 }
 
-double fraction(double x) {
-    return x - std::floor(x);
+/// `phase`, 0 to 2, within one period. `std::floor` is a call on most machines.
+double wrapped(double phase) {
+    return phase >= 1 ? phase - 1 : phase;
 }
 
 }  // namespace
@@ -155,6 +156,7 @@ void Generator::control(const SynthParameters& p, double dt) {
     low_.on = low < no_low_pass;
     low_.g = std::tan(std::numbers::pi * std::min(low * dt, 0.45));
     low_.k = 2 - 1.9 * p.resonance;
+    low_.a = 1 / (1 + low_.g * (low_.g + low_.k));
     const double high = std::clamp(moved(p.high_pass, p.high_pass_slide), lowest_kept, 2e4);
     high_.a = 1 / (1 + 2 * std::numbers::pi * high * dt);
 
@@ -169,7 +171,7 @@ double Generator::oscillator(const SynthParameters& p, double dt) {
     switch (p.wave) {
         case Wave::square:
             sample = (phase_ < duty_ ? 1 : -1) + smooth_step(phase_, d) -
-                     smooth_step(fraction(phase_ + 1 - duty_), d);
+                     smooth_step(wrapped(phase_ + 1 - duty_), d);
             break;
         case Wave::saw:
             sample = 2 * phase_ - 1 - smooth_step(phase_, d);
@@ -178,13 +180,13 @@ double Generator::oscillator(const SynthParameters& p, double dt) {
             sample = std::sin(2 * std::numbers::pi * phase_);
             break;
         case Wave::triangle:
-            sample = 1 - 4 * std::abs(fraction(phase_ + 0.25) - 0.5);
+            sample = 1 - 4 * std::abs(wrapped(phase_ + 0.25) - 0.5);
             break;
         case Wave::noise:
             sample = noise(p.seed, static_cast<std::uint64_t>(noise_phase_));
             break;
     }
-    phase_ = fraction(phase_ + d);
+    phase_ = wrapped(phase_ + d);
     noise_phase_ += noise_values * d;
     return sample;
 }
@@ -193,9 +195,8 @@ double Generator::oscillator(const SynthParameters& p, double dt) {
 /// filter of first order.
 double Generator::filtered(double sample) {
     if (low_.on) {
-        const double a = 1 / (1 + low_.g * (low_.g + low_.k));
         const double v3 = sample - low_.second;
-        const double v1 = a * (low_.first + low_.g * v3);
+        const double v1 = low_.a * (low_.first + low_.g * v3);
         const double v2 = low_.second + low_.g * v1;
         low_.first = 2 * v1 - low_.first;
         low_.second = 2 * v2 - low_.second;

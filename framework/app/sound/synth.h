@@ -66,7 +66,7 @@ class Generator {
     double phase_ = 0, noise_phase_ = 0;
     double frequency_ = 0, duty_ = 0.5;
     struct LowPass {
-        double g = 0, k = 0, first = 0, second = 0;
+        double g = 0, k = 0, a = 1, first = 0, second = 0;
         bool on = false;
     } low_;
     struct HighPass {
