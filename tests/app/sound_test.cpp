@@ -253,6 +253,23 @@ TEST_CASE("errors name the value and the nearest name") {
     CHECK(game.print("#audio.voices") == "0");
 }
 
+TEST_CASE("arguments of a method may be given by name") {
+    SoundGame game;
+    game.run("blip = Synth.blip() v = blip:play { pitch = 2, time = 0.01 } w = blip:play {}");
+    CHECK(game.print("v.pitch, v.time, v.volume, w.pitch") == "2.0\t0.01\t1.0\t1.0");
+    game.run("u = blip:play(0.5, 3)");
+    CHECK(game.print("u.volume, u.pitch") == "0.5\t3.0");
+    game.run("blip:stop { fade = 0.5 }");
+    CHECK(game.print("v.fade_time, v.fade_to") == "0.5\t0.0");
+    CHECK(game.print("view:to_world { pixels = view:to_screen { point = vec(3, 4) } }") ==
+          "vec(3, 4)");
+    CHECK(game.errors.empty());
+    CHECK_THAT(game.error("view:to_world { pixel = vec(1, 1) }"),
+               contains("there is no argument \"pixel\" (did you mean \"pixels\"?)"));
+    CHECK_THAT(game.error("view:to_world {}"), contains("expected 1"));
+    CHECK_THAT(game.error("blip:play { pitch = 2, 3 }"), contains("play"));
+}
+
 TEST_CASE("compressed files are decoded") {
     for (const char* name : {"tests/app/sounds/tone.ogg", "tests/app/sounds/tone.flac"}) {
         INFO(name);
