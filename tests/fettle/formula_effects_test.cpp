@@ -87,7 +87,8 @@ world.joint = DistanceJoint { body_a = world.ball, body_b = world:add(Body { Cir
 local ball = world.ball
 local connection = after(1e6, print)
 local values = { vec = vec(1, 2), color = color("red"), Set = world:find("Body"),
-                 Connection = connection, Snapshot = snapshot(), Class = Body, Game = game }
+                 Connection = connection, Snapshot = snapshot(), Class = Body, Game = game,
+                 SoundSource = Synth {} }
 
 -- An instance of a class, or a value of a kind.
 local function one_of(kind)
@@ -178,8 +179,9 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
     }
     // A new method that changes something must be added here.
     CHECK(contains(outcome.out,
-                   "\nBody:apply_angular_impulse Body:apply_force Body:apply_impulse "
-                   "Body:apply_torque Polygon:add_vertex Time:go_to World:explode\ndone\t"));
+                   "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
+                   "Body:apply_torque Polygon:add_vertex SoundSource:play SoundSource:stop "
+                   "Synth:mutate Synth:preset Time:go_to Voice:stop World:explode\ndone\t"));
 }
 
 TEST_CASE("a formula that pushes a body moves nothing and reports the reason") {
