@@ -23,10 +23,10 @@ fs::path find_own_file(const fs::path& file) {
 
 }  // namespace
 
-fs::path showcase() {
-    const fs::path main = find_own_file("scripts/showcase/main.lua");
+fs::path gallery() {
+    const fs::path main = find_own_file("scripts/gallery/main.lua");
     if (main.empty())
-        throw FileError("the showcase is missing from the installation; name a game to run");
+        throw FileError("the gallery is missing from the installation; name a game to run");
     return main.parent_path();
 }
 

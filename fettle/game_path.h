@@ -13,9 +13,9 @@ class FileError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The showcase game, installed beside the program or in the source folder. Throws FileError if it
+/// The gallery, a game installed beside the program or in the source folder. Throws FileError if it
 /// is in neither.
-std::filesystem::path showcase();
+std::filesystem::path gallery();
 
 /// Fettle's own assets; empty when they are missing.
 std::filesystem::path assets();

@@ -15,6 +15,7 @@
 #include "arguments.h"
 #include "end_request.h"
 #include "exit_status.h"
+#include "gallery.h"
 #include "game_path.h"
 #include "game_window.h"
 #include "recorded_files.h"
@@ -83,8 +84,9 @@ bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
     return options.budget.has_value();
 }
 
-int run_headless(const RunOptions& options) {
+int run_headless(const RunOptions& options, Gallery* gallery) {
     Session session(options, nullptr, {});
+    if (gallery != nullptr) gallery->connect(session);
     const EndRequest::Scripts scripts(session.runtime());
     limit_calls(session.runtime(), options);
     session.start();
@@ -94,6 +96,8 @@ int run_headless(const RunOptions& options) {
          ++turn) {
         if (EndRequest::asked() != 0) close(session);
         loop.turn();
+        if (gallery != nullptr && gallery->take_choice())
+            session.note("open_game: a run without a window stays in the gallery");
     }
     // A signal may have arrived during the last turn, or while the game was loaded.
     if (EndRequest::asked() != 0 && !loop.closing() && !loop.stopped()) {
@@ -128,11 +132,13 @@ void be_heard(app::Loudspeaker& loudspeaker, Session& session) {
 constexpr double patience = 2;
 
 /// Runs a game in a window until the window is closed, the game quits or the number of steps is
-/// reached. The key R on the error screen restarts the game in the same window.
+/// reached. The key R on the error screen restarts the game in the same window. With a gallery, the
+/// run begins there, and comes back when another game ends or Escape is pressed.
 class WindowRun {
   public:
-    explicit WindowRun(const RunOptions& options)
+    WindowRun(const RunOptions& options, Gallery* gallery)
         : options_(options),
+          gallery_(gallery),
           game_window_(options.game, read_settings(options.game)),
           error_screen_(
               {.reload = [this] { reload_ = true; },
@@ -165,6 +171,10 @@ class WindowRun {
         session_ = std::make_unique<Session>(
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
+        if (in_gallery()) {
+            gallery_->connect(*session_);
+            session_->add_layer(*gallery_);
+        }
         session_->add_layer(error_screen_);
         game_window_.before_start(*session_);
         scripts_.emplace(session_->runtime());
@@ -186,7 +196,7 @@ class WindowRun {
         const double seconds = std::chrono::duration<double>(now - last_frame_).count();
         last_frame_ = now;
         for (app::InputEvent event; window().poll(event);)
-            if (!game_window_.handle(event, *session_)) loop.handle(event);
+            if (!goes_back(event) && !game_window_.handle(event, *session_)) loop.handle(event);
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
@@ -199,7 +209,13 @@ class WindowRun {
         const bool made =
             options_.steps && (loop.halted() || static_cast<double>(loop.lived()) + idle_steps_ >=
                                                     static_cast<double>(*options_.steps));
-        const bool last = made || loop.closing() || session_->runtime().quit_status().has_value();
+        const bool quits = session_->runtime().quit_status().has_value();
+        if (quits && may_go_back()) open(gallery_->game());
+        const bool last = made || loop.closing() || (quits && !reload_);
+        if (in_gallery()) {
+            gallery_->make_picture();
+            if (const auto choice = gallery_->take_choice()) open(*choice);
+        }
         const bool saves = session_->saves().waits();
         if (saves || (last && !options_.screenshot.empty())) window().keep_frame();
         loop.draw(window(), seconds);
@@ -207,6 +223,22 @@ class WindowRun {
         window().present();
         if (saves) session_->saves().finish(thumbnail(window().pixels()));
         return last;
+    }
+
+    bool in_gallery() const { return gallery_ != nullptr && options_.game == gallery_->game(); }
+    bool may_go_back() const { return gallery_ != nullptr && !in_gallery(); }
+    /// Starts another game after this frame.
+    void open(const std::filesystem::path& game) {
+        options_.game = game;
+        reload_ = true;
+    }
+    /// Whether the event leads back to the gallery. The console and the error screen use the key,
+    /// too.
+    bool goes_back(const app::InputEvent& event) {
+        const bool back = event.kind == app::EventKind::key_pressed && event.name == "escape" &&
+                          may_go_back() && !session_->console_is_open() && !error_screen_.visible();
+        if (back) open(gallery_->game());
+        return back;
     }
 
     /// Keeps the window responsive while a script call takes long. While the console is open, the
@@ -225,7 +257,8 @@ class WindowRun {
         return !ends();
     }
 
-    const RunOptions& options_;
+    RunOptions options_;
+    Gallery* gallery_;  // null: without one
     GameWindow game_window_;
     app::ErrorScreen error_screen_;
     app::Loudspeaker loudspeaker_;
@@ -334,7 +367,10 @@ int run(const RunOptions& given) {
             if (!file.empty()) require_file(file, "a file to write");
         if (!options.record.empty()) require_recording_or_nothing(options.record);
         if (!options.replay.empty()) return run_replay(options);
-        options.game = options.game.empty() ? showcase() : found_game(options.game);
+        const bool in_gallery = options.game.empty();
+        if (in_gallery && !options.record.empty())
+            return complain(bad_usage, "--record needs the path of a game");
+        options.game = in_gallery ? gallery() : found_game(options.game);
         std::vector<std::string> chunks = options.evals;
         for (const auto& [step, chunk] : options.at) chunks.push_back(chunk);
         for (const auto& [step, command] : options.console) chunks.push_back(command);
@@ -349,7 +385,10 @@ int run(const RunOptions& given) {
                                   "xvfb-run"
                                 : "there is no display for a window: set DISPLAY, use xvfb-run, or "
                                   "run with --headless");
-        return options.headless ? run_headless(options) : WindowRun(options).play();
+        std::optional<Gallery> games;
+        if (in_gallery) games.emplace(options.game);
+        Gallery* const shown = games ? &*games : nullptr;
+        return options.headless ? run_headless(options, shown) : WindowRun(options, shown).play();
     });
 }
 
@@ -363,7 +402,7 @@ Command add_run(CLI::App& app) {
         return command.add_option_function<std::string>(
             name, [options, take](const std::string& text) { take(*options, text); }, help);
     };
-    option("path", "A folder with main.lua, or one .lua file; without it, the showcase",
+    option("path", "A folder with main.lua, or one .lua file; without it, the gallery of all games",
            [](RunOptions& to, const std::string& text) {
                to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
            });

@@ -14,7 +14,7 @@
 namespace fettle::program {
 
 struct RunOptions {
-    std::filesystem::path game{};  // empty: the showcase
+    std::filesystem::path game{};  // empty: the gallery
     bool headless = false;
     std::optional<std::int64_t> steps{};
     std::vector<std::string> evals{};
@@ -28,6 +28,7 @@ struct RunOptions {
     bool hash = false;
     std::filesystem::path record{};    // recording to write; empty: none
     std::filesystem::path replay{};    // recording to play instead of a new run; empty: none
+    bool isolated = false;             // reads and writes no store, no saves and no tweaks
     std::optional<TestChoice> test{};  // the run is this test
 };
 

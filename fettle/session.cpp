@@ -107,7 +107,7 @@ Session::~Session() {
 void Session::make_files() {
     files_.stay_below(folder_of(options_.game), assets());
     if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
-    if (options_.test) files_.stay_in_memory();
+    if (isolated()) files_.stay_in_memory();
     if (options_.record.empty()) return;
     files_.take_note();
     for (const std::filesystem::path& file : modules_.files()) files_.looks_at(file);
@@ -139,12 +139,17 @@ void Session::set_screen(const property::Vec2& size) {
     if (!view.window.fullscreen) view.window.size = size;
 }
 
+/// A test, or the picture of a game in the gallery, begins with nothing of earlier runs and leaves
+/// nothing to later ones.
+bool Session::isolated() const {
+    return options_.isolated || options_.test.has_value();
+}
+
 void Session::make_storage() {
-    // The original run has already written its tweaks and saves, so a replay writes none. A test
-    // begins with nothing of earlier runs and leaves nothing to later ones.
-    const bool writes = replayed_ == nullptr && !options_.test;
+    // The original run has already written its tweaks and saves, so a replay writes none.
+    const bool writes = replayed_ == nullptr && !isolated();
     property::TweakOptions of_tweaks{.files = &files_};
-    if (options_.test) of_tweaks.earlier.emplace();
+    if (isolated()) of_tweaks.earlier.emplace();
     if (replayed_ != nullptr) of_tweaks.earlier = replayed_->start().tweaks;
     tweaks_ = std::make_unique<property::Tweaks>(
         tree_, options_.game, [this](const std::string& warning) { note(warning); },
@@ -163,9 +168,9 @@ void Session::make_storage() {
 
 /// A replay has the store that the recorded run began with.
 void Session::make_store(const std::filesystem::path& folder) {
-    property::Store::Options options{.writes = replayed_ == nullptr && !options_.test,
+    property::Store::Options options{.writes = replayed_ == nullptr && !isolated(),
                                      .warn = [this](const std::string& text) { note(text); }};
-    if (options_.test) options.content.emplace();
+    if (isolated()) options.content.emplace();
     if (replayed_ != nullptr) options.content = recorded_store(*replayed_);
     store_ = std::make_unique<property::Store>(folder.empty() ? folder : folder / "store.json",
                                                std::move(options));

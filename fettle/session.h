@@ -77,6 +77,7 @@ class Session {
     void make_files();
     void read_settings();
     bool has_console() const;
+    bool isolated() const;
     std::uint64_t seed() const;
     void make_storage();
     void make_store(const std::filesystem::path& folder);

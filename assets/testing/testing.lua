@@ -148,7 +148,9 @@ end
 
 local expectation = {
     __index = function(_, name)
-        if name ~= "value" then return member(expectations, name, "expect") end
+        if name == "value" then return nil end
+        local found = member(expectations, name, "expect")  -- no tail call, which would lose the line of the test
+        return found
     end
 }
 
@@ -253,4 +255,9 @@ function t:screenshot(name, tolerance)
     if why then error(why, 2) end
 end
 
-fettle_test_object = setmetatable({}, { __index = function(_, name) return member(t, name, "t") end })
+fettle_test_object = setmetatable({}, {
+    __index = function(_, name)
+        local found = member(t, name, "t")
+        return found
+    end
+})

@@ -87,7 +87,7 @@ world.joint = DistanceJoint { body_a = world.ball, body_b = world:add(Body { Cir
 local ball = world.ball
 local connection = after(1e6, print)
 local values = { vec = vec(1, 2), color = color("red"), Set = world:find("Body"),
-                 Connection = connection, Snapshot = snapshot(), Class = Body, Game = game,
+                 Connection = connection, Snapshot = snapshot(), Class = Body, Game = game, Store = store,
                  SoundSource = Synth {} }
 
 -- An instance of a class, or a value of a kind.

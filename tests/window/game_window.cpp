@@ -33,10 +33,13 @@ GameWindow::GameWindow(const fs::path& game) {
     environment_["XDG_DATA_HOME"] = (folder_ / "data").string();
     environment_["WAYLAND_DISPLAY"] = "";
     environment_["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    // A copy, because the journal of tweaks is written beside the game.
-    fs::copy(game, folder_ / "game", fs::copy_options::recursive);
-    program_ = Process({FETTLE_PROGRAM, "run", (folder_ / "game").string()}, environment_,
-                       folder_ / "printed");
+    std::vector<std::string> command = {FETTLE_PROGRAM, "run"};
+    if (!game.empty()) {
+        // A copy, because the journal of tweaks is written beside the game.
+        fs::copy(game, folder_ / "game", fs::copy_options::recursive);
+        command.push_back((folder_ / "game").string());
+    }
+    program_ = Process(command, environment_, folder_ / "printed");
     fs::path found = folder_ / "windows";
     bool shown = eventually([&] {
         fs::remove(found);

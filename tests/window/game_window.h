@@ -19,8 +19,8 @@ std::string missing_tools();
 
 class GameWindow {
   public:
-    /// Starts a virtual display and `fettle run GAME` in it. Throws std::runtime_error if either
-    /// does not start.
+    /// Starts a virtual display and `fettle run GAME` in it; without a game, the gallery. Throws
+    /// std::runtime_error if either does not start.
     explicit GameWindow(const std::filesystem::path& game);
     ~GameWindow();
 

@@ -284,6 +284,8 @@ void open_store(lua_State* L, Machine& machine) {
     add_pure<store_tostring>(L, "__tostring");
     add_pure<varying<store_pairs>>(L, "__pairs");
     name_metatable(L, "store");
+    note_name(L, guarded<effect<store_clear>>, "clear");
+    note_name(L, guarded<varying<store_has>>, "has");
     machine.boxes.store = luaL_ref(L, LUA_REGISTRYINDEX);
     push_table(L, Store::root);
     lua_setfield(L, -2, "store");

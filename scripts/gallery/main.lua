@@ -1,0 +1,133 @@
+-- The gallery: all games that come with Fettle, each with a picture of itself. `fettle run` without a path opens it.
+
+-- Functions of the host, which only this game gets. Elsewhere, in a test for instance, there is nothing to open.
+local host_games, host_show, host_open =
+    rawget(_G, "gallery_games"), rawget(_G, "gallery_show"), rawget(_G, "open_game")
+
+local margin, gap, top = 40, 28, 110          -- px
+local widest_card, text_room = 400, 74        -- px
+local card_color, chosen_color = color("#242b38"), color("#32405a")
+local edge_color, chosen_edge = color("#3a4456"), color("#7fb2ff")
+
+game.gallery = Object { chosen = 1, scroll = 0.0 }
+
+local games = {}
+for i, entry in ipairs(host_games and host_games() or {}) do
+    games[i] = { name = entry[1], title = entry[2], about = entry[3] }
+end
+
+local function columns()
+    return math.max(1, math.ceil((view.screen.x - 2 * margin) / (widest_card + gap)))
+end
+
+-- Left, top, width of a card, and the height of the picture in it, px.
+local function place_of(index)
+    local count = columns()
+    local width = (view.screen.x - 2 * margin - (count - 1) * gap) / count
+    local picture = width * 0.625
+    local column, row = (index - 1) % count, (index - 1) // count
+    return margin + column * (width + gap), top + row * (picture + text_room + gap) - gallery.scroll, width, picture
+end
+
+local function card_at(point)
+    for i in ipairs(games) do
+        local left, upper, width, picture = place_of(i)
+        if point.x >= left and point.x <= left + width and point.y >= upper and point.y <= upper + picture + text_room then
+            return i
+        end
+    end
+end
+
+local function lowest_scroll()
+    if #games == 0 then return 0 end
+    local _, upper, _, picture = place_of(#games)
+    return math.max(0, upper + gallery.scroll + picture + text_room + margin - view.screen.y)
+end
+
+local function scroll_to(where)
+    gallery.scroll = math.max(0.0, math.min(lowest_scroll() + 0.0, where + 0.0))
+end
+
+local function show_chosen()
+    local _, upper, _, picture = place_of(gallery.chosen)
+    if upper < top then scroll_to(gallery.scroll + upper - top) end
+    local over = upper + picture + text_room + margin - view.screen.y
+    if over > 0 then scroll_to(gallery.scroll + over) end
+end
+
+local function open(index)
+    if games[index] and host_open then host_open(games[index].name) end
+end
+
+function start()
+    view.background = color("#171c26")
+end
+
+function mouse_moved(_, point)
+    gallery.chosen = card_at(point) or gallery.chosen
+end
+
+function mouse_pressed(button, _, point)
+    if button == "left" then open(card_at(point)) end
+end
+
+function wheel(notches)
+    scroll_to(gallery.scroll - notches * 60)
+end
+
+local moves = {
+    left = function() return -1 end,
+    right = function() return 1 end,
+    up = function() return -columns() end,
+    down = columns,
+}
+
+function key_pressed(key)
+    local move = moves[key]
+    if move then
+        gallery.chosen = math.max(1, math.min(#games, gallery.chosen + move()))
+        show_chosen()
+    elseif key == "enter" or key == "space" then
+        open(gallery.chosen)
+    elseif key == "escape" then
+        quit()
+    end
+end
+
+-- Lines of at most so many characters.
+local function wrapped(text, most, lines)
+    local out, line = {}, ""
+    for word in text:gmatch("%S+") do
+        if #line + #word + 1 > most and line ~= "" then
+            out[#out + 1], line = line, word
+        else
+            line = line == "" and word or line .. " " .. word
+        end
+    end
+    out[#out + 1] = line
+    if #out > lines then out[lines] = out[lines] .. " ..." end
+    return table.concat(out, "\n", 1, math.min(lines, #out))
+end
+
+local function draw_card(pen, index, card)
+    local left, upper, width, picture = place_of(index)
+    if upper > view.screen.y or upper + picture + text_room < 0 then return end
+    local chosen = index == gallery.chosen
+    pen.box(vec(left + width / 2, upper + (picture + text_room) / 2), width, picture + text_room,
+        chosen and chosen_color or card_color, chosen and chosen_edge or edge_color, chosen and 3 or 1.5)
+    pen.text(vec(left + width / 2, upper + picture / 2), "...", 24, edge_color)
+    if host_show then host_show(card.name, left + 4, upper + 4, width - 8, picture - 4, top - 14) end
+    pen.text(vec(left + 14, upper + picture + 20), card.title, 20, "white", "left")
+    pen.text(vec(left + 14, upper + picture + 50), wrapped(card.about, width // 7, 2), 13, color("#a0a8b8"), "left")
+end
+
+function draw(pen)
+    pen.screen(function()
+        for i, card in ipairs(games) do draw_card(pen, i, card) end
+        pen.box(vec(view.screen.x / 2, (top - 14) / 2), view.screen.x, top - 14, view.background)
+        pen.text(vec(margin, 40), "Fettle", 36, "white", "left")
+        pen.text(vec(margin, 76), #games > 0 and
+            "Click a game, or choose it with the arrow keys and Enter. Escape comes back here." or
+            "There are no games here: open the gallery with fettle run.", 16, color("#a0a8b8"), "left")
+    end)
+end

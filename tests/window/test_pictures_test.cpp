@@ -1,0 +1,91 @@
+// Pictures in tests of games, and the templates of new games as they are drawn, on a virtual
+// display.
+
+#include <catch.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "temporary_folder.h"
+
+namespace test_pictures_test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string out;
+};
+
+/// Runs `fettle ARGUMENTS` on a virtual display; `arguments` is a part of a shell command.
+Outcome on_display(const TemporaryFolder& folder, const std::string& arguments) {
+    const std::string command = "cd '" + folder.path.string() + "' && env XDG_DATA_HOME='" +
+                                folder.path.string() +
+                                "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a '" +
+                                FETTLE_PROGRAM "' " + arguments + " >out 2>&1 </dev/null";
+    const int result = std::system(command.c_str());
+    std::ifstream in(folder.path / "out");
+    return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, {std::istreambuf_iterator<char>(in), {}}};
+}
+
+bool skipped() {
+    const bool there = std::system("command -v xvfb-run >/dev/null 2>&1") == 0;
+    if (!there) std::cout << "SKIPPED: xvfb-run not found\n";
+    return !there;
+}
+
+void write(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+}
+
+}  // namespace
+
+TEST_CASE("a picture of a test is written and compared and differs when the game does") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    write(folder.path / "game/main.lua",
+          "world.ball = Body { Circle { radius = 3 } } world.gravity = vec(0, 0)");
+    write(folder.path / "game/tests/a.lua",
+          "test('it', function(t) t:steps(2) t:screenshot('start') end)");
+    const Outcome none = on_display(folder, "test game");
+    INFO(none.out);
+    CHECK(none.status == 1);
+    CHECK(none.out.find("there is no picture game/tests/pictures/start.png yet") !=
+          std::string::npos);
+    CHECK(on_display(folder, "test game --update").status == 0);
+    CHECK(fs::exists(folder.path / "game/tests/pictures/start.png"));
+    CHECK(on_display(folder, "test game").status == 0);
+    write(folder.path / "game/main.lua",
+          "world.ball = Body { Circle { radius = 4 } } world.gravity = vec(0, 0)");
+    const Outcome other = on_display(folder, "test game");
+    INFO(other.out);
+    CHECK(other.status == 1);
+    CHECK(other.out.find("tests/a.lua:1: the picture game/tests/pictures/start.png differs in ") !=
+          std::string::npos);
+    CHECK(fs::exists(folder.path / "game/.fettle/tests/start.png"));
+    write(folder.path / "game/tests/pictures/start.png", "no image");
+    CHECK(on_display(folder, "test game").status == 1);
+}
+
+TEST_CASE("a game of every template is drawn without an error") {
+    if (skipped()) return;
+    const auto pattern = GENERATE(as<std::string>(), "empty", "physics", "platformer", "topdown");
+    const TemporaryFolder folder;
+    REQUIRE(on_display(folder, "new game --template " + pattern).status == 0);
+    const Outcome run =
+        on_display(folder,
+                   "run game --steps 90 --screenshot game.png --at "
+                   "'30:input.mouse.left = true' --at '60:input.mouse.left = false'");
+    INFO(pattern << "\n" << run.out);
+    CHECK(run.status == 0);
+    CHECK(run.out.empty());
+    CHECK(fs::file_size(folder.path / "game.png") > 3000);
+}
+
+}  // namespace test_pictures_test
