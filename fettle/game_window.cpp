@@ -36,31 +36,35 @@ GameWindow::GameWindow(const std::filesystem::path& game, const property::GameSe
       fullscreen_(at_start(settings, player_).fullscreen) {}
 
 void GameWindow::before_start(Session& session) {
-    app::View& view = session.services().view;
-    view.screen = window_->size();
-    if (!fullscreen_) view.window.size = view.screen;
+    session.set_screen(window_->size());
     if (const std::string icon = session.icon(); !icon.empty() && !window_->set_icon(icon))
         session.note("game.json: icon: this file is no image that can be shown");
 }
 
-/// The recording of a run holds this as a write, so that a replay does not depend on the player.
+/// The recording of a run holds these as writes, so that a replay does not depend on the player.
 void GameWindow::started(Session& session) {
-    if (player_.fullscreen) set_fullscreen(session, *player_.fullscreen);
-    fullscreen_ = session.services().view.window.fullscreen;
+    const app::View& view = session.services().view;
+    if (player_.fullscreen) {
+        set(session, "fullscreen", *player_.fullscreen);
+        // The window has the size of the screen, and gets its own when it is no longer fullscreen.
+        if (*player_.fullscreen && view.window.size == view.screen)
+            set(session, "size", window_state(session.settings()).size);
+    }
+    fullscreen_ = view.window.fullscreen;
 }
 
-void GameWindow::set_fullscreen(Session& session, bool on) {
+void GameWindow::set(Session& session, const char* name, const property::Value& value) {
     property::Tree& tree = session.tree();
     static std::function<std::string()> where = [] { return std::string("the player"); };
     const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
     const property::Handle window = tree.child(tree.child(tree.root(), "view"), "window");
-    if (tree.alive(window)) tree.set(window, "fullscreen", on);
+    if (tree.alive(window)) tree.set(window, name, value);
 }
 
 bool GameWindow::handle(const app::InputEvent& event, Session& session) {
     const bool wanted = event.kind == app::EventKind::key_pressed && !event.repeated &&
                         (event.name == "f11" || (event.name == "enter" && event.alt));
-    if (wanted) set_fullscreen(session, !session.services().view.window.fullscreen);
+    if (wanted) set(session, "fullscreen", !session.services().view.window.fullscreen);
     return wanted;
 }
 

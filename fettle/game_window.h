@@ -31,7 +31,7 @@ class GameWindow {
     void follow(Session& session);
 
   private:
-    void set_fullscreen(Session& session, bool on);
+    void set(Session& session, const char* name, const property::Value& value);
 
     std::filesystem::path folder_;  // of the player
     property::PlayerSettings player_;

@@ -1,9 +1,13 @@
 // The window follows view.window, and its keys.
 
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "catch.h"
 #include "game_window.h"
+#include "temporary_folder.h"
 
 namespace fullscreen_test {
 
@@ -31,6 +35,51 @@ TEST_CASE("F11 and Alt and Enter change between fullscreen and the window") {
     game.key("s");
     CHECK(game.prints("resized\t500\t300"));
     CHECK(game.prints("screen\tvec(500, 300)"));
+}
+
+TEST_CASE("a run begins as the player wants it and its replay needs no player") {
+    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
+        std::cout << "SKIPPED: xvfb-run not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        fs::create_directories((folder.path / name).parent_path());
+        std::ofstream(folder.path / name) << text;
+    };
+    const auto shell = [&](const std::string& command) {
+        const std::string whole =
+            "cd '" + folder.path.string() +
+            "' && export XDG_DATA_HOME=\"$PWD/data\" LIBGL_ALWAYS_SOFTWARE=1 && " + command +
+            " >out 2>&1 </dev/null";
+        const int status = std::system(whole.c_str());
+        std::ifstream in(folder.path / "out");
+        const std::string out{std::istreambuf_iterator<char>(in), {}};
+        INFO(out);
+        CHECK(status == 0);
+        return out;
+    };
+    const std::string program = "'" FETTLE_PROGRAM "' run ";
+    const std::string settings = "data/fettle/games/org.example.screen/settings.json";
+    write(settings, "{ \"fullscreen\": true, \"other\": 1 }");
+    write("game/game.json", R"({ "id": "org.example.screen", "window": { "size": [640, 400] } })");
+    write("game/main.lua", R"(
+        function step()
+            local w = view.window
+            if time.step % 10 == 0 then print(w.fullscreen, view.screen, w.size) end
+        end
+    )");
+    const std::string expected =
+        "true\tvec(1280, 800)\tvec(640, 400)\nfalse\tvec(640, 400)\tvec(640, 400)\n";
+    CHECK(shell("xvfb-run -a -s '-screen 0 1280x800x24' " + program +
+                "game --steps 20 --record a.rec --at '15:view.window.fullscreen = false'") ==
+          expected);
+    std::ifstream in(folder.path / settings);
+    const std::string kept{std::istreambuf_iterator<char>(in), {}};
+    CHECK(kept.find("\"fullscreen\": false") != std::string::npos);
+    CHECK(kept.find("\"other\": 1") != std::string::npos);
+    CHECK(shell(program + "--replay a.rec --headless") ==
+          expected + "20 steps, each as it was recorded\n");
 }
 
 }  // namespace fullscreen_test
