@@ -250,6 +250,10 @@ void Session::make_console(app::Clipboard* clipboard) {
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },
+        .found =
+            [this](const std::string& line) {
+                if (options_.headless) print_line("  " + line);
+            },
         .replay = replayed_ != nullptr};
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));

@@ -7,7 +7,6 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <look/imgui_compat.h>
 #include <look/theme.h>
 
 namespace fettle::console {
@@ -63,22 +62,6 @@ bool small_button(const char* id, const char* sign, const char* tip) {
 }
 
 }  // namespace
-
-std::string describe(const property::Tree& tree, const Property& property) {
-    std::string out = property.any_type ? "any type" : std::string(type_name(property.type));
-    if (property.type == Type::list && property.element != Type::nil)
-        out += " of " + std::string(type_name(property.element));
-    if (!property.reference_class.empty()) out += " to " + property.reference_class;
-    if (!property.unit.empty()) out += " · " + property.unit;
-    if (property.range.bounded())
-        out += " · " + property::number_text(property.range.min, property.precision()) + " to " +
-               property::number_text(property.range.max, property.precision());
-    if (property.read_only)
-        out += " · read-only";
-    else if (!property.any_type)
-        out += " · default " + tree.text(property.default_value, property.precision());
-    return out;
-}
 
 void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
     edited_ = true;
@@ -169,6 +152,15 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_[&property] = property::exception_text(error);
     }
     const bool settled = fields_.take_settled();
+    if (const std::string expression = fields_.take_formula(); !expression.empty() && define) {
+        const std::string refused = define(tree_.path(instance, property), expression);
+        problems_.erase(&property);
+        if (!refused.empty()) {
+            problems_[&property] = refused;
+            fields_.refuse();
+        }
+        edited_ = true;
+    }
     if (std::string typed = fields_.take_problem(); !typed.empty()) {
         problems_[&property] = typed;
         edited_ = true;  // an expression ran, which may have changed anything
@@ -220,28 +212,6 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
     if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
     const FontScope mono(fonts().mono);
     tooltip(target, bold);
-}
-
-void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
-    compat::push_font(bold);
-    ImGui::TextUnformatted(target.property->name.c_str());
-    ImGui::PopFont();
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
-    ImGui::TextUnformatted(describe(tree_, *target.property).c_str());
-    ImGui::PopStyleColor();
-    if (!target.property->doc.empty()) {
-        const FontScope font(fonts().sans);
-        ImGui::TextUnformatted(target.property->doc.c_str());
-    }
-    for (const std::string& source : target.property->derives_from)
-        ImGui::BulletText("from %s", source.c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
-    ImGui::TextUnformatted(tree_.path(target.instance, *target.property).c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
 }
 
 bool PropertyEditor::reset_button(const Target& target) {
@@ -354,7 +324,8 @@ std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 val
 }
 
 void PropertyEditor::vector(const Target& target, const Value& value, float width) {
-    if (auto changed = vector_fields(target, value.vec2(), width, false)) write(target, Value(*changed));
+    if (auto changed = vector_fields(target, value.vec2(), width, false))
+        write(target, Value(*changed));
 }
 
 void PropertyEditor::color(const Target& target, const Value& value, float width) {

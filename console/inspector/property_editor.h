@@ -25,6 +25,10 @@ class PropertyEditor {
 
     /// Called when a reference is clicked.
     std::function<void(property::Handle)> follow;
+    /// Makes an expression the formula of the property with that path. Returns why it is refused,
+    /// or
+    /// "".
+    std::function<std::string(const std::string& path, const std::string& expression)> define;
     /// Called with the path of a property that was clicked with the right button.
     std::function<void(const std::string& path)> menu;
 
@@ -71,8 +75,8 @@ class PropertyEditor {
     void list(const Target& target, const property::Value& value, float width);
     void element(const Target& target, const property::List& elements, std::size_t index,
                  float width);
-    /// The new vector if one of its two fields changed. Where both do not fit side by side, they are
-    /// one above the other, unless they must be in `one_row`.
+    /// The new vector if one of its two fields changed. Where both do not fit side by side, they
+    /// are one above the other, unless they must be in `one_row`.
     std::optional<property::Vec2> vector_fields(const Target& target, property::Vec2 value,
                                                 float width, bool one_row);
     static NumberLook look_of(const property::Property& property);

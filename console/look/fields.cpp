@@ -123,6 +123,10 @@ std::string Fields::take_problem() {
     return std::exchange(problem_, {});
 }
 
+std::string Fields::take_formula() {
+    return std::exchange(formula_, {});
+}
+
 bool Fields::take_settled() {
     return std::exchange(settled_, false);
 }
@@ -182,6 +186,10 @@ std::optional<double> Fields::parse(const std::string& typed, std::string_view u
     std::string text = trimmed(typed);
     if (!unit.empty() && text.size() > unit.size() && text.ends_with(unit))
         text = trimmed(std::string_view(text).substr(0, text.size() - unit.size()));
+    if (text.starts_with("is ")) {
+        formula_ = trimmed(std::string_view(text).substr(3));
+        return std::nullopt;
+    }
     char* end = nullptr;
     double value = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == '\0') return value;

@@ -37,6 +37,8 @@ class Fields {
     void end_frame();
     /// The message if the last typed text is not a number, otherwise "".
     std::string take_problem();
+    /// The expression, if "is EXPRESSION" was typed, otherwise "".
+    std::string take_formula();
     /// True once after typing has ended, whatever was typed.
     bool take_settled();
     /// The value that a field has just returned is refused: if it was entered with Enter, the field
@@ -58,7 +60,7 @@ class Fields {
     std::string before_;
     double start_ = 0, travelled_ = 0;
     bool moved_ = false;
-    std::string problem_;
+    std::string problem_, formula_;
     ImGuiID committed_ = 0;  // the field that returned a text in this frame
     std::string committed_text_;
     bool by_enter_ = false, settled_ = false;

@@ -74,6 +74,12 @@ void Console::State::connect() {
         if (!evaluation.ok || !evaluation.result.is_numeric()) return std::nullopt;
         return evaluation.result.as_double();
     };
+    inspector.editor().define = [this](const std::string& path, const std::string& expression) {
+        if (!interpreter.evaluate) return std::string("there is nothing that computes formulas");
+        const script::Evaluation said = interpreter.evaluate(path + " is " + expression);
+        if (said.error) return said.error->message;
+        return said.incomplete ? std::string("the formula ends too early") : std::string();
+    };
     log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
     log_view.unfold = [this](std::size_t index) { log.unfold(index); };
     inspector.menu =
@@ -84,6 +90,7 @@ void Console::State::connect() {
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     watch_list.follow = tweak_list.follow;
     watch_list.menu = log_view.menu;
+    observing.found = options.found;
     plot_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
 }
 

@@ -75,7 +75,7 @@ void Console::State::draw_observed(float right) {
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     const float opacity = settings.number("opacity");
     const float list =
-        pinned ? std::min(wide, plotted ? std::max(24 * em, wide * 0.35f) : 34 * em) : 0.0f;
+        pinned ? std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em) : 0.0f;
     watch_list.draw(ImVec2(margin, low), list, std::max(room, 4 * em), tree, observing.pins(),
                     opacity);
     const float left = margin + list + (pinned ? margin : 0);
@@ -83,7 +83,8 @@ void Console::State::draw_observed(float right) {
     plot_view.draw(
         ImVec2(left, low),
         ImVec2(std::max(12 * em, wide - (left - margin)), std::clamp(room * 0.6f, 9 * em, 16 * em)),
-        tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt}, opacity);
+        std::max(room, 9 * em), tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt},
+        opacity);
 }
 
 // --- The panel

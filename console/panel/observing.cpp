@@ -113,7 +113,7 @@ void Observing::after_step() {
         for (Trace& trace : *all) trace.take(step);
     const std::vector<std::string> lines = breaks_.look();
     if (lines.empty()) return;
-    for (const std::string& line : lines) log_.note(line);
+    for (const std::string& line : lines) tell(line);
     pause();
 }
 
@@ -184,16 +184,21 @@ void Observing::search_past(const Review& review) {
     }
     const std::int64_t here = static_cast<std::int64_t>(tree_.step());
     const std::string what = "last_time " + condition.text + ": ";
-    if (first < 0) return log_.note(what + "no step is kept");
+    if (first < 0) return tell(what + "no step is kept");
     if (last_true < 0)
-        return problem.empty() ? log_.note(what + "never since step " + std::to_string(first))
+        return problem.empty() ? tell(what + "never since step " + std::to_string(first))
                                : log_.error(what + problem);
     if (now && became == first)
-        return log_.note(what + "true now, and ever since step " + std::to_string(first));
+        return tell(what + "true now, and ever since step " + std::to_string(first));
     const std::int64_t to = now ? became : last_true;
-    log_.note(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
-              std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
+    tell(what + (now ? "true since step " : "true at step ") + std::to_string(to) + ", " +
+         std::to_string(here - to) + (here - to == 1 ? " step ago" : " steps ago"));
     go_to(to);
+}
+
+void Observing::tell(const std::string& line) {
+    log_.note(line);
+    if (found) found(line);
 }
 
 // --- Time

@@ -27,6 +27,9 @@ class Observing {
     Observing(property::Tree& tree, Log& log, Prompt& prompt)
         : tree_(tree), log_(log), prompt_(prompt), breaks_(tree) {}
 
+    /// Receives what breaks and searches find, in addition to the log; optional.
+    std::function<void(const std::string& line)> found;
+
     /// The functions of scripts that this carries out.
     script::ConsoleFunctions functions();
     void after_step();
@@ -50,6 +53,7 @@ class Observing {
     void run_waiting();
     void read_past(const Review& review);
     void search_past(const Review& review);
+    void tell(const std::string& line);
     void pause();
     std::int64_t time_value(const char* name, std::int64_t otherwise) const;
     void go_to(std::int64_t step);

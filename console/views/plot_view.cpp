@@ -18,6 +18,10 @@ constexpr int plot_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMo
                            ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr double rows_wanted = 4;  // lines of the grid
 
+float legend_line() {
+    return ImGui::GetTextLineHeight() + 3;
+}
+
 /// 1, 2 or 5 times a power of ten, at least `span` / rows.
 double spacing_for(double span) {
     const double raw = span / rows_wanted;
@@ -142,8 +146,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight() + 2;
     const float right = at.x + ImGui::GetContentRegionAvail().x - side - em;
-    float x = at.x;
-    for (std::size_t i = 0; i < plots.size() && x < right; ++i) {
+    for (std::size_t i = 0; i < plots.size(); ++i) {
         const Trace& trace = plots[i];
         const Trace::Sample* s = step >= 0 ? sample_at(trace, step) : nullptr;
         property::Value shown = trace.value();
@@ -152,22 +155,21 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                                       : property::Value(s->x);
         const std::string value =
             trace.problem().empty() ? short_text(tree, shown, trace.what().unit) : trace.problem();
-        list.AddRectFilled(ImVec2(x, at.y + em * 0.5f), ImVec2(x + em * 0.8f, at.y + em * 0.7f),
+        const float y = at.y + static_cast<float>(i) * legend_line();
+        float x = at.x;
+        list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),
                            color_of(plots, i, false));
         if (trace.is_vector())
-            list.AddRectFilled(ImVec2(x, at.y + em * 0.8f), ImVec2(x + em * 0.8f, at.y + em * 1.0f),
+            list.AddRectFilled(ImVec2(x, y + em * 0.8f), ImVec2(x + em * 0.8f, y + em * 1.0f),
                                color_of(plots, i, true));
         x += em * 1.1f;
-        // Each trace gets its part of the line.
-        const float part = (right - at.x) / static_cast<float>(plots.size());
         const float name = std::max(
-            em, std::min(text_width(trace.what().text), part - text_width(value) - 3 * em));
-        draw_path_fit(list, ImVec2(x, at.y), palette::text, trace.what().text, name);
+            em, std::min(text_width(trace.what().text), right - x - text_width(value) - em));
+        draw_path_fit(list, ImVec2(x, y), palette::text, trace.what().text, name);
         x += name + em * 0.5f;
-        draw_text_fit(list, ImVec2(x, at.y),
+        draw_text_fit(list, ImVec2(x, y),
                       trace.problem().empty() ? palette::number : palette::error, value,
                       std::max(1.0f, right - x));
-        x += text_width(value) + em * 1.5f;
     }
     ImGui::SetCursorScreenPos(ImVec2(right + em, at.y));
     const bool pressed = ImGui::InvisibleButton("close", ImVec2(side, side));
@@ -179,18 +181,23 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
     if (pressed && run) run("plot()");
 }
 
-void PlotView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
+void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,
                     const std::vector<Trace>& plots, const Times& times, float opacity) {
     if (plots.empty()) return hide();
+    // Each value has a line of the legend; the curves keep their height as long as there is room.
+    const float legend = static_cast<float>(plots.size()) * legend_line();
+    size.y = std::min(size.y + legend - legend_line(), room);
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - size.y));
     ImGui::SetNextWindowSize(size);
     ImGui::SetNextWindowBgAlpha(opacity);
     ImGui::Begin("##plot", nullptr, plot_flags);
     rect_ = window_rect();
     const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().WindowPadding.y;
-    area_ = {ImVec2(rect_.low.x + 5.5f * em, rect_.low.y + padding + 1.7f * em),
+    area_ = {ImVec2(rect_.low.x + 5.5f * em, rect_.low.y + padding + legend + 0.4f * em),
              ImVec2(rect_.high.x - em, rect_.high.y - padding - 1.2f * em)};
     if (area_.high.x < area_.low.x + em || area_.high.y < area_.low.y + em) {
+        area_ = {};  // no room for curves
+        draw_legend(tree, plots, -1);
         ImGui::End();
         return;
     }

@@ -27,8 +27,9 @@ class PlotView {
         double dt = 1.0 / 60;
     };
 
-    /// Draws a window with its lower left corner at `corner`.
-    void draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
+    /// Draws a window with its lower left corner at `corner`. It grows with the number of values,
+    /// up to the height `room`.
+    void draw(ImVec2 corner, ImVec2 size, float room, const property::Tree& tree,
               const std::vector<Trace>& plots, const Times& times, float opacity);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = area_ = {}; }

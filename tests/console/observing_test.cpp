@@ -301,6 +301,36 @@ TEST_CASE("clear empties the log") {
     CHECK(rig.text().find("4") != std::string::npos);
 }
 
+TEST_CASE("a formula is typed into a field of the inspector") {
+    ObservingRig rig;
+    rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.show();
+    auto& state = rig.lua.state();
+    const auto type = [&](const std::string& text) {
+        rig.click_at(state.inspector.editor()
+                         .widget_rect(rig.tree.property(rig.lua.selected(), "angle"))
+                         .middle());
+        rig.show(4);
+        for (const char c : text) {
+            app::InputEvent event;
+            event.kind = app::EventKind::text;
+            event.character = static_cast<char32_t>(c);
+            rig.lua.handle(event);
+        }
+        rig.press_key("enter");
+        rig.show(4);
+    };
+    type("is it.mass * 3");
+    CHECK(rig.value("world.ball.angle") == Value(3.0));
+    rig.run("world.ball.mass = 2");
+    CHECK(rig.value("world.ball.angle") == Value(6.0));
+    rig.run("world.ball.angle = 0");
+    type("is it.mas * 3 +");
+    CHECK_FALSE(
+        state.inspector.editor().problem(rig.tree.property(rig.lua.selected(), "angle")).empty());
+    CHECK(rig.value("world.ball.angle") == Value(0.0));
+}
+
 TEST_CASE("the menu of a property pins and plots and copies its path") {
     ObservingRig rig;
     rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));

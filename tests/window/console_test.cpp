@@ -111,6 +111,44 @@ TEST_CASE("a click on a body in a window selects it for the console and the insp
     game.settled().save_png(pictures / "inspector.png");
 }
 
+TEST_CASE("Escape with text keeps the keys of a window from the game") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    game.type("world.cr");
+    game.key("Escape");
+    game.type("world.gravity = vec(0, 3)");
+    game.key("Return");
+    INFO(game.printed());
+    CHECK(game.prints("gravity is\tvec(0, 3)"));
+    CHECK_FALSE(contains(game.printed(), "game got"));
+    game.key("Escape");
+    game.key("j");
+    CHECK(game.prints("game got\tj"));
+}
+
+TEST_CASE("a plot and the command of a key in a window") {
+    if (skipped()) return;
+    GameWindow game(source / "tests" / "window" / "game");
+    REQUIRE(game.prints("ready"));
+    open_console(game);
+    game.type("plot world.crate.position");
+    const Picture before = game.settled();
+    game.key("Return");
+    // The plot lies above the time bar, below the console.
+    CHECK(game.eventually(
+        [&] { return game.picture().difference(before, 20, 500, 880, 740) > 20'000; }));
+    game.type("bind('f6', 'print(\"pressed\")')");
+    game.key("Return");
+    game.key("F6");
+    game.key("Escape");
+    game.key("F6");
+    game.settled().save_png(pictures / "plot.png");
+    CHECK_FALSE(contains(game.printed(), "game got\tf6"));
+    CHECK(game.running());
+}
+
 TEST_CASE("the showcase runs in a window") {
     if (skipped()) return;
     fs::path showcase = source / "scripts" / "showcase";

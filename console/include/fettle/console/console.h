@@ -41,6 +41,8 @@ struct Options {
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
         review{};
+    /// Receives what breaks and searches of the past find, in addition to the log.
+    std::function<void(const std::string& line)> found{};
     /// The run repeats a recording, which contains the commands that `exec` ran: it runs none.
     bool replay = false;
 };
