@@ -7,6 +7,7 @@
 #include <fettle/app/input.h>
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
 namespace fettle::console {
@@ -18,6 +19,8 @@ using property::Value;
 namespace {
 
 constexpr std::size_t max_pins = 50, max_plots = 12;
+constexpr std::int64_t pinned_past = 240;  // steps
+constexpr double longest_reading = 2000;   // ms
 
 }  // namespace
 
@@ -143,15 +146,33 @@ void Observing::run_waiting() {
     waiting_.clear();
 }
 
+/// The first step that is read: the steps are made again, which must not take long.
+std::int64_t Observing::first_to_read(bool plotted) const {
+    const std::int64_t oldest = time_value("oldest", 0), here = time_value("step", 0);
+    if (!plotted) return std::max(oldest, here - pinned_past);
+    double each = 0;  // ms
+    try {
+        each = property::get(tree_, "time.timings.modules").as_double();
+    } catch (const std::exception&) {
+        // A game without timings.
+    }
+    const double steps = std::min(1e9, longest_reading / std::max(each, 1e-3));
+    return std::max(oldest, here - static_cast<std::int64_t>(steps));
+}
+
 /// Fills new plots and pins with the past.
 void Observing::read_past(const Review& review) {
     std::vector<Trace*> wanting;
+    bool plotted = false;
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all)
-            if (std::exchange(trace.wants_past, false)) wanting.push_back(&trace);
+            if (std::exchange(trace.wants_past, false)) {
+                wanting.push_back(&trace);
+                plotted = plotted || all == &plots_;
+            }
     if (wanting.empty() || !review) return;
     try {
-        review(time_value("oldest", 0), [&](std::int64_t step) {
+        review(first_to_read(plotted), [&](std::int64_t step) {
             for (Trace* trace : wanting) trace->take(step, true);
         });
     } catch (const std::exception& error) {

@@ -52,6 +52,7 @@ class Observing {
     void bind(const std::string& key, const std::string& command);
     void run_waiting();
     void read_past(const Review& review);
+    std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
     void tell(const std::string& line);
     void pause();

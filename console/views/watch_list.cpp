@@ -22,12 +22,13 @@ constexpr std::size_t longest_text = 60;  // code points
 }  // namespace
 
 std::string short_text(const property::Tree& tree, const property::Value& value,
-                       const std::string& unit) {
+                       const std::string& unit, int digits) {
     std::string text;
     if (value.is(Type::vec2))
-        text = "(" + short_number(value.vec2().x()) + ", " + short_number(value.vec2().y()) + ")";
+        text = "(" + short_number(value.vec2().x(), digits) + ", " +
+               short_number(value.vec2().y(), digits) + ")";
     else if (value.is(Type::number))
-        text = short_number(value.number());
+        text = short_number(value.number(), digits);
     else
         text = tree.text(value);
     if (!unit.empty() && !value.is_nil()) text += " " + unit;
@@ -69,9 +70,14 @@ void WatchList::draw_row(const property::Tree& tree, const Trace& pin, float wid
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float side = height, spark = std::min(6 * em, width * 0.22f);
     const float room = width - side - spark - em;
-    const std::string value =
-        pin.problem().empty() ? short_text(tree, pin.value(), pin.what().unit) : pin.problem();
-    const float value_width = std::min(text_width(value), room * 0.55f);
+    const float widest = room * 0.65f;
+    std::string value = pin.problem();
+    // A value keeps its unit and its second component, rather than its last digits.
+    for (int digits = 4; pin.problem().empty() && digits >= 2; --digits) {
+        value = short_text(tree, pin.value(), pin.what().unit, digits);
+        if (text_width(value) <= widest) break;
+    }
+    const float value_width = std::min(text_width(value), widest);
 
     ImGui::InvisibleButton("text", ImVec2(std::max(1.0f, width - side), height));
     const bool hovered = ImGui::IsItemHovered();

@@ -14,9 +14,9 @@
 
 namespace fettle::console {
 
-/// The value for people: short numbers, with the unit.
+/// The value for people: numbers of `digits` digits, with the unit.
 std::string short_text(const property::Tree& tree, const property::Value& value,
-                       const std::string& unit);
+                       const std::string& unit, int digits = 4);
 
 class WatchList {
   public:

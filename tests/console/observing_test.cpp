@@ -118,14 +118,14 @@ class ObservingRig : public Rig {
 
 TEST_CASE("a pinned value is shown with its unit and followed from the kept past on") {
     ObservingRig rig;
-    rig.step(50);
+    rig.step(500);
     rig.run("pin world.ball.position.x");
     REQUIRE(rig.pins().size() == 1);
-    CHECK(rig.pins()[0].samples().size() == 51);
-    CHECK(rig.pins()[0].value() == Value(50.0));
+    CHECK(rig.pins()[0].samples().size() == 241);
+    CHECK(rig.pins()[0].value() == Value(500.0));
     rig.step(3);
-    CHECK(rig.pins()[0].samples().size() == 54);
-    CHECK(rig.pins()[0].samples().back().x == 53);
+    CHECK(rig.pins()[0].samples().size() == 244);
+    CHECK(rig.pins()[0].samples().back().x == 503);
     rig.run("pin world.ball.position.x");  // again: no second one
     CHECK(rig.pins().size() == 1);
     rig.run("pin world.ball.mass * 2");

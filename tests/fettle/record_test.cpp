@@ -43,6 +43,37 @@ TEST_CASE("a recorded run is replayed step by step") {
     CHECK(again.out == "60 steps, each as it was recorded\n" + made.out);
 }
 
+TEST_CASE("what breaks and searches and files of commands do is replayed") {
+    const Folder folder;
+    const std::string path = folder.write("main.lua", game);
+    folder.write("setup.lua", "world.body_5.mass = 4\nworld.body_6.mass = 5\n");
+    const std::string file = (folder / "run.rec").string();
+    const Outcome made =
+        fettle(folder, {"run",        path,
+                        "--headless", "--steps",
+                        "120",        "--hash",
+                        "--record",   file,                                                    //
+                        "--console",  "10:break_when world.body_1.position.y < 2.5",           //
+                        "--console",  "60:time.paused = false",                                //
+                        "--console",  "62:plot world.body_2.position, world.body_3.velocity",  //
+                        "--console",  "70:exec 'setup.lua'",                                   //
+                        "--console",  "80:last_time world.body_1.position.y > 2.7",            //
+                        "--console",  "90:time.paused = false",                                //
+                        "--console",  "100:print(world.body_5.mass, world.body_6.mass)"});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    CHECK(contains(made.out, "  break at step "));
+    CHECK(contains(made.out, "  last_time world.body_1.position.y > 2.7: true at step "));
+    const Outcome again = fettle(folder, {"run", "--headless", "--hash", "--replay", file});
+    INFO(again.out << again.err);
+    CHECK(again.status == 0);
+    CHECK(contains(again.out, " steps, each as it was recorded\n"));
+    const auto hash = [](const std::string& out) {
+        return out.substr(out.rfind('\n', out.size() - 2) + 1);
+    };
+    CHECK(hash(again.out) == hash(made.out));
+}
+
 TEST_CASE("a recording contains the commands typed into the console of a run") {
     const Folder folder;
     const std::string path = folder.write("main.lua", game);
