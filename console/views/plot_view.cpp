@@ -111,19 +111,29 @@ void PlotView::draw_grid(const Scale& scale, const Times& times) const {
 void PlotView::draw_curves(const Scale& scale, const std::vector<Trace>& plots) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     std::vector<ImVec2> points;
-    // No more points than two for each column of pixels.
-    const double columns = std::max(2.0, 2.0 * static_cast<double>(area_.high.x - area_.low.x));
+    const double columns = std::max(2.0, static_cast<double>(area_.high.x - area_.low.x));
     for (std::size_t i = 0; i < plots.size(); ++i)
         for (const bool second : {false, true}) {
             if (second && !plots[i].is_vector()) continue;
             const auto& samples = plots[i].samples();
-            const auto stride =
-                static_cast<std::size_t>(std::ceil(static_cast<double>(samples.size()) / columns));
+            const auto part = second ? &Trace::Sample::y : &Trace::Sample::x;
+            const auto stride = std::max<std::size_t>(
+                1, static_cast<std::size_t>(static_cast<double>(samples.size()) / columns));
             points.clear();
-            for (std::size_t k = 0; k < samples.size(); k += std::max<std::size_t>(1, stride))
-                if (samples[k].step >= scale.first)
-                    points.push_back(
-                        point(scale, samples[k].step, second ? samples[k].y : samples[k].x));
+            const auto add = [&](const Trace::Sample& s) {
+                if (s.step >= scale.first) points.push_back(point(scale, s.step, s.*part));
+            };
+            // Of the samples in one column of pixels the lowest and the highest, so that no peak is
+            // lost.
+            for (std::size_t k = 0; k < samples.size(); k += stride) {
+                std::size_t low = k, high = k;
+                for (std::size_t n = k; n < std::min(k + stride, samples.size()); ++n) {
+                    if (samples[n].*part < samples[low].*part) low = n;
+                    if (samples[n].*part > samples[high].*part) high = n;
+                }
+                add(samples[std::min(low, high)]);
+                if (low != high) add(samples[std::max(low, high)]);
+            }
             list.AddPolyline(points.data(), static_cast<int>(points.size()),
                              color_of(plots, i, second), 0, 1.6f);
         }

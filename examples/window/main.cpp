@@ -4,6 +4,7 @@
 //   window [FRAMES]     ends after so many frames, with the console open and a picture in
 //   window.png
 
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -97,9 +98,12 @@ int main(int argc, char** argv) {
             if (host.handle(*event, console)) continue;  // the console has it
             if (closes(*event)) window.close();
         }
+        console.between_frames();
+        tree.set_step(static_cast<std::uint64_t>(frame) + 1);
         physics.step(1.0 / 60);
         physics.report(tree);
         tree.barrier();
+        console.after_step();  // for plots, pinned values and breaks
         if (frame == 30 && console.is_open()) console.select(balls[3]);
 
         window.clear(sf::Color(30, 34, 42));
