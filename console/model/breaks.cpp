@@ -68,9 +68,16 @@ void Breaks::describe(const Break& broken, const Value& before,
         try {
             const property::Place place = property::resolve(tree_, path);
             const property::Provenance written = tree_.who(place.instance, *place.property);
-            std::string line = "  " + path + " = " + tree_.text(property::get(tree_, path));
+            std::string line = "  " + path + " = " +
+                               tree_.text(property::get(tree_, path), place.property->precision());
             if (!place.property->unit.empty()) line += " " + place.property->unit;
-            if (written.known) line += "   " + written.cause.text();
+            // The simulation reports no writes: where nobody else wrote lately, it did.
+            const bool moved = place.property->simulated &&
+                               (!written.known || written.cause.step + 1 < tree_.step());
+            if (moved)
+                line += "   simulation, step " + std::to_string(tree_.step());
+            else if (written.known)
+                line += "   " + written.cause.text();
             lines.push_back(std::move(line));
         } catch (const std::exception&) {
             // It was deleted meanwhile.
