@@ -1,6 +1,7 @@
 // Errors of functions of a host and of its modules inside the tree: each is refused or reported,
 // and no other work is lost.
 
+#include <fettle/property/edits.h>
 #include <fettle/property/question.h>
 #include <fettle/property/snapshot_remarks.h>
 #include <fettle/property/write_log.h>
