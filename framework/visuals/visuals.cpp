@@ -20,6 +20,8 @@ Align align_of(property::TextAlign align) {
                                                  : Align::center;
 }
 
+}  // namespace
+
 /// Images and text for scripts that draw with a pen.
 class GameMedia : public property::Media {
   public:
@@ -52,8 +54,6 @@ class GameMedia : public property::Media {
     Images& images_;
     Fonts& fonts_;
 };
-
-}  // namespace
 
 struct Visuals::State {
     explicit State(property::Assets* assets)

@@ -133,4 +133,26 @@ TEST_CASE_METHOD(Game, "a turned view converts and bounds what is seen") {
     CHECK(view.upper().y() == Approx(0.5 * view.width()));
 }
 
+TEST_CASE_METHOD(Game, "a design size keeps its proportions") {
+    tree.set(self, "follow", Value(Handle{}));
+    view.screen = {1280, 800};
+    tree.set(self, "height", Value(10.0));
+    CHECK(view.width() == Approx(16));
+    tree.set(self, "design", Value(Vec2(320, 180)));
+    tree.set(self, "fit", Value("letterbox"));
+    CHECK(view.zoom() == Approx(72));  // 1280 x 720 pixels
+    CHECK(view.width() == Approx(10 * 16.0 / 9));
+    CHECK(near(view.to_screen(view.upper()), {1280, 40}, 1e-6));
+    CHECK(near(view.to_world({0, 760}), view.lower(), 1e-9));
+    view.screen = {1000, 800};
+    tree.set(self, "fit", Value("pixel"));
+    CHECK(view.zoom() == Approx(54));  // three pixels for each of the design
+    view.screen = {100, 100};
+    CHECK(view.zoom() == Approx(18));  // never less than one
+    tree.set(self, "zoom", Value(36.0));
+    CHECK(view.height == Approx(5));
+    CHECK_THROWS_AS(tree.set(self, "fit", Value("stretch")), property::Error);
+    CHECK_THROWS_AS(tree.set(self, "design", Value(Vec2(0, 100))), property::Error);
+}
+
 }  // namespace following_test

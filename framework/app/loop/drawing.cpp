@@ -41,6 +41,24 @@ void draw_grid(property::Painter& painter, const View& view) {
             line(n * spacing, axis);
 }
 
+/// Draws the bars beside a picture that does not fill the window.
+void draw_bars(property::Painter& painter, const View& view) {
+    if (view.fit == Fit::expand) return;
+    const Vec2 half = 0.5 * view.zoom() * Vec2(view.width(), view.height);
+    const Vec2 lower = 0.5 * view.screen - half, upper = 0.5 * view.screen + half;
+    const auto bar = [&](const Vec2& from, const Vec2& to) {
+        if ((to - from).minCoeff() <= 0) return;
+        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        painter.polygon(corners, 0, {.fill = {0, 0, 0, 1}, .border = {0, 0, 0, 0}});
+    };
+    painter.begin_screen();
+    bar({0, 0}, {lower.x(), view.screen.y()});
+    bar({upper.x(), 0}, view.screen);
+    bar({0, 0}, {view.screen.x(), lower.y()});
+    bar({0, upper.y()}, view.screen);
+    painter.end_screen();
+}
+
 /// Draws the frame rate and a bar for each phase of a frame at the top right.
 void draw_timings(Surface& surface, const Clock& clock) {
     struct Row {
@@ -100,6 +118,7 @@ void Loop::draw(Screen& screen, double seconds) {
         tree_.draw(tree_.root(), painter, clock.alpha);
     else
         runtime_.draw(painter);
+    draw_bars(painter, drawn);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

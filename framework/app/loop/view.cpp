@@ -1,5 +1,6 @@
 #include <fettle/app/view.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,6 +32,17 @@ bool Show::overlay(Overlay overlay) const {
             return islands;
     }
     return false;
+}
+
+double View::zoom() const {
+    if (fit == Fit::expand) return screen.y() / height;
+    const double largest = screen.cwiseQuotient(design).minCoeff();
+    const double scale = fit == Fit::letterbox ? largest : std::max(1.0, std::floor(largest));
+    return scale * design.y() / height;
+}
+
+double View::width() const {
+    return fit == Fit::expand ? screen.x() / zoom() : height * design.x() / design.y();
 }
 
 Vec2 View::reach() const {
@@ -91,7 +103,7 @@ std::vector<Property> where(View& view) {
                  .unit = "m",
                  .doc = "How much of the world is seen from side to side.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.width(); })},
-                {"height", "screen"}),
+                {"height", "screen", "fit", "design"}),
         // Computed from `height` and the size of the window. Resizing changes it without a write,
         // so it is simulated.
         {.name = "zoom",
@@ -103,7 +115,8 @@ std::vector<Property> where(View& view) {
          .binding = accessor(
              view, [](View& v, property::Row) { return v.zoom(); },
              [](View& v, property::Row, const Value& zoom) {
-                 const double height = v.screen.y() / zoom.number();
+                 const double height = v.fit == Fit::expand ? v.screen.y() / zoom.number()
+                                                            : v.height * v.zoom() / zoom.number();
                  if (height < heights.min || height > heights.max)
                      throw std::invalid_argument("the height seen would be " +
                                                  property::number_text(height) +
@@ -118,14 +131,14 @@ std::vector<Property> where(View& view) {
                  .doc = "The smallest x and y of the world that are seen: the bottom left corner "
                         "unless the view is turned.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.lower(); })},
-                {"center", "height", "angle", "screen"}),
+                {"center", "height", "angle", "screen", "fit", "design"}),
         derived({.name = "upper",
                  .type = Type::vec2,
                  .unit = "m",
                  .doc = "The largest x and y of the world that are seen: the top right corner "
                         "unless the view is turned.",
                  .binding = accessor(view, [](View& v, property::Row) { return v.upper(); })},
-                {"center", "height", "angle", "screen"}),
+                {"center", "height", "angle", "screen", "fit", "design"}),
     };
 }
 
@@ -234,6 +247,23 @@ property::Method shake_method(View& view) {
 
 std::vector<Property> looks(View& view) {
     return {
+        {.name = "fit",
+         .type = Type::text,
+         .default_value = "expand",
+         .doc = "How the picture fits into the window. expand: all of the window is used. "
+                "letterbox: what is seen has the proportions of `design`, with black bars beside "
+                "it. pixel: so that each pixel of `design` is a whole number of pixels.",
+         .binding = column(view, Native::enumeration, 0,
+                           [](View& v) { return reinterpret_cast<std::uint8_t*>(&v.fit); }),
+         .enumerators = {"expand", "letterbox", "pixel"}},
+        {.name = "design",
+         .type = Type::vec2,
+         .default_value = view.design,
+         .unit = "px",
+         .range = {1, 16384},
+         .doc =
+             "The size of the picture for which the game is made, for `fit` letterbox and pixel.",
+         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.design.data(); })},
         {.name = "background",
          .type = Type::color,
          .default_value = view.background,

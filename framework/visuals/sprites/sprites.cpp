@@ -130,6 +130,8 @@ void Sprites::advance(Row& row, double dt) {
     const Sheet* const shown = sheet(row);  // also tells of a missing file where nothing is drawn
     if (shown == nullptr) return;
     const Reader read(*tree_, row.self);
+    // Most sprites have no animation.
+    if (shown->frames.empty() && read.number(of_.frames_per_second) <= 0) return;
     const Playing plays = playing(row, *shown);
     if (plays.count < 2 || !read.flag(of_.playing)) return;
     double length = seconds_of(row, *shown, plays);

@@ -2,6 +2,7 @@
 // The view: the visible part of the world, and its scale. In the tree as `view`.
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct Show {
     bool overlay(property::Overlay overlay) const;
 };
 
+/// How the picture fits into the window. `expand`: all of the window is used. `letterbox`: what is
+/// seen has the proportions of the design size, with bars beside it. `pixel`: as letterbox, and
+/// each pixel of the design is a whole number of pixels.
+enum class Fit : std::uint8_t { expand, letterbox, pixel };
+
 /// World units are metres with y up; screen units are pixels from the top left corner with y down.
 struct View {
     property::Vec2 center{0, 0};  // m, in the middle of the screen
@@ -51,8 +57,11 @@ struct View {
     /// The view as it is drawn between the last two steps. `now`: s, simulation time.
     View drawn(double alpha, double now) const;
 
-    double zoom() const { return screen.y() / height; }   // px/m
-    double width() const { return screen.x() / zoom(); }  // m
+    Fit fit = Fit::expand;
+    property::Vec2 design{1280, 800};  // px, for letterbox and pixel
+
+    double zoom() const;   // px/m
+    double width() const;  // m
     /// The corners of the box around the visible part of the world.
     property::Vec2 lower() const { return center - reach(); }
     property::Vec2 upper() const { return center + reach(); }

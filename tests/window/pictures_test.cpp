@@ -1,0 +1,169 @@
+// Sprites, layers and the pen's state, compared pixel by pixel.
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "catch.h"
+#include "game_window.h"
+#include "temporary_folder.h"
+
+namespace pictures_test {
+
+using fettle::test::GameWindow;
+using fettle::test::missing_tools;
+using fettle::test::Picture;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// True, with a message, if windows cannot be tested here.
+bool skipped() {
+    const std::string missing = missing_tools();
+    if (!missing.empty()) std::cout << "SKIPPED: " << missing << " not found\n";
+    return !missing.empty();
+}
+
+/// Two by two pixels: red, green; blue, white.
+std::string dots() {
+    std::string file(18, '\0');
+    file[2] = 2;
+    file[12] = file[14] = 2;
+    file[16] = 32;
+    file[17] = 0x28;
+    for (const char* pixel : {"\0\0\xff\xff", "\0\xff\0\xff", "\xff\0\0\xff", "\xff\xff\xff\xff"})
+        file += std::string(pixel, 4);
+    return file;
+}
+
+Picture picture_of(const std::string& name, const std::string& script) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "dots.tga", std::ios::binary) << dots();
+    std::ofstream(folder.path / "main.lua") << R"(
+        view.background = color("white")
+        world.gravity = vec(0, 0)
+        local pictures = 0
+        function update() pictures = pictures + 1 if pictures == 10 then print("drawn") end end
+        Dots = class("Dots", Sprite) { image = "dots.tga", smooth = false }
+    )" << script;
+    GameWindow game(folder.path);
+    const bool drawn = game.prints("drawn");
+    INFO(game.printed());
+    REQUIRE(drawn);
+    Picture picture = game.settled();
+    picture.save_png(fs::path(FETTLE_PICTURES) / ("pictures_" + name + ".png"));
+    return picture;
+}
+
+/// Whether a pixel has about this color.
+bool has(const Picture& picture, double x, double y, int r, int g, int b) {
+    const std::size_t i =
+        (std::size_t(std::lround(y)) * picture.width + std::size_t(std::lround(x))) * 3;
+    const auto near = [&](std::size_t c, int wanted) {
+        return std::abs(int(picture.rgb.at(i + c)) - wanted) < 5;
+    };
+    const bool same = near(0, r) && near(1, g) && near(2, b);
+    if (!same)
+        UNSCOPED_INFO("(" << x << ", " << y << ") is " << int(picture.rgb.at(i)) << " "
+                          << int(picture.rgb.at(i + 1)) << " " << int(picture.rgb.at(i + 2)));
+    return same;
+}
+
+/// The same for a point of the world.
+bool has_at(const Picture& picture, double x, double y, int r, int g, int b) {
+    return has(picture, 640 + 40 * x, 400 - 40 * y, r, g, b);
+}
+
+}  // namespace
+
+TEST_CASE("sprites are drawn upright and turned and mirrored and mixed") {
+    if (skipped()) return;
+    const Picture picture = picture_of("sprites", R"(
+        world.upright = Dots { size = vec(4, 4) }
+        world.turned = Dots { size = vec(4, 4), position = vec(0, -6), angle = deg(90) }
+        world.mirrored = Dots { size = vec(4, 4), position = vec(6, -6), flip_x = true }
+        world.below = Body { type = "static", position = vec(-8, 0), angle = deg(180),
+            Box { width = 5, height = 5, color = color(0.5, 0.5, 0.5), border = color(0.5, 0.5, 0.5) },
+            Dots { size = vec(4, 4), blend = "multiply" } }
+        world.black = Body { type = "static", position = vec(8, 0),
+            Box { width = 5, height = 5, color = color(0, 0, 0.5), border = color(0, 0, 0.5) },
+            Dots { size = vec(4, 4), blend = "add", tint = color(0.5, 1, 0, 1) } }
+        world.back = Dots { size = vec(2, 2), z = -1, position = vec(8, 1) }
+    )");
+    CHECK(has_at(picture, -1, 1, 255, 0, 0));
+    CHECK(has_at(picture, 1, 1, 0, 255, 0));
+    CHECK(has_at(picture, -1, -1, 0, 0, 255));
+    CHECK(has_at(picture, 1, -1, 255, 255, 255));
+    // The edges are sharp.
+    CHECK(has_at(picture, -0.1, 1.9, 255, 0, 0));
+    CHECK(has_at(picture, 0.1, 1.9, 0, 255, 0));
+    // Turned counter-clockwise: what was at the top right is at the top left.
+    CHECK(has_at(picture, -1, -5, 0, 255, 0));
+    CHECK(has_at(picture, -1, -7, 255, 0, 0));
+    CHECK(has_at(picture, 1, -7, 0, 0, 255));
+    CHECK(has_at(picture, 5, -5, 0, 255, 0));
+    CHECK(has_at(picture, 7, -5, 255, 0, 0));
+    // Below a body that is turned by half a turn.
+    CHECK(has_at(picture, -7, -1, 128, 0, 0));
+    CHECK(has_at(picture, -9, 1, 128, 128, 128));
+    CHECK(has_at(picture, 7, 1, 128, 0, 128));
+    CHECK(has_at(picture, 9, -1, 128, 255, 128));
+}
+
+TEST_CASE("layers and the state of the pen") {
+    if (skipped()) return;
+    const Picture picture = picture_of("layers", R"(
+        world.pale = Layer { opacity = 0.5,
+            Dots { size = vec(4, 4) },
+            Body { type = "static", position = vec(5, 0),
+                Box { width = 2, height = 2, color = color(0, 0, 0), border = color(0, 0, 0) } } }
+        world.hidden = Layer { visible = false, Dots { size = vec(40, 40) } }
+        game.corner = Layer { space = "screen", anchor = "bottom_right",
+            Dots { size = vec(40, 40), position = vec(-20, -20) } }
+        world.far = Layer { parallax = vec(0.5, 1), Dots { size = vec(2, 2), position = vec(-6, 6) } }
+        view.center = vec(4, 0)
+        function draw(pen)
+            pen.push(vec(4, 6), deg(90), 2)
+            pen.clip(vec(-0.5, -1), vec(0.5, 1))
+            pen.box(vec(0, 0), 10, 10, "black")
+            pen.pop()
+            pen.push(vec(12, 6))
+            pen.fade(0.5)
+            pen.image("dots.tga", vec(0, 0), 2)
+            pen.pop()
+            pen.box(vec(15, 6), 1, 1, "black")
+        end
+    )");
+    const double moved = -4;  // the view is 4 m to the right
+    CHECK(has_at(picture, moved - 1, 1, 255, 128, 128));
+    CHECK(has_at(picture, moved + 5, 0, 128, 128, 128));
+    CHECK(has(picture, 1250, 770, 255, 0, 0));
+    CHECK(has(picture, 1270, 770, 0, 255, 0));
+    CHECK(has(picture, 1250, 790, 0, 0, 255));
+    CHECK(has_at(picture, -6.5 + 2 + moved, 6.5, 255, 0, 0));
+    CHECK(has_at(picture, 4 + moved, 6, 0, 0, 0));
+    CHECK(has_at(picture, 4 + moved + 1.8, 6.8, 0, 0, 0));
+    CHECK(has_at(picture, 4 + moved + 2.2, 6, 255, 255, 255));
+    CHECK(has_at(picture, 4 + moved, 7.2, 255, 255, 255));
+    CHECK(has_at(picture, 11.5 + moved, 6.5, 255, 128, 128));
+    CHECK(has_at(picture, 15 + moved, 6, 0, 0, 0));
+}
+
+TEST_CASE("a letterbox has bars beside the picture") {
+    if (skipped()) return;
+    const Picture picture = picture_of("letterbox", R"(
+        view.design = vec(100, 100)
+        view.fit = "letterbox"
+        view.angle = deg(90)
+        world.dots = Dots { size = vec(4, 4) }
+    )");
+    CHECK(has(picture, 100, 400, 0, 0, 0));
+    CHECK(has(picture, 1200, 400, 0, 0, 0));
+    CHECK(has(picture, 260, 20, 255, 255, 255));
+    CHECK(has_at(picture, 1, 1, 255, 0, 0));  // the viewer is turned to the left
+    CHECK(has_at(picture, -1, 1, 0, 0, 255));
+}
+
+}  // namespace pictures_test
