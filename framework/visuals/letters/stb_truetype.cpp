@@ -81,15 +81,23 @@ const Letter* Font::letter(char32_t letter, double size) {
         stbtt_FreeBitmap(drawn, nullptr);
         return nullptr;
     }
-    std::vector<std::uint8_t> rgba(std::size_t(width) * std::size_t(height) * 4, 255);
-    for (std::size_t i = 0; i < rgba.size() / 4; ++i) rgba[4 * i + 3] = drawn[i];
+    // A transparent pixel on each side, so that the rim of a turned letter is smooth.
+    const auto wide = static_cast<std::size_t>(width), high = static_cast<std::size_t>(height);
+    std::vector<std::uint8_t> rgba((wide + 2) * (high + 2) * 4, 255);
+    for (std::size_t y = 0; y < high + 2; ++y)
+        for (std::size_t x = 0; x < wide + 2; ++x) {
+            const bool inside = x >= 1 && y >= 1 && x <= wide && y <= high;
+            rgba[4 * (y * (wide + 2) + x) + 3] =
+                inside ? drawn[(y - 1) * wide + (x - 1)] : std::uint8_t{0};
+        }
     stbtt_FreeBitmap(drawn, nullptr);
     made = std::make_unique<Letter>();
-    made->picture.replace(std::uint32_t(width), std::uint32_t(height), std::move(rgba));
+    made->picture.replace(static_cast<std::uint32_t>(wide + 2),
+                          static_cast<std::uint32_t>(high + 2), std::move(rgba));
     made->picture.keep_on_pixels();
     made->size = kept;
-    made->left = left;
-    made->top = top;
+    made->left = left - 1;
+    made->top = top - 1;
     return made.get();
 }
 
