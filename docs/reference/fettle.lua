@@ -1521,6 +1521,8 @@ Timings = {}
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
 ---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
 ---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving the view. · m · 0 to 1000000000 · default vec(0, 0)
+---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
+---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
 ---@field follow Object? The view moves with this instance, from step to step. · any instance · default nil
 ---@field follow_damping number The time in which the view makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
