@@ -29,7 +29,8 @@ bool Tweaks::State::visible(const Entry& entry) const {
 }
 
 void Tweaks::State::barrier() {
-    if (fresh.empty() && dirty.empty() && changed.empty() && earlier_renamed.empty() && removed.empty())
+    if (fresh.empty() && dirty.empty() && changed.empty() && earlier_renamed.empty() &&
+        removed.empty())
         return;
     if (rest > 0) {
         --rest;

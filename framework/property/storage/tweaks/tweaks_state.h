@@ -163,7 +163,8 @@ struct Tweaks::State : EditObserver {
     std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
     std::vector<JournalRow> earlier;   // of earlier runs
     std::vector<JournalRow*> changed;  // rows of `earlier` to be written again
-    std::vector<JournalRow*> earlier_renamed;  // rows of `earlier` with other names or places in files
+    std::vector<JournalRow*>
+        earlier_renamed;  // rows of `earlier` with other names or places in files
     /// Rows of earlier runs that were applied again, and the tweaks of this run that they became.
     std::vector<std::pair<JournalRow*, Entry*>> reapplied;
     std::vector<JournalRow> left_aside;  // invalid rows of earlier runs
