@@ -323,7 +323,7 @@ TEST_CASE("gamepads are properties") {
     button.name = "3";
     game.loop.handle(button);
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 2 left_y 0.5 pad 2 +3");
+    CHECK(game.heard() == "pad 2 left_y 0.5 pad 2 +3 pad 2 +x");
     CHECK(game.get("input.gamepad_2.left").vec2() == Vec2(0, 0.5));
     CHECK(game.get("input.gamepad_2.connected").boolean());
     CHECK(game.get("input.gamepad_2.button_3").boolean());
@@ -339,7 +339,7 @@ TEST_CASE("a script that moves a stick or pulls a trigger has the effect of the 
     CHECK(game.heard() == "pad 1 left_x 0.5 pad 1 left_y -1.0");
     game.runtime.run("input.gamepads[3].right.y = 0.25 input.gamepad_3.pad = vec(1, 0)", "test");
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 3 right_y 0.25 pad 3 pad_x 1.0");
+    CHECK(game.heard() == "pad 3 right_y 0.25 pad 3 pad_x 1.0 pad 3 +dpad_right");
     game.runtime.run("input.gamepad_4.left_trigger = 1 input.gamepad_4.right_trigger = 0.5",
                      "test");
     game.loop.frame(tick);
@@ -418,7 +418,7 @@ TEST_CASE("unplugging a gamepad releases what it held") {
                          "test");
     }
     game.loop.frame(tick);
-    CHECK(game.heard() == "pad 2 left_x 0.0 pad 2 -3");
+    CHECK(game.heard() == "pad 2 left_x 0.0 pad 2 -3 pad 2 -x");
     CHECK_FALSE(game.get("input.gamepad_2.connected").boolean());
     CHECK_FALSE(game.get("input.gamepad_2.button_3").boolean());
 }

@@ -181,7 +181,8 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
     CHECK(contains(outcome.out,
                    "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
                    "Body:apply_torque Polygon:add_vertex SoundSource:play SoundSource:stop "
-                   "Synth:mutate Synth:preset Time:go_to Voice:stop World:explode\ndone\t"));
+                   "Synth:mutate Synth:preset Time:go_to Tween:stop TweenGroup:stop Voice:stop "
+                   "World:explode\ndone\t"));
 }
 
 TEST_CASE("a formula that pushes a body moves nothing and reports the reason") {

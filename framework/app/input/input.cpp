@@ -43,19 +43,20 @@ std::string axis_name(std::string_view stick, int component) {
     return std::string(stick) + (component == 0 ? "_x" : "_y");
 }
 
-/// The property of a gamepad to which an axis belongs: a component of a stick, or a trigger.
-struct Axis {
-    std::string_view property;
-    int component = -1;  // -1: a trigger
-};
+/// The number of a device's axis that an event names, as in mappings. An event has the name that
+/// the axis has on a common gamepad.
+std::optional<std::size_t> raw_axis(std::string_view name) {
+    constexpr std::array<std::string_view, 8> names{"left_x",  "left_y",  "left_trigger",
+                                                    "right_x", "right_y", "right_trigger",
+                                                    "pad_x",   "pad_y"};
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
 
-std::optional<Axis> axis_named(std::string_view name) {
-    for (const std::string_view stick : gamepad_stick_names)
-        for (int component : {0, 1})
-            if (name == axis_name(stick, component)) return Axis{stick, component};
-    for (const std::string_view trigger : gamepad_trigger_names)
-        if (name == trigger) return Axis{trigger, -1};
-    return std::nullopt;
+/// Whether events have turned the axis round, so that up is positive.
+bool points_up(std::size_t axis) {
+    return axis == 1 || axis == 4 || axis == 7;
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ std::optional<Axis> axis_named(std::string_view name) {
 // --- State ---------------------------------------------------------------------------------------
 
 void Input::State::queue(std::string_view callback, std::vector<Value> arguments) {
-    calls.push_back({callback, std::move(arguments)});
+    calls.push_back({.callback = callback, .arguments = std::move(arguments)});
 }
 
 void Input::State::move_mouse(const Vec2& pixels) {
@@ -92,11 +93,14 @@ void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& t
         if (to[axis] != from[axis])
             queue("gamepad_axis",
                   {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
+    if (stick == hat_stick) press_hat_buttons(gamepad);
+    update_actions();
 }
 
 void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
     gamepad.triggers[trigger] = to;
     queue("gamepad_axis", {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
+    update_actions();
 }
 
 void Input::State::connect(Gamepad& gamepad, bool connected) {
@@ -107,6 +111,7 @@ void Input::State::connect(Gamepad& gamepad, bool connected) {
     for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
     for (const GamepadButton& button : gamepad_button_columns)
         tree.set(self, "button_" + button.name, false);
+    for (const std::string_view name : gamepad_button_names) tree.set(self, name, false);
 }
 
 // --- Input ---------------------------------------------------------------------------------------
@@ -115,7 +120,10 @@ Input::Input(property::Tree& tree, View& view) : state_(std::make_unique<State>(
     state_->define();
 }
 
-Input::~Input() = default;
+Input::~Input() {
+    if (!state_->tree_life.expired())
+        property::set_added_rules(state_->tree, *state_->actions_class, nullptr);
+}
 
 void Input::apply(const InputEvent& event) {
     State& s = *state_;
@@ -207,20 +215,18 @@ void Input::apply_gamepad(const InputEvent& event) {
     State& s = *state_;
     if (event.gamepad < 1 || event.gamepad > gamepad_count) return;
     State::Gamepad& pad = s.gamepads[static_cast<std::size_t>(event.gamepad - 1)];
+    if (event.kind == EventKind::gamepad_connected && !event.name.empty() && !pad.mapping_given) {
+        s.tree.set(pad.instance, "mapping", std::string(controller_of(event.name)));
+        pad.mapping_given = false;
+    }
     s.tree.set(pad.instance, "connected", event.kind != EventKind::gamepad_disconnected);
     if (event.kind == EventKind::gamepad_pressed || event.kind == EventKind::gamepad_released) {
         set_switch(pad.instance, "button_" + event.name, event.kind == EventKind::gamepad_pressed);
     } else if (event.kind == EventKind::gamepad_axis) {
-        const std::optional<Axis> axis = axis_named(event.name);
+        const std::optional<std::size_t> axis = raw_axis(event.name);
         if (!axis || !std::isfinite(event.delta)) return;
         const double value = std::clamp(static_cast<double>(event.delta), -1.0, 1.0);
-        if (axis->component < 0) {
-            s.tree.set(pad.instance, axis->property, 0.5 * (value + 1));
-        } else {
-            Vec2 stick = s.tree.get(pad.instance, axis->property).vec2();
-            stick[axis->component] = value;
-            s.tree.set(pad.instance, axis->property, stick);
-        }
+        s.move_raw_axis(pad, *axis, points_up(*axis) ? -value : value);
     }
 }
 
@@ -235,11 +241,14 @@ void Input::release_all() {
 }
 
 bool Input::deliver(script::Runtime& runtime) {
+    state_->sync_actions();
     // Input made by a callback is delivered in the next frame.
     state_->wheel_delivered = state_->wheel;
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
     const auto life = runtime.lifetime();  // a callback may destroy the runtime
     for (const State::Call& call : calls) {
+        if (call.event != nullptr && state_->tree.alive(call.instance))
+            state_->tree.emit(call.instance, *call.event, {});
         if (!runtime.call(call.callback, call.arguments)) return false;
         if (life.expired() || runtime.quit_status()) break;
     }
@@ -248,6 +257,7 @@ bool Input::deliver(script::Runtime& runtime) {
 
 void Input::drop() {
     state_->calls.clear();
+    forget_presses();
     state_->wheel_delivered = state_->wheel;
 }
 

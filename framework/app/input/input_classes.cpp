@@ -27,6 +27,7 @@ Property key_property(State::Switch& key) {
                 [](State::Switch& k, Row, const Value& down) {
                     k.down = down.boolean();
                     k.state->queue(k.down ? "key_pressed" : "key_released", {k.name});
+                    k.state->update_actions();
                 }),
             .transient = true};
 }
@@ -43,6 +44,7 @@ Property button_property(State::Switch& button) {
                     const Vec2 at = b.state->mouse;
                     b.state->queue(b.down ? "mouse_pressed" : "mouse_released",
                                    {b.name, b.state->view.to_world(at), at});
+                    b.state->update_actions();
                 }),
             .transient = true};
 }
@@ -142,9 +144,44 @@ Property gamepad_button(State::GamepadButton& button) {
                     return bool{b.state->gamepads[row].buttons[b.index]};
                 },
                 [](State::GamepadButton& b, Row row, const Value& down) {
-                    b.state->gamepads[row].buttons[b.index] = down.boolean();
-                    b.state->queue(down.boolean() ? "gamepad_pressed" : "gamepad_released",
-                                   {static_cast<int>(row) + 1, b.name});
+                    b.state->press_raw(b.state->gamepads[row], b.index, down.boolean());
+                }),
+            .transient = true};
+}
+
+Property named_button(State::NamedButton& button) {
+    const std::string name(gamepad_button_names[button.index]);
+    return {.name = name,
+            .type = Type::boolean,
+            .default_value = false,
+            .doc =
+                "Whether the button is held down. Setting it presses or releases it: "
+                "gamepad_pressed or gamepad_released is called with \"" +
+                name + "\".",
+            .binding = accessor(
+                button,
+                [](State::NamedButton& b, Row row) {
+                    return bool{b.state->gamepads[row].named[b.index]};
+                },
+                [](State::NamedButton& b, Row row, const Value& down) {
+                    b.state->press_named(b.state->gamepads[row], b.index, down.boolean());
+                }),
+            .transient = true};
+}
+
+Property mapping_property(State& state) {
+    return {.name = "mapping",
+            .type = Type::text,
+            .default_value = "xbox",
+            .doc =
+                "Which button and axis of the device has which name: \"xbox\", \"playstation\", "
+                "\"switch_pro\", or a text in the format of the community's mapping files, such "
+                "as \"a:b0,b:b1,leftx:a0,dpup:h0.1\".",
+            .binding = accessor(
+                state, [](State& s, Row row) { return Value(s.gamepads[row].mapping_text); },
+                [](State& s, Row row, const Value& text) {
+                    s.set_mapping(s.gamepads[row], text.text());
+                    s.gamepads[row].mapping_given = true;
                 }),
             .transient = true};
 }
@@ -161,15 +198,40 @@ Property connected(State& state) {
         .transient = true};
 }
 
+Property move_property(State& state) {
+    return {.name = "move",
+            .type = Type::vec2,
+            .range = {-1, 1},
+            .doc =
+                "Where the player wants to go, right and up positive, of length 1 at most: from "
+                "the keys and sticks of `input.actions.move`.",
+            .binding = accessor(state, [](State& s, Row) -> Vec2 { return s.move.direction; }),
+            .read_only = true,
+            .transient = true,
+            .simulated = true};
+}
+
+Property dead_zone_property(State& state) {
+    return {.name = "dead_zone",
+            .type = Type::number,
+            .default_value = 0.2,
+            .range = {0, 0.9},
+            .doc = "How far a stick must be moved before actions take notice of it.",
+            .binding = column(state, Native::f64, 0, [](State& s) { return &s.dead_zone; }),
+            .transient = true};
+}
+
 }  // namespace
 
 void Input::State::define() {
     const property::Class& input_class = tree.define(
         {.name = "Input",
-         .doc = "What the player does: keys, mouse, gamepads.",
+         .doc = "What the player does: keys, mouse, gamepads, and the actions bound to them.",
          .creatable = false,
          .snapshots = property::Snapshots::never,
-         .properties = {{.name = "gamepads",
+         .properties = {move_property(*this),
+                        dead_zone_property(*this),
+                        {.name = "gamepads",
                          .type = Type::list,
                          .doc = "All gamepads, connected or not: input.gamepads[1].left.",
                          .binding = accessor(*this,
@@ -184,9 +246,11 @@ void Input::State::define() {
                          .element = Type::reference,
                          .reference_class = "Gamepad"}}});
     const Handle input = tree.create(input_class, tree.root(), "input");
+    input_instance = input;
     define_keys(input);
     define_mouse(input);
     define_gamepads(input);
+    define_actions(input);  // they read the others
 }
 
 void Input::State::define_keys(Handle input) {
@@ -232,11 +296,16 @@ void Input::State::define_gamepads(Handle input) {
         gamepad_button_columns[i] = {this, i, std::to_string(i + 1)};
         properties.push_back(gamepad_button(gamepad_button_columns[i]));
     }
+    for (std::size_t i = 0; i < named_buttons.size(); ++i) {
+        named_buttons[i] = {this, i};
+        properties.push_back(named_button(named_buttons[i]));
+    }
+    properties.push_back(mapping_property(*this));
     const property::Class& gamepad_class =
         tree.define({.name = "Gamepad",
                      .doc = "A gamepad: two sticks, a directional pad, two triggers and up to "
-                            "sixteen buttons, which have numbers. Setting one moves, pulls or "
-                            "presses it.",
+                            "sixteen buttons, by number and, as far as `mapping` knows them, by "
+                            "name. Setting one moves, pulls or presses it.",
                      .creatable = false,
                      .snapshots = property::Snapshots::never,
                      .properties = std::move(properties)});

@@ -2,10 +2,16 @@
 // The current input, to which the tree's properties are bound, and the queue of callbacks.
 
 #include <array>
+#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <fettle/app/input.h>
+#include <fettle/property/added_rules.h>
+
+#include <input/actions.h>
+#include <input/gamepad_mapping.h>
 
 namespace fettle::app {
 
@@ -14,6 +20,8 @@ inline constexpr std::array<std::string_view, 3> gamepad_stick_names{"left", "ri
 /// Triggers are numbers. Their axes have the same names.
 inline constexpr std::array<std::string_view, 2> gamepad_trigger_names{"left_trigger",
                                                                        "right_trigger"};
+/// The stick that is a directional pad.
+inline constexpr std::size_t hat_stick = 2;
 inline constexpr std::array<std::string_view, 5> mouse_button_names{"left", "right", "middle",
                                                                     "extra_1", "extra_2"};
 
@@ -33,6 +41,10 @@ struct Input::State {
         std::array<property::Vec2, gamepad_stick_names.size()> sticks{};
         std::array<double, gamepad_trigger_names.size()> triggers{};
         std::array<bool, gamepad_buttons> buttons{};
+        std::array<bool, gamepad_button_names.size()> named{};
+        std::string mapping_text = "xbox";
+        GamepadMapping mapping = parse_gamepad_mapping("xbox");
+        bool mapping_given = false;  // by the game or the player, so the device does not choose it
     };
     /// Context of the properties for one stick or one trigger of all gamepads.
     struct GamepadAxis {
@@ -45,9 +57,41 @@ struct Input::State {
         std::size_t index = 0;
         std::string name{};  // "1": the name in callbacks; the property is button_1
     };
+    /// Context of the property for one named button of all gamepads.
+    struct NamedButton {
+        State* state = nullptr;
+        std::size_t index = 0;
+    };
     struct Call {
         std::string_view callback;
         std::vector<property::Value> arguments;
+        // For an action: an event of this instance comes first.
+        property::Handle instance{};
+        const property::Event* event = nullptr;
+    };
+    /// A change that one step and one update see.
+    struct Edge {
+        bool for_step = false, for_update = false;  // not seen yet
+        bool seen = false;                          // by the step or the update that runs
+    };
+    struct Action {
+        bool used = false;  // by an instance, whose row this is
+        property::Handle instance{};
+        property::Value value{};  // from which `bindings` were read
+        ActionBindings bindings{};
+        double strength = 0;
+        property::Vec2 direction{0, 0};
+        bool forced = false;  // held by a script
+        bool held = false;
+        Edge pressed{}, released{};
+    };
+    /// Rules for the properties of `input.actions`.
+    struct ActionRules : property::AddedRules {
+        explicit ActionRules(State& of) : state(of) {}
+        void check(property::Handle instance, std::string_view name,
+                   const property::Value& value) const override;
+        void changed(property::Handle instance, std::string_view name) override;
+        State& state;
     };
 
     property::Tree& tree;
@@ -59,6 +103,15 @@ struct Input::State {
     std::array<GamepadAxis, gamepad_stick_names.size()> gamepad_sticks{};
     std::array<GamepadAxis, gamepad_trigger_names.size()> gamepad_triggers{};
     std::array<GamepadButton, gamepad_buttons> gamepad_button_columns{};
+    std::array<NamedButton, gamepad_button_names.size()> named_buttons{};
+    property::Handle input_instance{}, actions_instance{};
+    const property::Class* action_class = nullptr;
+    const property::Class* actions_class = nullptr;
+    std::weak_ptr<const property::Tree*> tree_life = tree.lifetime();
+    std::deque<Action> actions{};  // rows of the class Action
+    Action move{};                 // has no instance
+    double dead_zone = 0.2;
+    ActionRules rules{*this};
     property::Vec2 mouse{0, 0};  // px
     double wheel = 0;            // notches in this frame, with those added by scripts
     double wheel_delivered = 0;  // part of `wheel` whose callbacks are delivered in this frame
@@ -75,14 +128,32 @@ struct Input::State {
     void pull_trigger(Gamepad& gamepad, std::size_t trigger, double to);
     /// Releases all buttons and axes of a gamepad that is disconnected.
     void connect(Gamepad& gamepad, bool connected);
+    void press_raw(Gamepad& gamepad, std::size_t button, bool down);
+    void press_named(Gamepad& gamepad, std::size_t button, bool down);
+    void set_mapping(Gamepad& gamepad, const std::string& text);
+    /// An axis of the device moved to a value from -1 to 1, as the device reports it: down is
+    /// positive. `axis`: 0 to 5 are X, Y, Z, and the three rotations; 6 and 7 are those of the hat.
+    void move_raw_axis(Gamepad& gamepad, std::size_t axis, double value);
+
+    /// Computes all actions from the switches, and queues what has changed.
+    void update_actions();
+    /// Makes the instance of an action, reads its bindings, or deletes it, as `input.actions` says.
+    void sync_action(std::string_view name);
+    /// The same for all, after a restore or an undo.
+    void sync_actions();
+    void set_move(const property::Value& value);
+    property::Row add_action(property::Handle instance);
 
   private:
+    void update_action(Action& action, bool tells_press);
+    void press_hat_buttons(Gamepad& gamepad);
     int number_of(const Gamepad& gamepad) const {
         return static_cast<int>(&gamepad - gamepads.data()) + 1;
     }
     void define_keys(property::Handle input);
     void define_mouse(property::Handle input);
     void define_gamepads(property::Handle input);
+    void define_actions(property::Handle input);
 };
 
 }  // namespace fettle::app

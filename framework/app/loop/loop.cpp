@@ -58,6 +58,17 @@ class Witnessed {
     const int uncaught_ = std::uncaught_exceptions();
 };
 
+/// Actions that were pressed are so during one step.
+class StepInput {
+  public:
+    explicit StepInput(Input& input) : input_(input) { input_.begin_step(); }
+    ~StepInput() { input_.end_step_or_update(); }
+    StepInput(const StepInput&) = delete;
+
+  private:
+    Input& input_;
+};
+
 }  // namespace
 
 Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
@@ -204,7 +215,9 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     barrier();
     watch.lap(watch.phases.handlers);
     if (stopped() || closing_) return false;  // no other callback follows closing()
+    services_.input.begin_update();
     runtime_.call("update", {dt, real_dt});
+    services_.input.end_step_or_update();
     watch.lap(watch.phases.update);
     if (stopped()) return false;
     barrier();
@@ -224,6 +237,7 @@ bool Loop::make_step(Stopwatch& watch) {
     timeline_.begin_step();
     clock.advance();
     tree_.set_step(static_cast<std::uint64_t>(clock.step));
+    const StepInput pressed(services_.input);
     runtime_.step(clock.now, dt);
     watch.lap(watch.phases.scripts);
     if (stopped()) return false;
@@ -273,6 +287,7 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
                 if (live_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
             }
+            services_.input.forget_presses();
         } else {
             if (clock.step_once) tree_.set(time_, "step_once", false);
             owed_ += passed;
@@ -314,6 +329,8 @@ void Loop::turn() {
         const bool once = clock.step_once;
         make_step(watch);
         if (once) tree_.set(time_, "step_once", false);
+    } else {
+        services_.input.forget_presses();
     }
     clock.alpha = 1;
     end_frame(watch, 0);

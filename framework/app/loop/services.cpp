@@ -12,9 +12,10 @@ namespace {
 
 /// The classes of the services, the first one first, and their instances below the root. A test
 /// compares them with the tree.
-constexpr const char* class_names[] = {
-    "Time",  "Timings", "View",  "Show",  "GameWindow", "Audio", "Buses", "Bus",    "SoundSource",
-    "Sound", "Music",   "Synth", "Voice", "Input",      "Keys",  "Mouse", "Gamepad"};
+constexpr const char* class_names[] = {"Time",   "Timings", "View",  "Show",        "GameWindow",
+                                       "Audio",  "Buses",   "Bus",   "SoundSource", "Sound",
+                                       "Music",  "Synth",   "Voice", "Input",       "Actions",
+                                       "Action", "Keys",    "Mouse", "Gamepad"};
 constexpr const char* instance_names[] = {"time", "view", "audio", "input"};
 
 /// Throws if a name that the services need is already used in the tree. If a constructor failed

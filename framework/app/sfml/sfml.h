@@ -21,6 +21,8 @@ std::string key_name(sf::Keyboard::Key key);
 std::string button_name(sf::Mouse::Button button);
 /// Sets name and delta of an axis event. `position`: percent, y down positive.
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
+/// Maker and product of a gamepad, "054c:0ce6".
+std::string device_of(unsigned gamepad);
 
 /// True if OpenAL has opened a sound device. sfml_audio.cpp defines this function.
 bool openal_device_opened();
@@ -178,6 +180,7 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
             set_axis(out, e.axis, e.position);
         } else if constexpr (std::is_same_v<E, sf::Event::JoystickConnected>) {
             gamepad(EventKind::gamepad_connected, e.joystickId);
+            out.name = device_of(e.joystickId);
         } else if constexpr (std::is_same_v<E, sf::Event::JoystickDisconnected>) {
             gamepad(EventKind::gamepad_disconnected, e.joystickId);
         } else {
@@ -350,6 +353,7 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
             break;
         case sf::Event::JoystickConnected:
             gamepad(EventKind::gamepad_connected, event.joystickConnect.joystickId);
+            out.name = device_of(event.joystickConnect.joystickId);
             break;
         case sf::Event::JoystickDisconnected:
             gamepad(EventKind::gamepad_disconnected, event.joystickConnect.joystickId);

@@ -1,6 +1,7 @@
 // Names of keys, mouse buttons and gamepad axes for both versions of SFML.
 
 #include <array>
+#include <cstdio>
 #include <utility>
 
 #include <sfml/sfml.h>
@@ -81,6 +82,13 @@ std::string button_name(sf::Mouse::Button button) {
         default:
             return {};
     }
+}
+
+std::string device_of(unsigned gamepad) {
+    const sf::Joystick::Identification device = sf::Joystick::getIdentification(gamepad);
+    char text[20];
+    std::snprintf(text, sizeof text, "%04x:%04x", device.vendorId, device.productId);
+    return text;
 }
 
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position) {

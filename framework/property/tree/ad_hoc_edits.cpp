@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include <fettle/property/added_rules.h>
 #include <fettle/property/spelling.h>
 
 #include <values/weight.h>
@@ -56,9 +57,12 @@ const Property& Tree::State::add_ad_hoc(Handle instance, std::string_view name,
                                             suggestion(name, members));
     const Property& added = ad_hoc_property(Symbol(name));
     const Value next = instances.coerce(instance, added, value);
+    AddedRules* const rules = rules_of(instance);
+    if (rules != nullptr) rules->check(instance, name, next);
     put_ad_hoc(instance, added, next);
     changes.tell([&](Observer& o) { o.wrote(instance, added, next); });
     if (changes.recording()) history.edited(instance, added, {});
+    if (rules != nullptr) rules->changed(instance, added.name);
     return added;
 }
 
@@ -91,6 +95,7 @@ void Tree::remove_ad_hoc(Handle instance, std::string_view name) {
     s.formulas.written(instance, node, *property, old);
     s.changes.tell([&](Observer& o) { o.removed(instance, *property); });
     if (before) s.history.edited(instance, *property, std::move(*before));
+    if (AddedRules* rules = s.rules_of(instance)) rules->changed(instance, property->name);
 }
 
 }  // namespace fettle::property

@@ -3,12 +3,14 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <history/history.h>
 
 namespace fettle::property {
 
+class AddedRules;
 class PreparedParts;
 
 /// State of snapshots that is kept between calls.
@@ -41,6 +43,10 @@ struct Tree::State {
     History history{structure};
     const Event* restored_event = nullptr;  // of Game
     SnapshotState snapshots;
+    std::vector<std::pair<const Class*, AddedRules*>> added_rules;
+
+    /// Rules for properties added to the instance, or nullptr.
+    AddedRules* rules_of(Handle instance) const;
 
     static std::uint64_t next_number();
     /// Throws if the tree must not be changed, because a formula or an inquiry runs. `what`:

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include <fettle/property/added_rules.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -118,6 +119,9 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     }
     const Pin pin(s.lifetime, "a binding of a property");
     const Value next = s.instances.coerce(instance, property, value);
+    AddedRules* const rules =
+        property.binding.kind == BindingKind::ad_hoc ? s.rules_of(instance) : nullptr;
+    if (rules != nullptr) rules->check(instance, property.name, next);
     std::optional<CellState> before = s.history.before_edit(instance, property);
     const Value old = s.instances.read(instance.index, node, property);
     const bool had_formula =
@@ -140,6 +144,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         s.changes.tell([&](Observer& o) { o.wrote(instance, property, next); });
     }
     if (before) s.history.edited(instance, property, std::move(*before));
+    if (rules != nullptr) rules->changed(instance, property.name);
 }
 
 void Tree::set(Handle instance, std::string_view name, const Value& value) {

@@ -120,16 +120,16 @@ const std::vector<GlobalDoc>& global_docs() {
          "and in earlier ones, and which of these changes are kept."},
         {"tween",
          "tween(target: Object, property: string, to: any, seconds: number, ease?: "
-         "string|fun(time: number): number|number[]): Tween",
+         "string|number[]|fun(time: number): number): Tween",
          "Moves a property from its value to another in that much simulation time. The property "
          "holds a number, an integer, a vector, a color, or a list of these. An ease is a name "
          "such as \"out_quad\" (`Tween.properties.ease.enumerators` lists them), a function from "
          "0..1 "
          "to 0..1, or a list of numbers. It begins at the next step; a tween that begins later "
          "with the same property ends it."},
-        {"tween.parallel", "tween.parallel(tweens: Object[]): TweenGroup",
+        {"tween.parallel", "tween.parallel(tweens: any[]): TweenGroup",
          "Runs tweens and groups together."},
-        {"tween.sequence", "tween.sequence(tweens: (Object|number)[]): TweenGroup",
+        {"tween.sequence", "tween.sequence(tweens: any[]): TweenGroup",
          "Runs tweens and groups one after the other; a number is a pause in seconds."},
         {"undo", "undo()", "Reverses the latest edit."},
         {"unpin", "unpin(what?: string)",
@@ -198,13 +198,18 @@ const std::vector<GlobalDoc>& callback_docs() {
          "The wheel was turned, away from the user positive, over a position in the world."},
         {"gamepad_pressed", "gamepad_pressed(gamepad: integer, button: string)",
          "A button of a gamepad went down; gamepads are counted from 1, and buttons are called "
-         "\"1\" to \"16\"."},
+         "\"1\" to \"16\". A button with a name calls it twice, with the number and with the name: "
+         "\"a\", \"left_shoulder\", \"dpad_up\"."},
         {"gamepad_released", "gamepad_released(gamepad: integer, button: string)",
          "A button of a gamepad came up."},
         {"gamepad_axis", "gamepad_axis(gamepad: integer, axis: string, value: number)",
          "An axis of a gamepad moved: \"left_x\", \"left_y\", \"right_x\", \"right_y\", "
          "\"pad_x\" or \"pad_y\" to a value from -1 to 1, right and up positive; "
          "\"left_trigger\" or \"right_trigger\" to a value from 0 to 1."},
+        {"action_pressed", "action_pressed(action: string)",
+         "The player began to hold an action: one of its keys or buttons in input.actions went "
+         "down."},
+        {"action_released", "action_released(action: string)", "The player let go of an action."},
         {"resized", "resized(width: number, height: number)",
          "The window got another size, in pixels."},
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},

@@ -50,7 +50,7 @@ const std::vector<GlobalDoc>& instance_docs() {
          "where it waits when the instance is deleted."},
         {"tween",
          "tween(self: Object, property: string, to: any, seconds: number, ease?: "
-         "string|fun(time: number): number|number[]): Tween",
+         "string|number[]|fun(time: number): number): Tween",
          "The same as tween(instance, ...): moves a property to a value. It ends with the "
          "instance."},
         {"watch",

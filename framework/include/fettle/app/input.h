@@ -1,5 +1,6 @@
 #pragma once
-// Input as properties: `input.keys.space`, `input.mouse.world`, `input.gamepads[1].left`.
+// Input as properties: `input.keys.space`, `input.mouse.world`, `input.gamepads[1].left`,
+// `input.jump.pressed`.
 //
 // A change of one of these properties is input, with any cause: the window sets `input.keys.space`
 // when the space bar goes down, and when a script or a test sets it, the effect is the same. The
@@ -53,6 +54,13 @@ class Input {
     bool deliver(script::Runtime& runtime);
     /// Drops input that was not delivered.
     void drop();
+    /// To be called before and after a step, and before and after the game's `update`: `pressed`
+    /// and `released` of an action are true in the first of each kind after the change.
+    void begin_step();
+    void begin_update();
+    void end_step_or_update();
+    /// Drops presses that no step has seen, since the game is paused.
+    void forget_presses();
     /// End of the frame: values per frame (the wheel) are reset.
     void end_frame();
 
