@@ -40,7 +40,8 @@ struct InputEvent {
     /// "numpad_add" "numpad_subtract" "numpad_multiply" "numpad_divide".
     /// Mouse: "left" "right" "middle" "extra_1" "extra_2". Gamepad: button number ("1" ...) or
     /// axis: "left_x" "left_y" "right_x" "right_y" "left_trigger" "right_trigger" "pad_x" "pad_y".
-    /// gamepad_connected: maker and product of the device in hexadecimal digits, "054c:0ce6", or "".
+    /// gamepad_connected: maker and product of the device in hexadecimal digits, "054c:0ce6", or
+    /// "".
     std::string name{};
     char32_t character = 0;  // text
     float x = 0, y = 0;      // mouse position in pixels from the top left; new size when resized
