@@ -38,6 +38,8 @@ Names names_of_the_reference() {
                                        "gamepad_pressed",
                                        "gamepad_released",
                                        "gamepad_axis",
+                                       "action_pressed",
+                                       "action_released",
                                        "resized",
                                        "focus",
                                        "closing"};
