@@ -84,6 +84,19 @@ function fettle_Set:each(action) end
 ---@return Set
 function fettle_Set:set(property, value) end
 
+---Values that outlive a run, in the player's folder for the game: texts, numbers, booleans, vecs, colors, and tables of these with texts or whole numbers as keys. Assigning copies a table into the store; what is read from there is the table in the store, and assigning to it writes: store.levels[3] = true. A name that was never assigned is nil, and assigning nil removes one. The store is written within a second and at the end of the run. Going back in time, loading a saved game and restoring a snapshot leave it as it is. A replay begins with the values of the recorded run and writes nothing. Formulas cannot read it.
+---@class Store
+---@field [string] any The values, by names or numbers.
+local fettle_Store = {}
+
+---Removes everything.
+function fettle_Store:clear() end
+
+---Whether there is a value of that name.
+---@param name string|integer
+---@return boolean
+function fettle_Store:has(name) end
+
 ---What watch, on, after and every return.
 ---@class Connection
 local fettle_Connection = {}
@@ -144,6 +157,10 @@ local fettle_Pen = {}
 ---@param angle? number
 function fettle_Pen.box(center, width, height, fill, border, border_width, angle) end
 
+---How the colors of what follows are put on what is there, until pen.pop() or the end of the function.
+---@param mode "normal"|"add"|"multiply"
+function fettle_Pen.blend(mode) end
+
 ---A circle.
 ---@param center vec
 ---@param radius number
@@ -151,6 +168,25 @@ function fettle_Pen.box(center, width, height, fill, border, border_width, angle
 ---@param border? color|string|false
 ---@param border_width? number
 function fettle_Pen.circle(center, radius, fill, border, border_width) end
+
+---What follows is drawn only inside of this box, until pen.pop() or the end of the function.
+---@param lower vec
+---@param upper vec
+function fettle_Pen.clip(lower, upper) end
+
+---Multiplies the opacity of what follows, until pen.pop() or the end of the function.
+---@param opacity number
+function fettle_Pen.fade(opacity) end
+
+---An image file of the game, with 32 of its pixels in a meter, and in its own size inside pen.screen. With one length it keeps its proportions.
+---@param file string
+---@param center vec
+---@param width? number
+---@param height? number
+---@param angle? number
+---@param tint? color|string
+---@param smooth? boolean
+function fettle_Pen.image(file, center, width, height, angle, tint, smooth) end
 
 ---A line.
 ---@param from vec
@@ -172,17 +208,35 @@ function fettle_Pen.point(position, fill, size) end
 ---@param border_width? number
 function fettle_Pen.polygon(vertices, fill, border, border_width) end
 
+---Ends what the last pen.push began.
+function fettle_Pen.pop() end
+
+---What follows is scaled, turned and moved by this, until pen.pop() or the end of the function. Widths of borders and lines stay as they are.
+---@param position? vec
+---@param angle? number
+---@param scale? number
+function fettle_Pen.push(position, angle, scale) end
+
 ---What the function draws is measured in pixels from the upper left corner.
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space.
+---A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game.
 ---@param position vec
 ---@param text any
 ---@param height? number
 ---@param fill? color|string
 ---@param align? "middle"|"left"|"right"
-function fettle_Pen.text(position, text, height, fill, align) end
+---@param font? string
+function fettle_Pen.text(position, text, height, fill, align, font) end
+
+---Returns the width and the height of a text.
+---@param text any
+---@param height? number
+---@param font? string
+---@return number
+---@return number
+function fettle_Pen.text_size(text, height, font) end
 
 ---A class: Body { ... } makes an instance. Its members can be read, but not changed.
 ---@class Class
@@ -274,6 +328,7 @@ local fettle_FieldDescription = {}
 ---@field class string The name of its class. · any text · read-only
 ---@field name string What its parent calls it: the last part of its path. · any text · default computed · not saved
 ---@field parent Object? The instance it hangs under. · any instance · default computed · not saved
+---@field z number The order of drawing: a larger z is drawn later, over a smaller one; equal ones in the order of the tree. It is added to the z of everything below. · -1000000000 to 1000000000 · default 0
 local fettle_Object = {}
 
 ---Gives a new instance its place here and returns it.
@@ -375,7 +430,7 @@ function fettle_Object:run(action) end
 ---@param property string
 ---@param to any
 ---@param seconds number
----@param ease? string|number[]|fun(time: number): number
+---@param ease? string|fun(time: number): number|number[]
 ---@return Tween
 function fettle_Object:tween(property, to, seconds, ease) end
 
@@ -401,7 +456,7 @@ Object = {}
 ---@class Game : Object
 ---@field audio Audio Everything that is heard.
 ---@field console Console The in-game console and inspector.
----@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
+---@field input Input What the player does: keys, mouse, gamepads.
 ---@field time Time Simulation time: how fast it passes, and how far it is.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
@@ -1351,6 +1406,111 @@ local fettle_Attractor = {}
 ---@overload fun(members?: table): Attractor
 Attractor = {}
 
+---The animation came to its end; only without `loop`.
+---@class Sprite.finished
+---@field instance Sprite To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---@class Sprite : Object
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field animation string The frames that are played: a tag of an Aseprite file, or the first and the last frame, such as "3-6". Empty: all frames. · any text · default ""
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field columns integer Number of frames beside each other in the image. · 1 to 10000 · default 1
+---@field flip_x boolean Mirrors the image, left and right. · true or false · default false
+---@field flip_y boolean Mirrors the image, top and bottom. · true or false · default false
+---@field frame integer The frame that is shown, from 1, within the animation. Beyond the last one, counting begins again at the first. · 1 to 1000000 · default 1 · simulated
+---@field frame_count integer Number of frames of the animation. · any integer · read-only
+---@field frames_per_second number Speed of the animation. 0: the times in the Aseprite file, or no motion. · 1/s · 0 to 1000 · default 0
+---@field image string An image file in the game's folder (PNG, JPEG, BMP, TGA), or a JSON file that Aseprite exported. A checkerboard is drawn for a file that is missing. · any text · default ""
+---@field image_height integer Height of the image file, or of the checkerboard. · px · any integer · read-only
+---@field image_width integer Width of the image file, or of the checkerboard. · px · any integer · read-only
+---@field loop boolean Whether the animation begins again at its end. · true or false · default true
+---@field origin vec The point of the image that is at its position, around which it turns: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
+---@field pixels_per_unit number Pixels of the image in a meter, where `size` is nil. In a layer on the screen a pixel of the image is a pixel. · px/m · 0.001 to 1000000 · default 32
+---@field playing boolean Whether the animation goes on. At its end without `loop` it stays at the last frame until `frame` or `animation` is set. · true or false · default true
+---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
+---@field scale number Enlarges it, and what is below it. · -1000000 to 1000000 · default 1
+---@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default nil · may be nil
+---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
+---@field tint color The colors of the image are multiplied by it. · 0 to 1 · default color("#ffffff")
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Sprite = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Sprite, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Sprite, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Sprite, event: "finished", handler: fun(record: Sprite.finished)): Connection
+function fettle_Sprite:on(event, handler) end
+
+---A picture in the world or, in a layer, on the screen. What it hangs below moves it: a body, another sprite, or any instance with a `position`.
+---@class Class.Sprite : Class
+---@overload fun(members?: table): Sprite
+Sprite = {}
+
+---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---@class Text : Object
+---@field align "left"|"center"|"right" Where lines begin that are shorter than the longest. · "left", "center", "right" · default "center"
+---@field anchor vec The point of the text that is at its position: (0, 0) is the bottom left corner, (1, 1) the top right one. · -1000000 to 1000000 · default vec(0.5, 0.5)
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field color color Color of the letters. · 0 to 1 · default color("#ffffff")
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans. · any text · default "sans"
+---@field outline color Color around the letters; transparent: none. · 0 to 1 · default color("#00000000")
+---@field outline_width number Width of the outline as a part of the size. · 0 to 1 · default 0.06
+---@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.5
+---@field text string What is written; it may have several lines. · any text · default ""
+---@field text_height number Height of all lines. · m · any finite number · read-only
+---@field text_width number Width of the longest line. · m · any finite number · read-only
+---@field visible boolean Whether it is drawn. · true or false · default true
+---@field wrap number Longest line; words beyond it begin another line. 0: no limit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default 0
+local fettle_Text = {}
+
+---Written text in the world or, in a layer, on the screen. What it hangs below moves it, as a Sprite.
+---@class Class.Text : Class
+---@overload fun(members?: table): Text
+Text = {}
+
+---A line through several points, with round corners and ends.
+---@class Line : Object
+---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field closed boolean Whether the last point is connected with the first. · true or false · default false
+---@field color color Its color. · 0 to 1 · default color("#ffffff")
+---@field dashed number Length of dashes, and of the gaps between them; 0: no gaps. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0
+---@field points vec[] Its corners, relative to its position; pixels in a layer on the screen. · m · any length · default {}
+---@field position vec Where its point (0, 0) is, relative to what it hangs below. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field visible boolean Whether it is drawn. · true or false · default true
+---@field width number Thickness; never less than a pixel. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.05
+local fettle_Line = {}
+
+---A line through several points, with round corners and ends.
+---@class Class.Line : Class
+---@overload fun(members?: table): Line
+Line = {}
+
+---Instances below it are drawn together: far away, repeated, translucent, or on the screen. It does not change where bodies are.
+---@class Layer : Object
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" The point of the screen from which positions are counted, if `space` is screen. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "top_left"
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field opacity number Multiplies the opacity of everything below it. · 0 to 1 · default 1
+---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, as if it were far away, 0 not at all. For `space` world. · -1000 to 1000 · default vec(1, 1)
+---@field repeat_x number Distance after which its content repeats to the left and right; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
+---@field repeat_y number Distance after which its content repeats up and down; 0: never. Pixels on the screen. · m · 0 to 1000000000 · default 0
+---@field space "world"|"screen" world: in meters, y up. screen: in pixels from `anchor`, y down, whatever the view shows. · "world", "screen" · default "world"
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Layer = {}
+
+---Instances below it are drawn together: far away, repeated, translucent, or on the screen. It does not change where bodies are.
+---@class Class.Layer : Class
+---@overload fun(members?: table): Layer
+Layer = {}
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
@@ -1397,18 +1557,29 @@ Timings = {}
 
 ---Which part of the world is seen, and what lies over it.
 ---@class View : Object
+---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
----@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving the view. · m · 0 to 1000000000 · default vec(0, 0)
+---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
+---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
+---@field follow Object? The view moves with this instance, from step to step. · any instance · default nil
+---@field follow_damping number The time in which the view makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
----@field lower vec The corner of the world seen at the bottom left. · m · any finite vec · read-only
+---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If it is smaller than the view, it is in the middle. · m · any length · default {}
+---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
----@field title string Title of the window. · any text · default "Fettle"
----@field upper vec The corner of the world seen at the top right. · m · any finite vec · read-only
----@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true
+---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
+---@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 local fettle_View = {}
+
+---Shakes the picture, for an explosion or a blow. Only what is drawn moves; a weaker shake does not end a stronger one.
+---@param amount number How far the picture is moved at the beginning. · m
+---@param seconds? number How long it takes to come to rest; 0.5 if it is left out. · s
+function fettle_View:shake(amount, seconds) end
 
 ---Where a point of the world is on the screen, from the top left corner, y down.
 ---@param point vec In the world. · m
@@ -1426,46 +1597,231 @@ View = {}
 
 ---What is shown over the picture, for looking into a game.
 ---@class Show : Object
----@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false
----@field centers boolean Centers of mass. · true or false · default false
----@field contacts boolean Contact points, their normals and impulses. · true or false · default false
----@field grid boolean A grid of metres. · true or false · default false
----@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false
----@field joints boolean Joints and their anchors. · true or false · default false
----@field names boolean Names of bodies. · true or false · default false
----@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false
----@field velocities boolean Velocities of bodies, as lines. · true or false · default false
+---@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false · not saved
+---@field centers boolean Centers of mass. · true or false · default false · not saved
+---@field contacts boolean Contact points, their normals and impulses. · true or false · default false · not saved
+---@field grid boolean A grid of metres. · true or false · default false · not saved
+---@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false · not saved
+---@field joints boolean Joints and their anchors. · true or false · default false · not saved
+---@field names boolean Names of bodies. · true or false · default false · not saved
+---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
+---@field velocities boolean Velocities of bodies, as lines. · true or false · default false · not saved
 local fettle_Show = {}
 
 ---What is shown over the picture, for looking into a game.
 ---@class Class.Show : Class
 Show = {}
 
+---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---@class GameWindow : Object
+---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
+---@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
+---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
+---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
+---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
+---@field vsync boolean Whether frames wait for the screen. Off, they are drawn as fast as they go. · true or false · default true · not saved
+local fettle_GameWindow = {}
+
+---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
+---@class Class.GameWindow : Class
+GameWindow = {}
+
 ---Everything that is heard.
 ---@class Audio : Object
+---@field max_voices integer How many voices may sound at once. One more ends the oldest; music ends last. · 1 to 256 · default 64
 ---@field muted boolean Silences everything and leaves the volume as it is. · true or false · default false
+---@field voices Object[] The voices that sound, oldest first. · any length · read-only, simulated
 ---@field volume number Loudness of everything, 1 being that of the recordings. · 0 to 1 · default 1
+---@field buses Buses The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
 local fettle_Audio = {}
+
+---Ends every voice, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_Audio:stop(fade) end
 
 ---Everything that is heard.
 ---@class Class.Audio : Class
 Audio = {}
 
----What the player does: keys, mouse, gamepads, and the actions bound to them.
+---The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
+---@class Buses : Object
+local fettle_Buses = {}
+
+---The buses of a game. Add your own: `audio.buses.speech = Bus {}`.
+---@class Class.Buses : Class
+Buses = {}
+
+---A group of sounds with a volume of its own. It acts below `audio.buses`.
+---@class Bus : Object
+---@field muted boolean Silences the bus and leaves its volume as it is. · true or false · default false
+---@field volume number Loudness of all sounds of the bus. · 0 to 1 · default 1
+local fettle_Bus = {}
+
+---A group of sounds with a volume of its own. It acts below `audio.buses`.
+---@class Class.Bus : Class
+---@overload fun(members?: table): Bus
+Bus = {}
+
+---A voice has played to its end. Not for one that was stopped.
+---@class SoundSource.finished
+---@field voice Voice The voice, which lives until the next step.
+---@field instance SoundSource To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---What can be played. Its voices are below it while they sound.
+---@class SoundSource : Object
+---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "effects"
+---@field duration number How long it sounds at a pitch of 1. · s · any finite number · read-only, simulated
+---@field loop boolean Whether a voice begins again at the end. · true or false · default false
+---@field max_voices integer How many of its voices may sound at once. One more ends the oldest. · 1 to 256 · default 8
+---@field pitch number How fast it is played: 2 is an octave higher and half as long. · 0.01 to 100 · default 1
+---@field position vec? Where it is heard from: from the center of the body or other instance with a position that it is below, and turning with it, or else in the world. nil: at that center, or everywhere the same if it is below none. · m · -1000000000 to 1000000000 · default nil · may be nil
+---@field range number How far from the center of the view it can be heard. Only for a sound that is heard from a place. · m · 0.001 to 1000000 · default 50
+---@field volume number Loudness, 1 being that of the recording. · 0 to 4 · default 1
+local fettle_SoundSource = {}
+
+---Begins a voice. Music that sounds already goes on, and other music of its bus fades out.
+---@param volume? number Of this voice.
+---@param pitch? number Of this voice.
+---@param fade? number How long it takes to become loud, 0 to 1000. · s
+---@param time? number Where in the sound it begins. · s
+---@param position? vec Where in the world it is heard from. · m
+---@return Voice voice The voice, as long as it sounds.
+function fettle_SoundSource:play(volume, pitch, fade, time, position) end
+
+---Ends its voices, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_SoundSource:stop(fade) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: SoundSource, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: SoundSource, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: SoundSource, event: "finished", handler: fun(record: SoundSource.finished)): Connection
+function fettle_SoundSource:on(event, handler) end
+
+---What can be played. Its voices are below it while they sound.
+---@class Class.SoundSource : Class
+SoundSource = {}
+
+---A sound from a file, kept decoded: for effects, which may sound many at once.
+---@class Sound : SoundSource
+---@field file string The file below the game's folder: WAV, OGG or FLAC, and MP3 with SFML 2.6. · any text · default ""
+local fettle_Sound = {}
+
+---A sound from a file, kept decoded: for effects, which may sound many at once.
+---@class Class.Sound : Class
+---@overload fun(members?: table): Sound
+Sound = {}
+
+---Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---@class Music : SoundSource
+---@field bus string The name of the bus in `audio.buses` whose volume applies to it, too. · any text · default "music"
+---@field fade number How long it takes to fade in, and other music of its bus to fade out. · s · 0 to 1000 · default 1
+---@field file string The file below the game's folder: WAV, OGG or FLAC, and MP3 with SFML 2.6. · any text · default ""
+---@field loop boolean Whether it begins again at the end. · true or false · default true
+local fettle_Music = {}
+
+---Music from a file, decoded while it plays. One of a bus sounds at a time: another one fades in while it fades out.
+---@class Class.Music : Class
+---@overload fun(members?: table): Music
+Music = {}
+
+---A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, `explosion`, `blip` and `power_up` make ready ones. A changed parameter is heard at once, also in voices that sound.
+---@class Synth : SoundSource
+---@field arpeggio number Semitones by which the pitch jumps at `arpeggio_time`. · -48 to 48 · default 0
+---@field arpeggio_time number When the pitch jumps. · s · 0 to 10 · default 0.1
+---@field attack number How long the sound takes to become loud. · s · 0 to 10 · default 0
+---@field decay number How long it takes to end. · s · 0 to 10 · default 0.2
+---@field duty number The part of a period in which a square wave is high. Other waves have none. · 0.01 to 0.99 · default 0.5
+---@field duty_slide number How much `duty` grows a second. · 1/s · -100 to 100 · default 0
+---@field flanger number The sound is heard a second time, so much later. 0: once. · ms · 0 to 50 · default 0
+---@field flanger_slide number How fast that delay grows. · ms/s · -1000 to 1000 · default 0
+---@field frequency number The pitch at the beginning. · Hz · 1 to 20000 · default 440
+---@field high_pass number Lower tones than this are weakened, which sounds thin. 0: none. · Hz · 0 to 20000 · default 0
+---@field high_pass_slide number Octaves a second by which `high_pass` rises. · 1/s · -100 to 100 · default 0
+---@field low_pass number Higher tones than this are weakened, which sounds dull. 20000: none. · Hz · 20 to 20000 · default 20000
+---@field low_pass_slide number Octaves a second by which `low_pass` rises. · 1/s · -100 to 100 · default 0
+---@field punch number How much louder it is at the beginning of `sustain`: 1 is twice as loud. · 0 to 1 · default 0
+---@field resonance number How much tones at `low_pass` stand out. · 0 to 1 · default 0
+---@field retrigger number After this time slides and arpeggio begin again, again and again. 0: never. · s · 0 to 10 · default 0
+---@field seed integer Which noise it is. The same seed gives the same noise. · 0 to 1e+15 · default 1
+---@field slide number Octaves a second by which the pitch rises, or falls if negative. · 1/s · -100 to 100 · default 0
+---@field slide_change number How fast `slide` itself changes, in octaves a second each second. · 1/s² · -1000 to 1000 · default 0
+---@field sustain number How long it stays loud. · s · 0 to 10 · default 0.1
+---@field vibrato number How far the pitch swings to either side, in semitones. · 0 to 24 · default 0
+---@field vibrato_rate number How often it swings. · Hz · 0 to 200 · default 8
+---@field volume number Loudness, 1 being as loud as a file can be. · 0 to 4 · default 0.5
+---@field wave "square"|"saw"|"sine"|"triangle"|"noise" The form of the wave. · "square", "saw", "sine", "triangle", "noise" · default "square"
+local fettle_Synth = {}
+
+---Changes about half of the numbers by a random amount, with the random numbers of the game.
+---@param amount? number How much, 0 to 1: 0.1 is a variation, 1 another sound. Default 0.1.
+function fettle_Synth:mutate(amount) end
+
+---Sets all parameters to those of a preset.
+---@param name string "coin", "jump", "hit", "explosion", "blip", "power_up".
+function fettle_Synth:preset(name) end
+
+---The form of the sound, for a picture of it.
+---@param columns integer In how many parts of the same length, 1 to 4096.
+---@return vec[] columns For each part its lowest and its highest sample, from -1 to 1: vec(lowest, highest).
+function fettle_Synth:wave_form(columns) end
+
+---A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, `explosion`, `blip` and `power_up` make ready ones. A changed parameter is heard at once, also in voices that sound.
+---@class Class.Synth : Class
+---@overload fun(members?: table): Synth
+Synth = {}
+
+---It has played to its end.
+---@class Voice.finished
+---@field instance Voice To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---@class Voice : Object
+---@field fade number Loudness while it fades, on its way to `fade_to`. · 0 to 1 · default 1
+---@field fade_time number How long it takes to fade from 0 to 1. · s · 0 to 1000 · default 0
+---@field fade_to number The loudness to which it fades. A voice that has faded to 0 ends. · 0 to 1 · default 1
+---@field pitch number How fast it is played, in addition to the pitch of its source. · 0.01 to 100 · default 1
+---@field playing boolean Off, it pauses. · true or false · default true
+---@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1000000000 to 1000000000 · default nil · may be nil
+---@field time number How much of the sound it has played. Setting it goes there. · s · 0 to 1000000 · default 0
+---@field volume number Loudness, in addition to that of its source. · 0 to 4 · default 1
+local fettle_Voice = {}
+
+---Ends it, without `finished`.
+---@param fade? number How long it takes to fade, 0 to 1000. 0: none. · s
+function fettle_Voice:stop(fade) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Voice, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Voice, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Voice, event: "finished", handler: fun(record: Voice.finished)): Connection
+function fettle_Voice:on(event, handler) end
+
+---One sounding of a Sound, Music or Synth; `play` makes it. It ends with the sound, in simulation time.
+---@class Class.Voice : Class
+---@overload fun(members?: table): Voice
+Voice = {}
+
+---What the player does: keys, mouse, gamepads.
 ---@class Input : Object
----@field dead_zone number How far a stick must be moved before actions take notice of it. · 0 to 0.9 · default 0.2 · not saved
 ---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
----@field move vec Where the player wants to go, right and up positive, of length 1 at most: from the keys and sticks of `input.actions.move`. · -1 to 1 · read-only, simulated
----@field actions Actions The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
----@field gamepad_1 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
----@field gamepad_2 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
----@field gamepad_3 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
----@field gamepad_4 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---@field gamepad_1 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_2 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_3 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field gamepad_4 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@field keys Keys Which keys are held down. Setting one presses or releases it.
 ---@field mouse Mouse The mouse. Setting a button presses or releases it.
 local fettle_Input = {}
 
----What the player does: keys, mouse, gamepads, and the actions bound to them.
+---What the player does: keys, mouse, gamepads.
 ---@class Class.Input : Class
 Input = {}
 
@@ -1594,11 +1950,8 @@ local fettle_Mouse = {}
 ---@class Class.Mouse : Class
 Mouse = {}
 
----A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@class Gamepad : Object
----@field a boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "a". · true or false · default false · not saved
----@field b boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "b". · true or false · default false · not saved
----@field back boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "back". · true or false · default false · not saved
 ---@field button_1 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "1". · true or false · default false · not saved
 ---@field button_10 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "10". · true or false · default false · not saved
 ---@field button_11 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "11". · true or false · default false · not saved
@@ -1616,72 +1969,16 @@ Mouse = {}
 ---@field button_8 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "8". · true or false · default false · not saved
 ---@field button_9 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "9". · true or false · default false · not saved
 ---@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
----@field dpad_down boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_down". · true or false · default false · not saved
----@field dpad_left boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_left". · true or false · default false · not saved
----@field dpad_right boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_right". · true or false · default false · not saved
----@field dpad_up boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_up". · true or false · default false · not saved
----@field guide boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "guide". · true or false · default false · not saved
 ---@field left vec The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "left_x" and "left_y". · -1 to 1 · default vec(0, 0) · not saved
----@field left_shoulder boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "left_shoulder". · true or false · default false · not saved
----@field left_stick boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "left_stick". · true or false · default false · not saved
 ---@field left_trigger number How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "left_trigger". · 0 to 1 · default 0 · not saved
----@field mapping string Which button and axis of the device has which name: "xbox", "playstation", "switch_pro", or a text in the format of the community's mapping files, such as "a:b0,b:b1,leftx:a0,dpup:h0.1". · any text · default "xbox" · not saved
 ---@field pad vec The directional pad, right and up positive. A player moves it to -1, 0 or 1; a script may set what lies between. Setting it moves it: gamepad_axis is called with "pad_x" and "pad_y". · -1 to 1 · default vec(0, 0) · not saved
 ---@field right vec The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "right_x" and "right_y". · -1 to 1 · default vec(0, 0) · not saved
----@field right_shoulder boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "right_shoulder". · true or false · default false · not saved
----@field right_stick boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "right_stick". · true or false · default false · not saved
 ---@field right_trigger number How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "right_trigger". · 0 to 1 · default 0 · not saved
----@field start boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "start". · true or false · default false · not saved
----@field x boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "x". · true or false · default false · not saved
----@field y boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "y". · true or false · default false · not saved
 local fettle_Gamepad = {}
 
----A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
 ---@class Class.Gamepad : Class
 Gamepad = {}
-
----The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
----@class Actions : Object
----@field move any[] What `input.move` is computed from. · any length · default {{"a", "d", "s", "w"}, {"left", "right", "down", "up"}, "gamepad.left", "gamepad.pad"}
-local fettle_Actions = {}
-
----The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
----@class Class.Actions : Class
-Actions = {}
-
----It began to be held.
----@class Action.press
----@field instance Action To whom it happened.
----@field step integer The fixed step in which it happened.
-
----It ceased to be held.
----@class Action.release
----@field instance Action To whom it happened.
----@field step integer The fixed step in which it happened.
-
----What the player wants, from any of several keys, buttons and sticks. input.actions.jump = { "space", "gamepad.a" } makes input.jump.
----@class Action : Object
----@field direction vec The direction of its sticks and sets of four keys, right and up positive, of length 1 at most. · any finite vec · read-only, simulated
----@field held boolean Whether it is held. Setting it to true holds it until it is set to false. · true or false · default false · simulated, not saved
----@field pressed boolean Whether it began to be held: true in one step, and in one update. · true or false · read-only, simulated
----@field released boolean Whether it ceased to be held: true in one step, and in one update. · true or false · read-only, simulated
----@field strength number How far the strongest of its switches is down, 0 to 1: triggers and sticks have values in between. · any finite number · read-only, simulated
-local fettle_Action = {}
-
----Calls the function with a record when the instance has the event.
----@param event string
----@param handler fun(record: any)
----@return Connection
----@overload fun(self: Action, event: "ready", handler: fun(record: Object.ready)): Connection
----@overload fun(self: Action, event: "deleted", handler: fun(record: Existence)): Connection
----@overload fun(self: Action, event: "press", handler: fun(record: Action.press)): Connection
----@overload fun(self: Action, event: "release", handler: fun(record: Action.release)): Connection
-function fettle_Action:on(event, handler) end
-
----What the player wants, from any of several keys, buttons and sticks. input.actions.jump = { "space", "gamepad.a" } makes input.jump.
----@class Class.Action : Class
----@overload fun(members?: table): Action
-Action = {}
 
 ---It has reached its end; it is deleted at the next step.
 ---@class Tween.finished
@@ -1766,10 +2063,11 @@ Tweens = {}
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
 ---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
----@field opacity number Of the background. · 0.3 to 1 · default 0.94 · not saved
+---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body selects it while the console is open. · true or false · default true · not saved
+---@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
 ---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
 ---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved
 local fettle_Console = {}
@@ -1802,6 +2100,10 @@ game = nil
 ---@type Object
 it = nil
 
+---Values that outlive the run: store.best = 100.
+---@type Store
+store = nil
+
 ---Everything that is heard.
 ---@type Audio
 audio = nil
@@ -1810,7 +2112,7 @@ audio = nil
 ---@type Console
 console = nil
 
----What the player does: keys, mouse, gamepads, and the actions bound to them.
+---What the player does: keys, mouse, gamepads.
 ---@type Input
 input = nil
 
@@ -1846,11 +2148,28 @@ utf8 = {}
 ---@return Connection
 function after(seconds, action) end
 
+---In the console the word stands for the command; what is typed behind it is put behind the command. Without a command the word means itself again.
+---@param word string
+---@param command? string
+function alias(word, command) end
+
+---Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the key is the game's again.
+---@param key string
+---@param command? string
+function bind(key, command) end
+
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is no boolean breaks when it changes. Without a condition all breaks end.
+---@param condition? string|fun(): any
+function break_when(condition) end
+
 ---Defines a class whose instances are in the tree: Ball = class("Ball", Body) { lives = 3 }. Values are properties with their defaults; `doc` describes the class, or its properties by name.
 ---@param name string
 ---@param base? Class|string
 ---@return fun(members: table): Class
 function class(name, base) end
+
+---Empties the log of the console.
+function clear() end
 
 ---A color by name, as "#rgb" or "#rrggbb", with one or two digits more for its opacity, or from channels between 0 and 1.
 ---@param name string
@@ -1882,6 +2201,10 @@ function edit(name, action) end
 ---@return Connection
 function every(seconds, action) end
 
+---Runs the commands in a file of the game, as if they were typed into the console.
+---@param file string
+function exec(file) end
+
 ---Lists every name and description that contains the word.
 ---@param word string
 function find(word) end
@@ -1902,9 +2225,22 @@ function history() end
 ---@param pattern string
 function keep(pattern) end
 
+---Searches the kept past for the last step at which the condition was true, and goes there. While it is true now, it goes to the step at which it became so.
+---@param condition string|fun(): any
+function last_time(condition) end
+
 ---Continues with a saved game at the next barrier. A save that is damaged, newer, of another game or of classes that are not defined is an error, and nothing changes. `game` emits `restored`.
 ---@param slot string
 function load_game(slot) end
+
+---Adds a path or an expression to the watch list of the console: pin("world.ball.mass").
+---@param what string|fun(): any
+---@param ... string|fun(): any
+function pin(what, ...) end
+
+---Shows values over time, of numbers, vectors and booleans, with the past as far as it is kept: plot("world.ball.velocity"). Without an argument the plot ends.
+---@param ... string|fun(): any
+function plot(...) end
 
 ---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out.
 ---@param pattern string
@@ -1980,22 +2316,26 @@ function tweaks() end
 ---@param property string
 ---@param to any
 ---@param seconds number
----@param ease? string|number[]|fun(time: number): number
+---@param ease? string|fun(time: number): number|number[]
 ---@return Tween
 function tween(target, property, to, seconds, ease) end
 
 ---Runs tweens and groups together.
----@param tweens any[]
+---@param tweens Object[]
 ---@return TweenGroup
 function tween.parallel(tweens) end
 
 ---Runs tweens and groups one after the other; a number is a pause in seconds.
----@param tweens any[]
+---@param tweens (Object|number)[]
 ---@return TweenGroup
 function tween.sequence(tweens) end
 
 ---Reverses the latest edit.
 function undo() end
+
+---Removes an entry from the watch list; without an argument, all.
+---@param what? string
+function unpin(what) end
 
 ---A vector or point; a copy of one; the zero vector.
 ---@param x number
@@ -2552,6 +2892,10 @@ function step(dt) end
 ---@param pen Pen
 function draw(pen) end
 
+---Called for every picture, before everything else that is drawn.
+---@param pen Pen
+function draw_behind(pen) end
+
 ---A key went down: "space", "a", "left".
 ---@param key string
 function key_pressed(key) end
@@ -2586,7 +2930,7 @@ function mouse_moved(position, screen) end
 ---@param position vec
 function wheel(notches, position) end
 
----A button of a gamepad went down; gamepads are counted from 1, and buttons are called "1" to "16". A button with a name calls it twice, with the number and with the name: "a", "left_shoulder", "dpad_up".
+---A button of a gamepad went down; gamepads are counted from 1, and buttons are called "1" to "16".
 ---@param gamepad integer
 ---@param button string
 function gamepad_pressed(gamepad, button) end
@@ -2601,14 +2945,6 @@ function gamepad_released(gamepad, button) end
 ---@param axis string
 ---@param value number
 function gamepad_axis(gamepad, axis, value) end
-
----The player began to hold an action: one of its keys or buttons in input.actions went down.
----@param action string
-function action_pressed(action) end
-
----The player let go of an action.
----@param action string
-function action_released(action) end
 
 ---The window got another size, in pixels.
 ---@param width number
