@@ -2,11 +2,16 @@
 #include <collision/large_polygon.h>
 #include <constraints/rolling_contact.h>
 
+#include <cmath>
+
 namespace fettle::physics::detail {
 namespace {
 
 /// A face counts as a circle with this radius, m.
 constexpr float face_bend = 1e6f;
+/// The contact follows until its normal has turned by this, rad. The second order is not exact
+/// enough beyond.
+constexpr double greatest_angle = 0.5;
 
 float inverse_along(const ContactConstraint& c, V2 d) {
     return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
@@ -53,10 +58,19 @@ RollingContact::RollingContact(const ContactConstraint& start, float bend_a, flo
 
 void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
     const V2 across = -right_perp(normal_);
-    const V2 shift = b.shift - a.shift;
-    const double turn_a = double(a.turn), turn_b = double(b.turn);
+    V2 shift = b.shift - a.shift;
+    double turn_a = double(a.turn), turn_b = double(b.turn);
     double phi = (double(dot(across, shift)) + second_a_ * turn_a + second_b_ * turn_b) / sum_;
-    phi = phi > 0.5 ? 0.5 : (phi < -0.5 ? -0.5 : phi);
+    if (std::fabs(phi) > greatest_angle) {
+        // All four are limited by the same part. With the angle alone, the second order would hold
+        // for no pose, and for a face, whose bend is a million metres, be a million times too
+        // large.
+        const double part = greatest_angle / std::fabs(phi);
+        shift = float(part) * shift;
+        turn_a *= part;
+        turn_b *= part;
+        phi *= part;
+    }
     const double gap =
         double(start_.separation) + double(dot(normal_, shift)) -
         double(start_.normal_lever_a) * turn_a + double(start_.normal_lever_b) * turn_b +
@@ -76,8 +90,8 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
                                      a.inverse_inertia * p.tangent_lever_a * p.tangent_lever_a +
                                      b.inverse_inertia * p.tangent_lever_b * p.tangent_lever_b);
     // The passes add the motion of the bodies to first order.
-    p.separation =
-        float(gap) - dot(c.normal, shift) - p.normal_lever_b * b.turn + p.normal_lever_a * a.turn;
+    p.separation = float(gap) - dot(c.normal, shift) - p.normal_lever_b * float(turn_b) +
+                   p.normal_lever_a * float(turn_a);
 }
 
 }  // namespace fettle::physics::detail

@@ -10,7 +10,9 @@
 #include <step/gather.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 // The order of the stages of a step. docs/design/physics.md explains it.
@@ -24,6 +26,8 @@ constexpr float usual_gravity = 10.0f;
 /// The impulses of a resting load grow with the length of a step, but not those of a blow, which
 /// may be among them. So they grow by no more than this when the step grows.
 constexpr float greatest_growth = 2.0f;
+/// A step has at most this many times the usual number of sub-steps.
+constexpr int most_times = 4;
 
 class StageClock {
   public:
@@ -38,6 +42,17 @@ class StageClock {
   private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/// A sub-step begins with the impulses of the last one. If it is much longer, they are far too
+/// small, and heavy bodies sink into light ones until they have grown, and spring back in shorter
+/// steps. So a step that is much longer than the last one gets more sub-steps: never more than
+/// short steps would need for the same time.
+int substeps_of(const WorldDef& settings, float dt, float last_substep) {
+    if (settings.solver != Solver::soft_step || !(last_substep > 0.0f)) return settings.substeps;
+    const float needed = std::ceil(dt / (greatest_growth * last_substep));
+    const int most = most_times * settings.substeps;
+    return needed < float(most) ? std::max(int(needed), settings.substeps) : most;
+}
 
 /// `longest`: the longest recent sub-step, s.
 ContactStiffness stiffness_of(const WorldDef& settings, float h, float longest) {
@@ -60,7 +75,9 @@ void WorldData::step(float dt) {
     ScheduleScratch& schedule = *this;
     const WideKernels& kernels = wide_kernels(most_lanes);
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
-    const float h = dt / float(settings.substeps);
+    WorldDef of_step = settings;
+    of_step.substeps = substeps_of(settings, dt, last_substep);
+    const float h = dt / float(of_step.substeps);
     const float ratio = last_substep > 0.0f ? min(h / last_substep, greatest_growth) : 1.0f;
     // Softer contacts yield more. If the stiffness followed each length of a step at once, steps of
     // different lengths would press a stack together and let it spring up in turn.
@@ -89,7 +106,7 @@ void WorldData::step(float dt) {
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
     prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
-    const SolverInput solver_input = {settings,        objects,      active,
+    const SolverInput solver_input = {of_step,         objects,      active,
                                       strips,          body_scratch, joint_scratch,
                                       contact_scratch, schedule,     threads};
     solve(solver_input, joint_step, stiffness, kernels, statistics);
@@ -97,10 +114,10 @@ void WorldData::step(float dt) {
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
-    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(settings.substeps));
+    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(of_step.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
     if (settings.persist_events)
-        report_persisting(objects, columns, active, uint32_t(steps), settings.substeps, events);
+        report_persisting(objects, columns, active, uint32_t(steps), of_step.substeps, events);
     statistics.solve_ms = clock.lap();
 
     sleep_candidates = finish_bodies({objects, columns, broad_phase, active, settings, body_scratch,

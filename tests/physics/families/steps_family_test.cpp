@@ -47,4 +47,30 @@ TEST_CASE("a stack rests while long and short steps take turns") {
     CHECK(awake == 0);
 }
 
+TEST_CASE("heavy boxes rest on light ones while steps of many lengths take turns") {
+    const int seeds = int(families::seeds_or(50));
+    int awake = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world;
+        world.create_body({.type = BodyType::static_body})
+            .add(Box{.width = 40, .height = 1, .center = {0, -0.5f}});
+        const int count = 2 + int(random.engine() % 2);
+        const float size = random(0.4f, 1.5f);
+        std::vector<Body> boxes;
+        for (int i = 0; i < count; ++i) {
+            boxes.push_back(world.create_body({.position = {0, (float(i) + 0.5f) * size}}));
+            boxes.back().add(Box{.width = size, .height = size},
+                             {.density = i + 1 < count ? 1.0f : random(1, 8)});
+        }
+        float lengths[6];
+        for (float& length : lengths) length = 1.0f / random(20, 144);
+        lengths[random.engine() % 6] = 0.05f;
+        for (int step = 0; step < 400; ++step) world.step(lengths[step % 6]);
+        awake += boxes.back().awake();
+    }
+    std::printf("heavy on light with steps of many lengths: %d of %d awake\n", awake, seeds);
+    CHECK(awake == 0);
+}
+
 }  // namespace steps_family_test
