@@ -177,9 +177,16 @@ void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, fl
     if (b.count < 2 || m.count == 0) return;
     const int before = deepest > 0 ? deepest - 1 : b.count - 1;
     const int after = deepest + 1 < b.count ? deepest + 1 : 0;
-    const int second =
-        dot(normal, b.vertices[before]) < dot(normal, b.vertices[after]) ? before : after;
-    add(second);
+    // The flatter of the two edges lies on the plane, not the one that ends lower: the ends of a
+    // thin plank are lower than its other side, and if both points were at one end, the other end
+    // would sink in.
+    const V2 edge = b.vertices[before] - b.vertices[deepest];
+    const V2 other_edge = b.vertices[after] - b.vertices[deepest];
+    const float rise = dot(normal, edge), other_rise = dot(normal, other_edge);
+    const float flat = rise * rise * length_squared(other_edge);
+    const float other_flat = other_rise * other_rise * length_squared(edge);
+    const bool longer = length_squared(edge) > length_squared(other_edge);
+    add(flat < other_flat || (flat == other_flat && longer) ? before : after);
     // Sorted by vertex, so that the order for the solver does not change between steps.
     if (m.count == 2 && m.points[1].feature < m.points[0].feature)
         std::swap(m.points[0], m.points[1]);
