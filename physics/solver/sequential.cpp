@@ -16,7 +16,8 @@
 // move (in the project, the depth, because it moved bodies first). A point that would overlap gets
 // the impulse after which v_n = -s/h, or v_n = -e·v_n if it bounces, and friction up to μ times
 // that impulse. 3. Bodies move. 4. Points in order of s: half of each overlap is removed by a shift
-// along the normal, which the two bodies share by their inverse masses.
+// along the normal, which the two bodies share by their inverse masses. Last, what still
+// overlaps a body that does not yield is put back in full.
 //
 // There is no iteration and no warm start: a push that arrives at a point that was already
 // processed has an effect only in the next sub-step. So stacks of more than a few boxes tremble and
@@ -80,7 +81,11 @@ class SequentialPass {
         follow_curved_contacts(input_);
         for (Turn& turn : turns_) turn.severity = bounded(gap_of(turn).separation, 1e30f);
         std::sort(turns_.begin(), turns_.end());
-        for (const Turn& turn : turns_) push_apart(turn);
+        for (const Turn& turn : turns_) push_apart(turn, 0.5f);
+        // What is fixed does not yield. Without this, other bodies press a body on the ground
+        // further in than half of its overlap is removed, and a heap sinks through.
+        for (const Turn& turn : turns_)
+            if (constraints_[turn.constraint].fixed != 0) push_apart(turn, 1.0f);
     }
 
   private:
@@ -153,7 +158,8 @@ class SequentialPass {
         b.angular_velocity += b.inverse_inertia * impulse;
     }
 
-    void push_apart(const Turn& turn) {
+    /// `part`: of the overlap that is removed.
+    void push_apart(const Turn& turn, float part) {
         const ContactConstraint& c = constraints_[turn.constraint];
         const float depth = -gap_of(turn).separation;
         if (!(depth > 0.0f)) return;
@@ -161,7 +167,7 @@ class SequentialPass {
         const float inverse = n.x * n.x * (c.inverse_a.x + c.inverse_b.x) +
                               n.y * n.y * (c.inverse_a.y + c.inverse_b.y);
         if (!(inverse > 0.0f)) return;
-        const float way = min(0.5f * depth, h_ * input_.settings.push_speed) / inverse;
+        const float way = min(part * depth, h_ * input_.settings.push_speed) / inverse;
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
         a.shift = a.shift - way * V2{c.inverse_a.x * n.x, c.inverse_a.y * n.y};
         b.shift = b.shift + way * V2{c.inverse_b.x * n.x, c.inverse_b.y * n.y};

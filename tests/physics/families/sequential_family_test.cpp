@@ -1,0 +1,41 @@
+// Heaps under the solver `sequential`, which tremble, but stay on the ground. FETTLE_SEEDS=n: n
+// heaps.
+
+#include <fettle/physics/physics.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "catch.h"
+#include "family.h"
+
+namespace sequential_family_test {
+
+using namespace fettle::physics;
+
+TEST_CASE("heaps stay on the ground under the sequential solver") {
+    const int seeds = int(families::seeds_or(100));
+    float lowest = 1.0f;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world(WorldDef{.solver = Solver::sequential});
+        world.create_body({.type = BodyType::static_body})
+            .add(Chain{.points = {{-20, 0}, {-10, 0}, {0, 0}, {10, 0}, {20, 0}}});
+        std::vector<Body> boxes;
+        const int count = 4 + int(random.engine() % 5);
+        for (int i = 0; i < count; ++i) {
+            const float height = random(0.1f, 0.5f);
+            boxes.push_back(
+                world.create_body({.position = {random(-0.2f, 0.2f), 0.6f * (float(i) + 0.5f)}}));
+            boxes.back().add(Box{.width = random(0.2f, 1), .height = height});
+        }
+        for (int step = 0; step < 180; ++step) {
+            world.step(1.0f / 60);
+            for (const Body& box : boxes) lowest = std::min(lowest, box.position().y());
+        }
+    }
+    std::printf("heaps under the sequential solver: lowest center at %.3f m\n", double(lowest));
+    CHECK(lowest > 0.0f);
+}
+
+}  // namespace sequential_family_test
