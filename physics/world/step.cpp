@@ -47,9 +47,11 @@ class StageClock {
 /// small, and heavy bodies sink into light ones until they have grown, and spring back in shorter
 /// steps. So a step that is much longer than the last one gets more sub-steps: never more than
 /// short steps would need for the same time.
-int substeps_of(const WorldDef& settings, float dt, float last_substep) {
-    if (settings.solver != Solver::soft_step || !(last_substep > 0.0f)) return settings.substeps;
-    const float needed = std::ceil(dt / (greatest_growth * last_substep));
+int substeps_of(const WorldDef& settings, float dt, float last_length) {
+    if (settings.solver != Solver::soft_step || !(last_length > 0.0f)) return settings.substeps;
+    // Lengths of steps are compared, so that an edit of the number of sub-steps is no growth.
+    const float growth = dt / last_length;
+    const float needed = std::ceil(float(settings.substeps) * growth / greatest_growth);
     const int most = most_times * settings.substeps;
     return needed < float(most) ? std::max(int(needed), settings.substeps) : most;
 }
@@ -76,7 +78,7 @@ void WorldData::step(float dt) {
     const WideKernels& kernels = wide_kernels(most_lanes);
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
     WorldDef of_step = settings;
-    of_step.substeps = substeps_of(settings, dt, last_substep);
+    of_step.substeps = substeps_of(settings, dt, last_length);
     const float h = dt / float(of_step.substeps);
     const float ratio = last_substep > 0.0f ? min(h / last_substep, greatest_growth) : 1.0f;
     // Softer contacts yield more. If the stiffness followed each length of a step at once, steps of
@@ -113,6 +115,7 @@ void WorldData::step(float dt) {
     if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
+    last_length = h * float(settings.substeps);
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
     break_joints(editing(), joint_scratch, joint_step.inverse_h / float(of_step.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
