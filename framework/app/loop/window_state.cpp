@@ -47,7 +47,7 @@ void define_window(property::Tree& tree, property::Handle view_instance, View& v
               .type = Type::text,
               .default_value = view.window.title,
               .doc = "Title of the window; at the start that of game.json.",
-              .binding = accessor(
+              .binding = property::accessor(
                   view, [](View& v, property::Row) { return v.window.title; },
                   [](View& v, property::Row, const Value& title) {
                       v.window.title = title.text();
@@ -60,7 +60,7 @@ void define_window(property::Tree& tree, property::Handle view_instance, View& v
               .range = {1, 16384},
               .doc =
                   "Size of the window while it is not fullscreen. view.screen is what is seen now.",
-              .binding = accessor(
+              .binding = property::accessor(
                   view, [](View& v, property::Row) { return v.window.size; },
                   [](View& v, property::Row, const Value& size) { resize_window(v, size.vec2()); }),
               .transient = true,
