@@ -430,7 +430,7 @@ function fettle_Object:run(action) end
 ---@param property string
 ---@param to any
 ---@param seconds number
----@param ease? string|fun(time: number): number|number[]
+---@param ease? string|number[]|fun(time: number): number
 ---@return Tween
 function fettle_Object:tween(property, to, seconds, ease) end
 
@@ -456,7 +456,7 @@ Object = {}
 ---@class Game : Object
 ---@field audio Audio Everything that is heard.
 ---@field console Console The in-game console and inspector.
----@field input Input What the player does: keys, mouse, gamepads.
+---@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@field time Time Simulation time: how fast it passes, and how far it is.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
@@ -1810,18 +1810,21 @@ function fettle_Voice:on(event, handler) end
 ---@overload fun(members?: table): Voice
 Voice = {}
 
----What the player does: keys, mouse, gamepads.
+---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@class Input : Object
+---@field dead_zone number How far a stick must be moved before actions take notice of it. · 0 to 0.9 · default 0.2 · not saved
 ---@field gamepads Gamepad[] All gamepads, connected or not: input.gamepads[1].left. · any length · read-only
----@field gamepad_1 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
----@field gamepad_2 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
----@field gamepad_3 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
----@field gamepad_4 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---@field move vec Where the player wants to go, right and up positive, of length 1 at most: from the keys and sticks of `input.actions.move`. · -1 to 1 · read-only, simulated
+---@field actions Actions The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
+---@field gamepad_1 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---@field gamepad_2 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---@field gamepad_3 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
+---@field gamepad_4 Gamepad A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
 ---@field keys Keys Which keys are held down. Setting one presses or releases it.
 ---@field mouse Mouse The mouse. Setting a button presses or releases it.
 local fettle_Input = {}
 
----What the player does: keys, mouse, gamepads.
+---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@class Class.Input : Class
 Input = {}
 
@@ -1950,8 +1953,11 @@ local fettle_Mouse = {}
 ---@class Class.Mouse : Class
 Mouse = {}
 
----A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
 ---@class Gamepad : Object
+---@field a boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "a". · true or false · default false · not saved
+---@field b boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "b". · true or false · default false · not saved
+---@field back boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "back". · true or false · default false · not saved
 ---@field button_1 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "1". · true or false · default false · not saved
 ---@field button_10 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "10". · true or false · default false · not saved
 ---@field button_11 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "11". · true or false · default false · not saved
@@ -1969,16 +1975,72 @@ Mouse = {}
 ---@field button_8 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "8". · true or false · default false · not saved
 ---@field button_9 boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "9". · true or false · default false · not saved
 ---@field connected boolean Whether there is such a gamepad. One that goes lets go of everything first. · true or false · default false · not saved
+---@field dpad_down boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_down". · true or false · default false · not saved
+---@field dpad_left boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_left". · true or false · default false · not saved
+---@field dpad_right boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_right". · true or false · default false · not saved
+---@field dpad_up boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "dpad_up". · true or false · default false · not saved
+---@field guide boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "guide". · true or false · default false · not saved
 ---@field left vec The left stick, right and up positive. Setting it moves it: gamepad_axis is called with "left_x" and "left_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field left_shoulder boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "left_shoulder". · true or false · default false · not saved
+---@field left_stick boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "left_stick". · true or false · default false · not saved
 ---@field left_trigger number How far the left trigger is pulled. Setting it pulls it: gamepad_axis is called with "left_trigger". · 0 to 1 · default 0 · not saved
+---@field mapping string Which button and axis of the device has which name: "xbox", "playstation", "switch_pro", or a text in the format of the community's mapping files, such as "a:b0,b:b1,leftx:a0,dpup:h0.1". · any text · default "xbox" · not saved
 ---@field pad vec The directional pad, right and up positive. A player moves it to -1, 0 or 1; a script may set what lies between. Setting it moves it: gamepad_axis is called with "pad_x" and "pad_y". · -1 to 1 · default vec(0, 0) · not saved
 ---@field right vec The right stick, right and up positive. Setting it moves it: gamepad_axis is called with "right_x" and "right_y". · -1 to 1 · default vec(0, 0) · not saved
+---@field right_shoulder boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "right_shoulder". · true or false · default false · not saved
+---@field right_stick boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "right_stick". · true or false · default false · not saved
 ---@field right_trigger number How far the right trigger is pulled. Setting it pulls it: gamepad_axis is called with "right_trigger". · 0 to 1 · default 0 · not saved
+---@field start boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "start". · true or false · default false · not saved
+---@field x boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "x". · true or false · default false · not saved
+---@field y boolean Whether the button is held down. Setting it presses or releases it: gamepad_pressed or gamepad_released is called with "y". · true or false · default false · not saved
 local fettle_Gamepad = {}
 
----A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, which have numbers. Setting one moves, pulls or presses it.
+---A gamepad: two sticks, a directional pad, two triggers and up to sixteen buttons, by number and, as far as `mapping` knows them, by name. Setting one moves, pulls or presses it.
 ---@class Class.Gamepad : Class
 Gamepad = {}
+
+---The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
+---@class Actions : Object
+---@field move any[] What `input.move` is computed from. · any length · default {{"a", "d", "s", "w"}, {"left", "right", "down", "up"}, "gamepad.left", "gamepad.pad"}
+local fettle_Actions = {}
+
+---The keys, buttons and sticks of each action, as lists of names: "space", "mouse.left", "gamepad.a", "gamepad_2.left_trigger", "gamepad.left", or a list of four keys: left, right, down, up. Assigning a new name makes an action, nil removes it.
+---@class Class.Actions : Class
+Actions = {}
+
+---It began to be held.
+---@class Action.press
+---@field instance Action To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It ceased to be held.
+---@class Action.release
+---@field instance Action To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---What the player wants, from any of several keys, buttons and sticks. input.actions.jump = { "space", "gamepad.a" } makes input.jump.
+---@class Action : Object
+---@field direction vec The direction of its sticks and sets of four keys, right and up positive, of length 1 at most. · any finite vec · read-only, simulated
+---@field held boolean Whether it is held. Setting it to true holds it until it is set to false. · true or false · default false · simulated, not saved
+---@field pressed boolean Whether it began to be held: true in one step, and in one update. · true or false · read-only, simulated
+---@field released boolean Whether it ceased to be held: true in one step, and in one update. · true or false · read-only, simulated
+---@field strength number How far the strongest of its switches is down, 0 to 1: triggers and sticks have values in between. · any finite number · read-only, simulated
+local fettle_Action = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Action, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Action, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Action, event: "press", handler: fun(record: Action.press)): Connection
+---@overload fun(self: Action, event: "release", handler: fun(record: Action.release)): Connection
+function fettle_Action:on(event, handler) end
+
+---What the player wants, from any of several keys, buttons and sticks. input.actions.jump = { "space", "gamepad.a" } makes input.jump.
+---@class Class.Action : Class
+---@overload fun(members?: table): Action
+Action = {}
 
 ---It has reached its end; it is deleted at the next step.
 ---@class Tween.finished
@@ -2112,7 +2174,7 @@ audio = nil
 ---@type Console
 console = nil
 
----What the player does: keys, mouse, gamepads.
+---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@type Input
 input = nil
 
@@ -2316,17 +2378,17 @@ function tweaks() end
 ---@param property string
 ---@param to any
 ---@param seconds number
----@param ease? string|fun(time: number): number|number[]
+---@param ease? string|number[]|fun(time: number): number
 ---@return Tween
 function tween(target, property, to, seconds, ease) end
 
 ---Runs tweens and groups together.
----@param tweens Object[]
+---@param tweens any[]
 ---@return TweenGroup
 function tween.parallel(tweens) end
 
 ---Runs tweens and groups one after the other; a number is a pause in seconds.
----@param tweens (Object|number)[]
+---@param tweens any[]
 ---@return TweenGroup
 function tween.sequence(tweens) end
 
@@ -2930,7 +2992,7 @@ function mouse_moved(position, screen) end
 ---@param position vec
 function wheel(notches, position) end
 
----A button of a gamepad went down; gamepads are counted from 1, and buttons are called "1" to "16".
+---A button of a gamepad went down; gamepads are counted from 1, and buttons are called "1" to "16". A button with a name calls it twice, with the number and with the name: "a", "left_shoulder", "dpad_up".
 ---@param gamepad integer
 ---@param button string
 function gamepad_pressed(gamepad, button) end
@@ -2945,6 +3007,14 @@ function gamepad_released(gamepad, button) end
 ---@param axis string
 ---@param value number
 function gamepad_axis(gamepad, axis, value) end
+
+---The player began to hold an action: one of its keys or buttons in input.actions went down.
+---@param action string
+function action_pressed(action) end
+
+---The player let go of an action.
+---@param action string
+function action_released(action) end
 
 ---The window got another size, in pixels.
 ---@param width number
