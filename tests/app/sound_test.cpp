@@ -387,7 +387,7 @@ TEST_CASE("nothing can be played when the services of a tree have ended") {
     CHECK(tree.size() == 1);
     CHECK_FALSE(tree.child(tree.root(), "loud"));
     CHECK_THROWS_WITH(tree.create(tree.class_named("Synth")),
-                      contains("the services of this tree ended"));
+                      contains("it can have no instances any more"));
 }
 
 }  // namespace sound_test

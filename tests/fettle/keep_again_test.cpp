@@ -102,13 +102,13 @@ TEST_CASE("a value or name or formula that is set back after it was kept is kept
 
 TEST_CASE("an instance that replaces one of a script is kept in its place") {
     const Script folder;
-    run(folder, {"2:world.n=Object{z=7}", "3:keep(\"**\")"});
-    CHECK(next(folder, print({"world.n.z", "world.n.y", "world.n.k"})) == "7 - -\n");
+    run(folder, {"2:world.n=Object{u=7}", "3:keep(\"**\")"});
+    CHECK(next(folder, print({"world.n.u", "world.n.y", "world.n.k"})) == "7 - -\n");
     // The same if the deletion was kept before.
     const Script other;
     run(other,
-        {"2:world.n.k:delete()", "3:keep(\"**\")", "4:world.n.k=Object{z=8}", "5:keep(\"**\")"});
-    CHECK(next(other, print({"world.n.y", "world.n.k.y", "world.n.k.z"})) == "1 - 8\n");
+        {"2:world.n.k:delete()", "3:keep(\"**\")", "4:world.n.k=Object{u=8}", "5:keep(\"**\")"});
+    CHECK(next(other, print({"world.n.y", "world.n.k.y", "world.n.k.u"})) == "1 - 8\n");
 }
 
 TEST_CASE("the final names are kept") {
@@ -130,8 +130,8 @@ TEST_CASE("the final names are kept") {
     SECTION("values set on and below an instance with the new name") {
         const Level folder;
         run(folder, {"2:world.lvl.d.name=\"x\"", "3:world.lvl.x.y=5",
-                     "4:world.lvl.x.part=Object{z=1}", "5:world.lvl.x.part.z=2", "6:keep(\"**\")"});
-        CHECK(next(folder, print({"world.lvl.x.y", "world.lvl.x.part.z", "world.lvl.d"})) ==
+                     "4:world.lvl.x.part=Object{u=1}", "5:world.lvl.x.part.u=2", "6:keep(\"**\")"});
+        CHECK(next(folder, print({"world.lvl.x.y", "world.lvl.x.part.u", "world.lvl.d"})) ==
               "5 2 -\n");
     }
     SECTION("in a later run") {
@@ -204,12 +204,12 @@ TEST_CASE("an instance made below a kept instance of a scene is kept in that sce
     const Folder folder;
     folder.write("main.lua", "after(0.02, function() scene.load(\"lvl.json\", world) end)");
     folder.write("lvl.json", level);
-    run(folder, {"4:world.lvl.m=Object{y=3}", "5:keep(\"**\")", "6:world.lvl.m.q=Object{z=4}",
+    run(folder, {"4:world.lvl.m=Object{y=3}", "5:keep(\"**\")", "6:world.lvl.m.q=Object{u=4}",
                  "6:world.lvl.m.y=5", "7:keep(\"**\")"});
     INFO(folder.text("lvl.json"));
     const Outcome outcome =
         run(folder, {},
-            "after(0.1, function() " + print({"world.lvl.m.y", "world.lvl.m.q.z"}) + " end)");
+            "after(0.1, function() " + print({"world.lvl.m.y", "world.lvl.m.q.u"}) + " end)");
     CHECK(outcome.out == "5 4\n");
     CHECK(outcome.err.empty());
 }
@@ -316,10 +316,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a new instance with the name of one that was renamed is kept as a different instance") {
-    const std::string all = print({"world.n.i.y", "world.n.k.y", "world.n.k.z", "world.n.k.b.y"});
+    const std::string all = print({"world.n.i.y", "world.n.k.y", "world.n.k.u", "world.n.k.b.y"});
     const Script folder;
     run(folder, {"2:world.n.k.name=\"i\"", "3:world.n.k=Object{y=7}", "4:world.n.k.b=Object{y=8}",
-                 "5:world.n.k.z=world.n.k.b"});
+                 "5:world.n.k.u=world.n.k.b"});
     const Outcome again = run(folder, {"2:reapply_tweaks(\"**\")", "3:" + all});
     INFO(again.out);
     CHECK(contains(again.out, "2 7 world.n.k.b 8"));
@@ -329,8 +329,8 @@ TEST_CASE("a new instance with the name of one that was renamed is kept as a dif
     // In a scene both can be kept.
     const Level scene;
     run(scene, {"2:world.lvl.d.name=\"i\"", "3:world.lvl.d=Object{y=7}",
-                "4:world.lvl.e.z=world.lvl.d", "5:world.lvl.e.w=world.lvl.i", "6:keep(\"**\")"});
-    CHECK(next(scene, print({"world.lvl.i.y", "world.lvl.d.y", "world.lvl.e.z",
+                "4:world.lvl.e.u=world.lvl.d", "5:world.lvl.e.w=world.lvl.i", "6:keep(\"**\")"});
+    CHECK(next(scene, print({"world.lvl.i.y", "world.lvl.d.y", "world.lvl.e.u",
                              "world.lvl.e.w"})) == "1 7 world.lvl.d world.lvl.i\n");
 }
 

@@ -12,7 +12,7 @@ local platforms = {  -- left, top, width, height
 local coins = { vec(5, 3), vec(11, 5), vec(20, 1), vec(23.5, 3), vec(31, 2.2), vec(36.5, 3.8), vec(44, 1) }
 
 -- What changes in the game is in the tree, so that saves and going back in time hold it.
-game.run = Object { coins = 0, falls = 0, won = false, seconds = 0 }
+game.course = Object { coins = 0, falls = 0, won = false, seconds = 0 }
 
 Hero = class("Hero", Body) { air_time = 0.0, facing = 1 }
 
@@ -34,7 +34,7 @@ function Hero:step(dt)
     local speed = self.velocity.x
     self.velocity.x = speed + (direction * run_speed - speed) * math.min(1, grip * dt)
     if self.position.y < -8 then
-        run.falls = run.falls + 1
+        course.falls = course.falls + 1
         self.position, self.velocity = vec(-4, 1), vec(0, 0)
     end
 end
@@ -55,7 +55,7 @@ Coin = class("Coin", Body) {}
 
 function Coin:sensor_begin(event)
     if event.other ~= world.hero then return end
-    run.coins = run.coins + 1
+    course.coins = course.coins + 1
     self:delete()
 end
 
@@ -88,11 +88,11 @@ function start()
 end
 
 function step(dt)
-    if run.won then return end
-    run.seconds = run.seconds + dt
-    if run.coins == #coins and world.hero.position.x > 53 then
-        run.won = true
-        if not store.best or run.seconds < store.best then store.best = run.seconds end
+    if course.won then return end
+    course.seconds = course.seconds + dt
+    if course.coins == #coins and world.hero.position.x > 53 then
+        course.won = true
+        if not store.best or course.seconds < store.best then store.best = course.seconds end
     end
 end
 
@@ -107,12 +107,12 @@ end
 
 function draw(pen)
     pen.line(vec(54, 0), vec(54, 3), "#5a4632", 6)
-    pen.polygon({ vec(54, 3), vec(54, 2), vec(55.6, 2.5) }, run.coins == #coins and "#46a758" or "#a0a8b8")
+    pen.polygon({ vec(54, 3), vec(54, 2), vec(55.6, 2.5) }, course.coins == #coins and "#46a758" or "#a0a8b8")
     pen.screen(function()
-        pen.text(vec(20, 26), "Coins " .. run.coins .. " of " .. #coins, 22, "white", "left")
-        pen.text(vec(20, 54), string.format("%.1f s", run.seconds), 22, "white", "left")
+        pen.text(vec(20, 26), "Coins " .. course.coins .. " of " .. #coins, 22, "white", "left")
+        pen.text(vec(20, 54), string.format("%.1f s", course.seconds), 22, "white", "left")
     end)
-    if run.won then
-        pen.text(view.center + vec(0, 3), string.format("Done in %.1f s. Best: %.1f s", run.seconds, store.best), 0.8, "white")
+    if course.won then
+        pen.text(view.center + vec(0, 3), string.format("Done in %.1f s. Best: %.1f s", course.seconds, store.best), 0.8, "white")
     end
 end
