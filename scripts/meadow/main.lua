@@ -2,7 +2,7 @@
 
 view.background = color("#9fd3ea")
 view.height = 12
-view.title = "Meadow"
+view.window.title = "Meadow"
 world.gravity = vec(0, -30)
 
 -- Far away: layers that move slower than the world and repeat.
