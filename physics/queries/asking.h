@@ -1,5 +1,6 @@
 #pragma once
 
+#include <distance/distance.h>
 #include <fettle/physics/query.h>
 #include <world/world_data.h>
 
@@ -23,5 +24,11 @@ class Asking {
 
 /// Whether the filter of a query accepts the shape.
 bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shape);
+
+/// A point as a shape.
+struct PointForm {
+    V2 zero;
+    Solid form() const { return {{&zero, nullptr, nullptr, 1, 0.0f}}; }
+};
 
 }  // namespace fettle::physics::detail
