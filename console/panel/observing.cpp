@@ -104,8 +104,8 @@ void Observing::bind(const std::string& key, const std::string& command) {
 }
 
 std::string Observing::command_of_key(const std::string& key) const {
-    const auto found = keys_.find(key);
-    return found == keys_.end() ? std::string() : found->second;
+    const auto bound = keys_.find(key);
+    return bound == keys_.end() ? std::string() : bound->second;
 }
 
 // --- Each step, each frame

@@ -58,9 +58,9 @@ Export read(const json& from) {
 }  // namespace
 
 const Animation* Sheet::animation(std::string_view name) const {
-    const auto found = std::find_if(animations.begin(), animations.end(),
-                                    [&](const Animation& each) { return each.name == name; });
-    return found == animations.end() ? nullptr : &*found;
+    const auto at = std::find_if(animations.begin(), animations.end(),
+                                 [&](const Animation& each) { return each.name == name; });
+    return at == animations.end() ? nullptr : &*at;
 }
 
 Export read_export(std::string_view text) {
