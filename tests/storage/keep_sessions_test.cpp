@@ -188,9 +188,10 @@ std::vector<unsigned> seeds() {
     const char* const first = std::getenv("FETTLE_FIRST_SESSION");
     std::iota(all.begin(), all.end(), first == nullptr ? 0U : unsigned(std::stoul(first)));
     if (first != nullptr) return all;
-    for (const unsigned seed : {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U, 1912U, 1934U,
-                                2656U, 2868U, 2921U, 3069U, 3261U, 3390U, 4082U, 4464U, 4825U,
-                                4901U, 6272U, 6612U, 7091U, 7842U, 8349U, 8941U, 9583U, 11525U})
+    for (const unsigned seed :
+         {1023U, 1312U, 1377U, 1641U, 1681U, 1693U, 1856U,  1912U, 1934U, 2656U,
+          2868U, 2921U, 3069U, 3261U, 3390U, 4082U, 4464U,  4825U, 4901U, 6272U,
+          6612U, 7091U, 7842U, 8349U, 8941U, 9583U, 11525U, 13907U})
         if (seed >= all.size()) all.push_back(seed);
     return all;
 }

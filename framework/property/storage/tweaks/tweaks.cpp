@@ -222,10 +222,17 @@ void Tweaks::State::edited_again(Handle instance, const Property& property) {
 /// An edited instance cannot be deleted: the game went back in time or loaded a save. So its
 /// deletion is undone.
 void Tweaks::State::back_in_time(Handle instance) {
-    for (Handle at = instance; at; at = tree.parent(at))
-        if (const auto found = deleted.find(key(at));
-            found != deleted.end() && !found->second->gone)
-            (void)undelete(*found->second);
+    for (Handle at = instance; at; at = tree.parent(at)) {
+        const auto found = deleted.find(key(at));
+        if (found == deleted.end() || found->second->gone) continue;
+        // A kept deletion stays until what is back is kept. Its text must not be taken again here,
+        // in the middle of an edit.
+        const auto back = restorations.find(key(at));
+        if (back != restorations.end() && !back->second->gone &&
+            back->second->row.state == RowState::open)
+            continue;
+        (void)undelete(*found->second);
+    }
 }
 
 /// Stores a reference to a deleted instance. The reference is valid again when the instance is
