@@ -2,7 +2,10 @@
 // The loop: one frame of a game, with or without a window.
 //
 //   input -> barrier -> update(dt, real_dt) -> barrier
-//     -> while a fixed step is due { timers, step(dt) -> barrier -> modules step -> barrier }
+//     -> while a fixed step is due {
+//          tweens, timers and coroutines, step(dt), states -> barrier
+//          -> voices, modules, view, events of modules -> barrier
+//        }
 //     -> draw
 
 #include <cstdint>

@@ -21,7 +21,7 @@ class Assets;
 
 namespace fettle::visuals {
 
-/// The classes Sprite, Text, Line and Layer.
+/// The classes Sprite, Text, Line and Layer. It must outlive the tree that it is attached to.
 class Visuals : public module::Module {
   public:
     /// `assets`: the files of the game; null if there are none. They must outlive this object.

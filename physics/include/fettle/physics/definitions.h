@@ -26,8 +26,10 @@ enum class Solver : uint8_t {
 };
 
 struct WorldDef {
-    Vec2 gravity = {0.0f, -10.0f};    ///< m/s²
-    int substeps = 4;                 ///< solver sub-steps per step, 1 … 64
+    Vec2 gravity = {0.0f, -10.0f};  ///< m/s²
+    /// Solver sub-steps per step, 1 … 64. With `soft_step`, a step that is much longer than the
+    /// last one gets more of them, up to four times as many.
+    int substeps = 4;
     std::optional<Aabb> bounds = {};  ///< walls that keep dynamic bodies inside; none: open world
     float bounds_friction = 0.6f;     ///< friction of these walls
     float bounds_restitution = 0.0f;  ///< restitution of these walls
