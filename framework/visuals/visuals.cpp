@@ -1,6 +1,9 @@
 #include <fettle/visuals/visuals.h>
 
+#include <stdexcept>
 #include <utility>
+
+#include <fettle/property/ended_class.h>
 
 #include <images/images.h>
 #include <layers/layers.h>
@@ -69,16 +72,27 @@ struct Visuals::State {
     Lines lines;
     Layers layers;
     GameMedia media;
+    property::Tree* tree = nullptr;
+    std::weak_ptr<const property::Tree*> tree_life;
 };
 
 Visuals::Visuals(property::Assets* assets) : state_(std::make_unique<State>(assets)) {}
-Visuals::~Visuals() = default;
+
+// The tree would go on to draw and to read instances whose functions have ended.
+Visuals::~Visuals() {
+    if (state_->tree_life.expired()) return;
+    for (const char* name : {"Sprite", "Text", "Line", "Layer"})
+        property::end_class(*state_->tree, state_->tree->class_named(name));
+}
 
 void Visuals::attach(property::Tree& tree) {
+    if (state_->tree != nullptr) throw std::logic_error("visuals are attached to a tree already");
+    state_->tree = &tree;
     state_->sprites.define(tree);
     state_->texts.define(tree);
     state_->lines.define(tree);
     state_->layers.define(tree);
+    state_->tree_life = tree.lifetime();
 }
 
 property::Media& Visuals::media() {

@@ -52,7 +52,8 @@ std::vector<Property> simulation(Hosting& hosting) {
          .type = Type::integer,
          .default_value = defaults.substeps,
          .range = {.min = 1, .max = 64},
-         .doc = "Number of parts in which a step is solved: more is stiffer and slower.",
+         .doc = "Number of parts in which a step is solved: more is stiffer and slower. A step "
+                "that is much longer than the last one gets up to four times as many.",
          .binding = bound<&World::substeps, &World::set_substeps>(hosting)},
         {.name = "threads",
          .type = Type::integer,

@@ -21,7 +21,8 @@ class Assets;
 
 namespace fettle::visuals {
 
-/// The classes Sprite, Text, Line and Layer. It must outlive the tree that it is attached to.
+/// The classes Sprite, Text, Line and Layer, for one tree. The destructor deletes their instances
+/// if the tree still lives; the classes stay in the tree without instances.
 class Visuals : public module::Module {
   public:
     /// `assets`: the files of the game; null if there are none. They must outlive this object.
