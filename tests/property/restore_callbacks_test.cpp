@@ -2,6 +2,7 @@
 // same.
 
 #include <memory>
+#include <set>
 
 #include <fettle/property/snapshot_remarks.h>
 #include <fettle/property/write_log.h>

@@ -5,43 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fettle/property/transform.h>
+#include <fettle/property/pose.h>
 
 namespace fettle::app {
 
 using property::Handle;
-using property::Symbol;
-using property::Transform;
 using property::Tree;
-using property::Type;
-using property::Value;
 using property::Vec2;
 
-namespace {
-
-Value value_of(const Tree& tree, Handle instance, Symbol name) {
-    const property::Property* const property = tree.find(instance, name);
-    return property == nullptr ? Value() : tree.peek(instance, *property);
-}
-
-/// The pose after the last step.
-Transform pose_of(const Tree& tree, Handle instance) {
-    const property::Lifecycle& lifecycle = tree.class_of(instance).lifecycle();
-    if (lifecycle.pose)
-        return lifecycle.pose(lifecycle.context, tree, instance, tree.row(instance), 1);
-    static const Symbol position("position"), angle("angle");
-    const Value at = value_of(tree, instance, position), turn = value_of(tree, instance, angle);
-    if (!at.is(Type::vec2)) return {};
-    return Transform::placed(at.vec2(), turn.is_numeric() ? turn.as_double() : 0);
-}
-
-}  // namespace
-
 Vec2 world_position(const Tree& tree, Handle instance) {
-    Vec2 at(0, 0);
-    for (; instance && instance != tree.root(); instance = tree.parent(instance))
-        at = pose_of(tree, instance)(at);
-    return at;
+    return property::place_below(tree, instance, false, 1).value_or(property::Transform()).origin;
 }
 
 void View::advance(const Tree& tree, double dt) {

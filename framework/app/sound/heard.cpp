@@ -5,12 +5,13 @@
 #include <numbers>
 #include <unordered_map>
 
+#include <fettle/property/pose.h>
+
 #include <sound/audio_state.h>
 
 namespace fettle::app {
 
 using property::Handle;
-using property::Property;
 using property::Type;
 using property::Value;
 using property::Vec2;
@@ -22,35 +23,16 @@ double far_side(double pan) {
     return std::cos(std::min(1.0, pan) * std::numbers::pi / 2);
 }
 
-Vec2 turned(const Vec2& v, double angle) {
-    return {v.x() * std::cos(angle) - v.y() * std::sin(angle),
-            v.x() * std::sin(angle) + v.y() * std::cos(angle)};
-}
-
 }  // namespace
 
-/// Where a voice is heard from; nothing if it is heard everywhere the same. Positions of bodies are
-/// positions in the world, those of other instances are relative to the instance above.
+/// Where a voice is heard from; nothing if it is heard everywhere the same.
 std::optional<Vec2> Audio::State::place(Handle voice, Handle source) const {
     if (const Value own = value(voice, *of_voice.position); own.is(Type::vec2)) return own.vec2();
     const Value offset = value(source, *of_source.position);
-    Vec2 at = offset.is(Type::vec2) ? offset.vec2() : Vec2(0, 0);
-    bool placed = offset.is(Type::vec2);
-    const property::Class* body = tree.find_class("Body");
-    for (Handle up = tree.parent(source); up; up = tree.parent(up)) {
-        const property::Class& of = tree.class_of(up);
-        const Property* position = of.property("position");
-        if (position == nullptr || position->type != Type::vec2) continue;
-        const Value there = value(up, *position);
-        if (!there.is(Type::vec2)) continue;
-        const Property* angle = of.property("angle");
-        const bool turns = angle != nullptr && angle->type == Type::number;
-        at = there.vec2() + turned(at, turns ? number(up, *angle) : 0);
-        placed = true;
-        if (body != nullptr && of.is_a(*body)) break;
-    }
-    if (!placed) return {};
-    return at;
+    const auto above = property::place_below(tree, tree.parent(source), false, 1);
+    if (!offset.is(Type::vec2) && !above) return {};
+    const Vec2 at = offset.is(Type::vec2) ? offset.vec2() : Vec2(0, 0);
+    return above ? (*above)(at) : at;
 }
 
 double Audio::State::bus_loudness(Handle source) const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <placing/properties.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 

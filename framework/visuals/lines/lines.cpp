@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <placing/placing.h>
-#include <placing/properties.h>
+#include <fettle/property/pose.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 
@@ -134,8 +134,9 @@ void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, doub
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             segments.push_back({points[i], points[i + 1]});
     const bool screen = painter.on_screen();
-    painter.push(placed_below(tree, tree.parent(self), screen, alpha) *
-                 local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
+    painter.push(property::place_below(tree, tree.parent(self), screen, alpha)
+                     .value_or(property::Transform()) *
+                 property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
     const property::Blend blend = blend_of(read.value(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     draw_segments(painter, self, segments, read.number(of_.width), read.color(of_.color));

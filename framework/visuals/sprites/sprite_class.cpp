@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <placing/properties.h>
+#include <properties/properties.h>
 #include <sprites/sprites.h>
 
 namespace fettle::visuals {
@@ -185,12 +185,10 @@ property::Lifecycle Sprites::lifecycle() {
     property::Lifecycle made;
     made.context = this;
     made.create = [](void* context, property::Tree&, property::Handle self) {
-        return static_cast<Sprites*>(context)->add(self);
+        return static_cast<Sprites*>(context)->rows_.add(self);
     };
     made.destroy = [](void* context, property::Tree&, property::Handle, property::Row row) {
-        auto& s = *static_cast<Sprites*>(context);
-        s.rows_[row] = {};
-        s.free_.push_back(row);
+        static_cast<Sprites*>(context)->rows_.remove(row);
     };
     made.draw = [](void* context, const property::Tree&, property::Handle, property::Row row,
                    property::Painter& painter, double alpha) {

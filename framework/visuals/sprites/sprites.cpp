@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include <fettle/property/pose.h>
 #include <fettle/property/spelling.h>
 
-#include <placing/placing.h>
-#include <placing/properties.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 
@@ -39,21 +39,6 @@ std::string known_animations(const std::string& name, const Sheet& sheet) {
 }
 
 }  // namespace
-
-// --- Rows
-
-property::Row Sprites::add(Handle self) {
-    property::Row row = 0;
-    if (free_.empty()) {
-        row = static_cast<property::Row>(rows_.size());
-        rows_.emplace_back();
-    } else {
-        row = free_.back();
-        free_.pop_back();
-    }
-    rows_[row].self = self;
-    return row;
-}
 
 /// Null if it has no image.
 const Sheet* Sprites::sheet(Row& row) {
@@ -202,9 +187,11 @@ void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     if (read.flag(of_.flip_x)) left = -left, right = -right;
     if (read.flag(of_.flip_y)) top = -top, bottom = -bottom;
     if (on_screen) top = -top, bottom = -bottom;
-    const Transform local = local_pose(read.vec2(of_.position), read.number(of_.angle),
-                                       read.number(of_.scale), on_screen);
-    painter.push(placed_below(*tree_, tree_->parent(row.self), on_screen, alpha) * local);
+    const Transform local = property::local_pose(read.vec2(of_.position), read.number(of_.angle),
+                                                 read.number(of_.scale), on_screen);
+    painter.push(property::place_below(*tree_, tree_->parent(row.self), on_screen, alpha)
+                     .value_or(property::Transform()) *
+                 local);
     const property::Blend blend = blend_of(read.value(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const Vec2 lower(left, on_screen ? top : bottom), upper(right, on_screen ? bottom : top);

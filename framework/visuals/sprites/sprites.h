@@ -9,6 +9,7 @@
 #include <fettle/property/tree.h>
 
 #include <images/images.h>
+#include <properties/rows.h>
 
 namespace fettle::visuals {
 
@@ -47,7 +48,6 @@ class Sprites {
     std::vector<property::Property> look_properties();
     std::vector<property::Property> derived_properties();
     property::Lifecycle lifecycle();
-    property::Row add(property::Handle self);
     const Sheet* sheet(Row& row);
     std::int64_t frames_in(const Row& row, const Sheet& sheet) const;
     Playing playing(const Row& row, const Sheet& sheet) const;
@@ -62,8 +62,7 @@ class Sprites {
     property::Tree* tree_ = nullptr;
     Properties of_{};
     const property::Event* finished_ = nullptr;
-    std::vector<Row> rows_;
-    std::vector<property::Row> free_;
+    Rows<Row> rows_;
     std::vector<property::Handle> ended_;
 };
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <fettle/property/pose.h>
 #include <letters/writing.h>
-#include <placing/placing.h>
-#include <placing/properties.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 
@@ -109,12 +109,10 @@ property::Lifecycle Texts::lifecycle() {
     property::Lifecycle made;
     made.context = this;
     made.create = [](void* context, property::Tree&, Handle self) {
-        return static_cast<Texts*>(context)->add(self);
+        return static_cast<Texts*>(context)->rows_.add(self);
     };
     made.destroy = [](void* context, property::Tree&, Handle, property::Row row) {
-        auto& t = *static_cast<Texts*>(context);
-        t.rows_[row] = {};
-        t.free_.push_back(row);
+        static_cast<Texts*>(context)->rows_.remove(row);
     };
     made.draw = [](void* context, const property::Tree&, Handle, property::Row row,
                    Painter& painter, double alpha) {
@@ -122,19 +120,6 @@ property::Lifecycle Texts::lifecycle() {
         t.draw(t.rows_[row], painter, alpha);
     };
     return made;
-}
-
-property::Row Texts::add(Handle self) {
-    property::Row row = 0;
-    if (free_.empty()) {
-        row = static_cast<property::Row>(rows_.size());
-        rows_.emplace_back();
-    } else {
-        row = free_.back();
-        free_.pop_back();
-    }
-    rows_[row].self = self;
-    return row;
 }
 
 void Texts::define(property::Tree& tree) {
@@ -180,8 +165,9 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     const Layout& placed = layout(row);
     if (placed.letters.empty()) return;
     const bool screen = painter.on_screen();
-    painter.push(placed_below(*tree_, tree_->parent(row.self), screen, alpha) *
-                 local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
+    painter.push(property::place_below(*tree_, tree_->parent(row.self), screen, alpha)
+                     .value_or(property::Transform()) *
+                 property::local_pose(read.vec2(of_.position), read.number(of_.angle), 1, screen));
     const property::Blend blend = blend_of(read.value(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const double size = read.number(of_.size);

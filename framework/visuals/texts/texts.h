@@ -8,6 +8,7 @@
 #include <fettle/property/tree.h>
 
 #include <letters/layout.h>
+#include <properties/rows.h>
 
 namespace fettle::visuals {
 
@@ -30,7 +31,6 @@ class Texts {
     };
     std::vector<property::Property> properties();
     property::Lifecycle lifecycle();
-    property::Row add(property::Handle self);
     double size_of(const Row& row) const;
     const Layout& layout(Row& row);
     void draw(Row& row, property::Painter& painter, double alpha);
@@ -38,8 +38,7 @@ class Texts {
     Fonts& fonts_;
     property::Tree* tree_ = nullptr;
     Properties of_{};
-    std::vector<Row> rows_;
-    std::vector<property::Row> free_;
+    Rows<Row> rows_;
 };
 
 }  // namespace fettle::visuals

@@ -42,7 +42,7 @@ struct Lifecycle {
     /// Draws over all instances, after they are drawn.
     void (*draw_over)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                       double alpha) = nullptr;
-    /// Where the instance is drawn: the map from its own coordinates to those of its parent; for
+    /// Where the instance is drawn: the map from its own coordinates to those of the world; for
     /// `alpha`, see `draw`. Pictures and texts below it are drawn in its coordinates.
     Transform (*pose)(void* context, const Tree& tree, Handle self, Row row,
                       double alpha) = nullptr;

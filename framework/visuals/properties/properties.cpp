@@ -1,4 +1,4 @@
-#include <placing/properties.h>
+#include <properties/properties.h>
 
 namespace fettle::visuals {
 
