@@ -39,7 +39,7 @@ double luminance(ImU32 color) {
 }
 
 double contrast(ImU32 a, ImU32 b) {
-    const auto [low, high] = std::minmax(luminance(a), luminance(b));
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
     return (high + 0.05) / (low + 0.05);
 }
 
