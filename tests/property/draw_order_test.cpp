@@ -12,25 +12,14 @@
 #include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
+#include "no_painter.h"
+
 namespace draw_order_test {
 
 using namespace fettle::property;
+using fettle::property::testing::NoPainter;
 
 namespace {
-
-struct NoPainter : Painter {
-    void circle(const Vec2&, double, const Paint&) override {}
-    void ellipse(const Vec2&, const Vec2&, double, const Paint&) override {}
-    void polygon(std::span<const Vec2>, double, const Paint&) override {}
-    void line(const Vec2&, const Vec2&, Color, float) override {}
-    void point(const Vec2&, Color, float) override {}
-    void text(const Vec2&, std::string_view, double, Color, TextAlign) override {}
-    void part_of(std::uint64_t) override {}
-    bool shows(Overlay) const override { return false; }
-    bool sees(const Vec2&, const Vec2&) const override { return true; }
-    void begin_screen() override {}
-    void end_screen() override {}
-};
 
 /// A tree with a class `Mark`, whose instances write their names when they are drawn, and a class
 /// `Curtain`, which writes brackets around what is below it.

@@ -11,27 +11,15 @@
 
 #include "catch.h"
 #include "fixture.h"
+#include "no_painter.h"
 
 namespace placing_calls_test {
 
 using namespace fettle::property;
 using fettle::property::testing::message_of;
+using fettle::property::testing::NoPainter;
 
 namespace {
-
-struct NoPainter : Painter {
-    void circle(const Vec2&, double, const Paint&) override {}
-    void ellipse(const Vec2&, const Vec2&, double, const Paint&) override {}
-    void polygon(std::span<const Vec2>, double, const Paint&) override {}
-    void line(const Vec2&, const Vec2&, Color, float) override {}
-    void point(const Vec2&, Color, float) override {}
-    void text(const Vec2&, std::string_view, double, Color, TextAlign) override {}
-    void part_of(std::uint64_t) override {}
-    bool shows(Overlay) const override { return true; }
-    bool sees(const Vec2&, const Vec2&) const override { return true; }
-    void begin_screen() override {}
-    void end_screen() override {}
-};
 
 /// A class `Guest` whose rows begin at 100. Its functions call what a test sets, once.
 class Guests {

@@ -4,17 +4,31 @@
 
 #include <cstdint>
 #include <optional>
+#include <streambuf>
 #include <string>
 #include <type_traits>
 
 #include <SFML/Audio.hpp>
 #include <SFML/Config.hpp>
 #include <SFML/Graphics.hpp>
+#include <SFML/System/Err.hpp>
 #include <SFML/Window.hpp>
 
 #include <fettle/app/event.h>
 
 namespace fettle::app::sfml {
+
+/// While it lives, SFML prints nothing to the terminal. It also prints messages in harmless cases:
+/// a virtual display has no vertical synchronization. Failures are detected by return values.
+class NoMessages {
+  public:
+    NoMessages() : before_(sf::err().rdbuf(nullptr)) {}
+    ~NoMessages() { sf::err().rdbuf(before_); }
+    NoMessages(const NoMessages&) = delete;
+
+  private:
+    std::streambuf* before_;
+};
 
 /// The name of a key; "" if it has none. sfml_events.cpp defines this function and the next two.
 std::string key_name(sf::Keyboard::Key key);

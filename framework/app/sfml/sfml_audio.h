@@ -6,24 +6,13 @@
 #include <span>
 
 #include <SFML/Audio.hpp>
-#include <SFML/System/Err.hpp>
 
 #include <sfml/sfml.h>
 
 namespace fettle::app::sfml {
 
-/// The library prints its own messages to a stream, which would be on the terminal of the player.
-class NoMessages {
-  public:
-    NoMessages() : before_(sf::err().rdbuf(nullptr)) {}
-    ~NoMessages() { sf::err().rdbuf(before_); }
-    NoMessages(const NoMessages&) = delete;
-
-  private:
-    std::streambuf* before_;
-};
-
-/// The same for the libraries that it plays through. To be called before the first stream exists.
+/// What `NoMessages` does, for the libraries that SFML plays through. To be called before the first
+/// stream exists.
 void silence_audio_libraries();
 
 /// Stereo samples of 16 bits that the library asks for on a thread of its own. A derived class

@@ -25,25 +25,13 @@ void require_display() {
             "there is no display to draw on: set DISPLAY, use xvfb-run, or run with --headless");
 }
 
-/// SFML writes errors to its own stream, also for harmless cases (a virtual display has no vertical
-/// synchronization). Failures are detected by return values instead.
-class Silence {
-  public:
-    Silence() : before_(sf::err().rdbuf(nullptr)) {}
-    ~Silence() { sf::err().rdbuf(before_); }
-    Silence(const Silence&) = delete;
-
-  private:
-    std::streambuf* before_;
-};
-
 void write_image(const sf::Image& image, const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::path folder = file.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
         throw std::runtime_error(file.string() + ": cannot be written, since there is no folder " +
                                  folder.string());
-    const Silence silence;
+    const sfml::NoMessages quiet;
     if (!image.saveToFile(file.string()))
         throw std::runtime_error(file.string() +
                                  ": the picture cannot be written (endings known: .png .jpg .bmp "
@@ -183,7 +171,7 @@ class SfmlWindow : public Window {
     }
     bool focused() const override { return window_.hasFocus(); }
     void follow(const WindowState& state) override {
-        const Silence silence;
+        const sfml::NoMessages quiet;
         const WindowState before = std::exchange(state_, state);
         if (state.fullscreen != before.fullscreen || state.resizable != before.resizable) {
             open();
@@ -201,7 +189,7 @@ class SfmlWindow : public Window {
             window_.setMouseCursorVisible(state.cursor_visible);
     }
     bool set_icon(const std::string& bytes) override {
-        const Silence silence;
+        const sfml::NoMessages quiet;
         sf::Image image;
         if (!image.loadFromMemory(bytes.data(), bytes.size())) return false;
         icon_ = std::make_unique<sf::Image>(std::move(image));
@@ -212,7 +200,7 @@ class SfmlWindow : public Window {
   private:
     /// Opens the window, or opens it again: a change of its frame needs that.
     void open() {
-        const Silence silence;
+        const sfml::NoMessages quiet;
         const sf::VideoMode desktop = sf::VideoMode::getDesktopMode();
         sfml::Frame frame{.width = sfml::width(desktop),
                           .height = sfml::height(desktop),
@@ -265,7 +253,7 @@ class SfmlWindow : public Window {
 }  // namespace
 
 Pixels read_picture(const std::filesystem::path& file) {
-    const Silence silence;
+    const sfml::NoMessages quiet;
     sf::Image image;
     if (!image.loadFromFile(file.string()))
         throw std::runtime_error(file.string() + ": this file is no image that can be read");
