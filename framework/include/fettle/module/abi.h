@@ -295,7 +295,7 @@ typedef struct fettle_class {
     void (*draw_over)(void* context, fettle_handle self, fettle_row row,
                       const fettle_painter* painter, double alpha);
     /* Since 1.5. Optional: where the instance is drawn, as a map from its coordinates to those of
-       its parent; for `matrix` see fettle_painter. */
+       the world; for `matrix` see fettle_painter. */
     void (*pose)(void* context, fettle_handle self, fettle_row row, double alpha, double* matrix);
 } fettle_class;
 
