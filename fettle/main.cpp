@@ -7,15 +7,15 @@
 
 #include <fettle/property/exception_text.h>
 
-#include "arguments.h"
-#include "docs.h"
-#include "exit_status.h"
-#include "new_game.h"
-#include "run.h"
-#include "terminal.h"
-#include "test.h"
-#include "version.h"
-#include "where.h"
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <command_line/version.h>
+#include <commands/docs.h>
+#include <commands/new_game.h>
+#include <commands/run.h>
+#include <commands/test.h>
+#include <commands/where.h>
 
 namespace fettle::program {
 namespace {

@@ -172,6 +172,16 @@ const std::vector<DividedPart>& divided_parts() {
              {"views", {"model", "look"}},
              {"panel", {"model", "look", "inspector", "views"}},
          }},
+        // main.cpp, which names all commands, is not in a room.
+        {"fettle",
+         "fettle/",
+         {},
+         {
+             {"command_line", {}},
+             {"game", {"command_line"}},
+             {"testing", {"command_line", "game"}},
+             {"commands", {"command_line", "game", "testing"}},
+         }},
     };
     return table;
 }

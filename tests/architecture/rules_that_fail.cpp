@@ -75,11 +75,11 @@ TEST_CASE("only one part includes Lua and one SFML and one ImGui") {
     CHECK(verdict("console/panel.cpp", "lauxlib.h") == 1);
     CHECK(verdict("framework/app/window.cpp", "SFML/Graphics.hpp") == 0);
     CHECK(verdict("console/panel.cpp", "SFML/Graphics.hpp") == 1);
-    CHECK(verdict("fettle/run.cpp", "SFML/Window.hpp") == 1);
+    CHECK(verdict("fettle/commands/run.cpp", "SFML/Window.hpp") == 1);
     CHECK(verdict("console/panel.cpp", "imgui.h") == 0);
     CHECK(verdict("console/panel.cpp", "imgui/imgui_internal.h") == 0);
     CHECK(verdict("framework/app/window.cpp", "imgui.h") == 1);
-    CHECK(verdict("fettle/run.cpp", "CLI/CLI.hpp") == 0);
+    CHECK(verdict("fettle/commands/run.cpp", "CLI/CLI.hpp") == 0);
     CHECK(verdict("physics/world/world.cpp", "nlohmann/json.hpp") == 1);
     CHECK(verdict("physics/world/world.cpp", "boost/any.hpp") == 1);
     CHECK(verdict("physics/world/world.cpp", "Eigen/Core") == 0);

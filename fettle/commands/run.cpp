@@ -1,4 +1,4 @@
-#include "run.h"
+#include <commands/run.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,16 +12,17 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
 
-#include "arguments.h"
-#include "end_request.h"
-#include "exit_status.h"
-#include "gallery.h"
-#include "game_path.h"
-#include "game_window.h"
-#include "recorded_files.h"
-#include "session.h"
-#include "settings.h"
-#include "terminal.h"
+#include <command_line/arguments.h>
+#include <command_line/end_request.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <commands/gallery.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/game_window.h>
+#include <game/recorded_files.h>
+#include <game/session.h>
+#include <game/settings.h>
 
 namespace fettle::program {
 

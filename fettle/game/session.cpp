@@ -1,4 +1,4 @@
-#include "session.h"
+#include <game/session.h>
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@
 #include <fettle/property/formula_problems.h>
 #endif
 
-#include "exit_status.h"
-#include "game_path.h"
-#include "game_window.h"
-#include "recorded_files.h"
-#include "terminal.h"
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/game_path.h>
+#include <game/game_window.h>
+#include <game/recorded_files.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include "game_modules.h"
+#include <game/game_modules.h>
 
 #include <nlohmann/json.hpp>
 
@@ -9,7 +9,7 @@
 #include <fettle/physics_module/physics_module.h>
 #endif
 
-#include "game_path.h"
+#include <game/game_path.h>
 
 namespace fettle::program {
 

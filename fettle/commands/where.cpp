@@ -1,4 +1,4 @@
-#include "where.h"
+#include <commands/where.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,11 +6,12 @@
 
 #include <fettle/property/storage/tweaks.h>
 
-#include "arguments.h"
-#include "exit_status.h"
-#include "game_path.h"
-#include "settings.h"
-#include "terminal.h"
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/settings.h>
 
 namespace fettle::program {
 

@@ -1,11 +1,11 @@
-#include "recorded_files.h"
+#include <game/recorded_files.h>
 
 #include <algorithm>
 #include <fstream>
 #include <set>
 #include <string_view>
 
-#include "game_path.h"
+#include <game/game_path.h>
 
 namespace fettle::program {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "command.h"
+#include <command_line/command.h>
 
 namespace fettle::program {
 

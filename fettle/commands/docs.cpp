@@ -1,4 +1,4 @@
-#include "docs.h"
+#include <commands/docs.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -8,12 +8,12 @@
 
 #include <fettle/script/reference.h>
 
-#include "arguments.h"
-#include "exit_status.h"
-#include "game_path.h"
-#include "session.h"
-#include "settings.h"
-#include "terminal.h"
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/session.h>
 
 namespace fettle::program {
 

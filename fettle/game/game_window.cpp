@@ -1,9 +1,9 @@
-#include "game_window.h"
+#include <game/game_window.h>
 
 #include <fettle/property/exception_text.h>
 
-#include "session.h"
-#include "terminal.h"
+#include <command_line/terminal.h>
+#include <game/session.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include "terminal.h"
+#include <command_line/terminal.h>
 
 #include <unistd.h>
 

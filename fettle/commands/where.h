@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "command.h"
+#include <command_line/command.h>
 
 namespace fettle::program {
 

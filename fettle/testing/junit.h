@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "test_run.h"
+#include <testing/test_run.h>
 
 namespace fettle::program {
 

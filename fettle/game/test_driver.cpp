@@ -1,9 +1,9 @@
-#include "test_driver.h"
+#include <game/test_driver.h>
 
 #include <stdexcept>
 #include <utility>
 
-#include "game_path.h"
+#include <game/game_path.h>
 
 namespace fettle::program {
 

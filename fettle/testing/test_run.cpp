@@ -1,4 +1,4 @@
-#include "test_run.h"
+#include <testing/test_run.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,9 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
 
-#include "end_request.h"
-#include "game_path.h"
-#include "session.h"
+#include <command_line/end_request.h>
+#include <game/game_path.h>
+#include <game/session.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include "arguments.h"
+#include <command_line/arguments.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include <fettle/property/spelling.h>
 
-#include "terminal.h"
+#include <command_line/terminal.h>
 
 namespace fettle::program {
 

@@ -1,18 +1,18 @@
-#include "test.h"
+#include <commands/test.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <system_error>
 
-#include "arguments.h"
-#include "end_request.h"
-#include "exit_status.h"
-#include "game_path.h"
-#include "junit.h"
-#include "settings.h"
-#include "terminal.h"
-#include "test_run.h"
+#include <command_line/arguments.h>
+#include <command_line/end_request.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <testing/junit.h>
+#include <testing/test_run.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include "end_request.h"
+#include <command_line/end_request.h>
 
 #include <unistd.h>
 

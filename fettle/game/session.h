@@ -19,8 +19,8 @@
 #include <fettle/script/runtime.h>
 #include <fettle/visuals/visuals.h>
 
-#include "game_modules.h"
-#include "run.h"
+#include <game/game_modules.h>
+#include <game/run_options.h>
 
 namespace fettle::program {
 

@@ -1,14 +1,23 @@
 #pragma once
 // The run of one test in a fresh game.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "test.h"
-#include "test_driver.h"
+#include <game/test_driver.h>
 
 namespace fettle::program {
+
+struct TestOptions {
+    std::filesystem::path game = ".";
+    std::string filter{};           // only tests whose file or name contains it
+    std::filesystem::path junit{};  // report to write; empty: none
+    bool update = false;            // write the pictures instead of comparing them
+    std::uint64_t timeout = 60;     // s, of each test
+    std::vector<std::string> modules{};
+};
 
 struct TestOutcome {
     std::string file, name;

@@ -1,5 +1,5 @@
 #pragma once
-// The subcommand `fettle run`, which plays a game in a window or headless.
+// How a game is run: what the command line says, or a test.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "command.h"
-#include "test_driver.h"
+#include <game/test_driver.h>
 
 namespace fettle::program {
 
@@ -31,9 +30,5 @@ struct RunOptions {
     bool isolated = false;             // reads and writes no store, no saves and no tweaks
     std::optional<TestChoice> test{};  // the run is this test
 };
-
-Command add_run(CLI::App& app);
-
-int run(const RunOptions& options);
 
 }  // namespace fettle::program

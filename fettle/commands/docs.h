@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command.h"
+#include <command_line/command.h>
 
 namespace fettle::program {
 

@@ -1,4 +1,4 @@
-#include "game_path.h"
+#include <game/game_path.h>
 
 #include <cctype>
 #include <string_view>

@@ -1,20 +1,14 @@
-#include "settings.h"
+#include <game/file_errors.h>
 
 #include <fettle/app/recording.h>
 #include <fettle/module/plugin.h>
 #include <fettle/property/storage/game_files.h>
 
-#include "exit_status.h"
-#include "game_path.h"
-#include "terminal.h"
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/game_path.h>
 
 namespace fettle::program {
-
-property::GameSettings read_settings(const std::filesystem::path& game) {
-    property::GameFiles files;
-    files.stay_below(folder_of(game));
-    return property::read_game_settings(files, game, FETTLE_VERSION);
-}
 
 int with_file_errors(const std::function<int()>& command) {
     try {

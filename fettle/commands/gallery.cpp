@@ -1,4 +1,4 @@
-#include "gallery.h"
+#include <commands/gallery.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/saves.h>
 
-#include "session.h"
-#include "settings.h"
+#include <game/session.h>
+#include <game/settings.h>
 
 namespace fettle::program {
 
@@ -21,8 +21,8 @@ namespace {
 
 constexpr unsigned picture_width = 1280, picture_height = 800;  // px, as it is drawn
 constexpr std::uint32_t widest_picture = 480;                   // px, as it is kept
-constexpr int picture_step = 180;  // the step after which a game is drawn
-constexpr double patience = 2;     // s, for each call into its scripts
+constexpr int picture_step = 180;   // the step after which a game is drawn
+constexpr double longest_call = 2;  // s, into the scripts of a game that is drawn
 
 /// The first sentence of the comment at the top of a script.
 std::string first_sentence(const fs::path& script) {
@@ -57,7 +57,7 @@ app::Pixels drawn(const fs::path& game) {
     run.isolated = true;
     Session session(run, nullptr, {});
     session.on_output([](std::string_view) {});
-    session.runtime().limit_calls(patience, {});
+    session.runtime().limit_calls(longest_call, {});
     session.set_screen({picture_width, picture_height});
     session.start();
     for (int i = 0; i < picture_step && !session.failed() && !session.loop().stopped(); ++i)

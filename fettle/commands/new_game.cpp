@@ -1,4 +1,4 @@
-#include "new_game.h"
+#include <commands/new_game.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,12 +15,12 @@
 #include <fettle/property/spelling.h>
 #include <fettle/script/reference.h>
 
-#include "arguments.h"
-#include "exit_status.h"
-#include "game_path.h"
-#include "session.h"
-#include "settings.h"
-#include "terminal.h"
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/session.h>
 
 namespace fettle::program {
 

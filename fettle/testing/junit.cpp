@@ -1,4 +1,4 @@
-#include "junit.h"
+#include <testing/junit.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "game_path.h"
-#include "terminal.h"
+#include <command_line/terminal.h>
+#include <game/game_path.h>
 
 namespace fettle::program {
 

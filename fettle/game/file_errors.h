@@ -1,0 +1,11 @@
+#pragma once
+// The errors of files that end a command.
+
+#include <functional>
+
+namespace fettle::program {
+
+/// Runs a command. The errors of files that it throws are told, and give their exit status.
+int with_file_errors(const std::function<int()>& command);
+
+}  // namespace fettle::program
