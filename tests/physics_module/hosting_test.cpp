@@ -46,9 +46,8 @@ TEST_CASE_METHOD(Game, "a class that derives from a class of the module leaves t
     for (const char* base : {"Body", "Circle", "World", "Shape", "Joint", "DistanceJoint"}) {
         own.base = base;
         CAPTURE(base);
-        CHECK_THROWS_WITH(
-            tree.define(own),
-            Catch::Matchers::Contains("class Own: `lifecycle`: it inherits the property"));
+        CHECK_THROWS_WITH(tree.define(own),
+                          contains("class Own: `lifecycle`: it inherits the property"));
     }
     own.base = "Body";
     own.lifecycle = {};
@@ -212,7 +211,7 @@ TEST_CASE("physics that ends before its tree takes its instances with it") {
     CHECK(tree.parts().empty());
     for (const char* of : {"World", "Body", "Crate", "Circle", "WeldJoint", "Drag"})
         CHECK_THROWS_WITH(tree.create(tree.class_named(of), tree.root()),
-                          Catch::Matchers::Contains("it can have no instances any more"));
+                          contains("it can have no instances any more"));
     CHECK_THROWS(tree.restore(before));
     tree.restore(tree.snapshot());
     tree.barrier();

@@ -45,9 +45,8 @@ TEST_CASE("rules check what is added to a class and hear of it at once") {
     tree.set(words, "first", "b");
     tree.set(words, "first", "b");  // no change
     CHECK(rules.told == "first first ");
-    CHECK_THROWS_WITH(tree.set(words, "first", 3), Catch::Matchers::Contains("needs a text"));
-    CHECK_THROWS_WITH(tree.set_or_add(words, "second", 3),
-                      Catch::Matchers::Contains("second: needs a text"));
+    CHECK_THROWS_WITH(tree.set(words, "first", 3), contains("needs a text"));
+    CHECK_THROWS_WITH(tree.set_or_add(words, "second", 3), contains("second: needs a text"));
     CHECK(tree.get(words, "first") == Value("b"));
     CHECK(tree.find(words, "second") == nullptr);
     tree.remove_ad_hoc(words, "first");

@@ -268,7 +268,7 @@ TEST_CASE("no barrier starts while a snapshot is restored") {
     tree.watch(late, [](const Change&) {});
     tree.barrier();
     CHECK_THROWS_WITH(tree.restore(before, [&] { tree.barrier(); }),
-                      Catch::Matchers::Contains("no barrier can start while a snapshot"));
+                      contains("no barrier can start while a snapshot"));
     CHECK_FALSE(tree.alive(late));
     tree.barrier();
 }

@@ -48,7 +48,7 @@ TEST_CASE("a formula that a snapshot copies to another tree is computed by the s
     // The formula belongs to that runtime and ends with it.
     second.runtime = nullptr;
     set(*second.tree, "x", 7);
-    CHECK_THROWS_WITH(get(*second.tree, "y"), Catch::Matchers::Contains("its script has ended"));
+    CHECK_THROWS_WITH(get(*second.tree, "y"), contains("its script has ended"));
 }
 
 TEST_CASE("a tree without scripts keeps the values of formulas of another tree and reports it") {
