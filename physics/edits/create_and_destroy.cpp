@@ -78,8 +78,9 @@ void apply_bounds(const Editing& e) {
 }
 
 uint32_t create_body(const Editing& e, const BodyDef& def) {
-    const uint32_t slot = e.objects.body_slots.take(e.objects.bodies, e.columns.states,
-                                                    e.columns.previous, e.columns.body_generations);
+    const uint32_t slot =
+        e.objects.body_slots.take(e.objects.bodies, e.objects.rest_poses, e.columns.states,
+                                  e.columns.previous, e.columns.body_generations);
     e.columns.body_generations[slot] = e.generations.take();
 
     BodyRecord& record = e.objects.bodies[slot];

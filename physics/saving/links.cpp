@@ -105,9 +105,9 @@ bool edge_in_range(const ListEdge& edge, size_t records) {
 
 void check_bodies(const WorldState& w, Findings& findings) {
     const size_t n = w.bodies.size(), shapes = w.shapes.size();
-    findings.require(
-        n > 0 && w.states.size() == n && w.previous.size() == n && w.body_generations.size() == n,
-        "bodies");
+    findings.require(n > 0 && w.states.size() == n && w.rest_poses.size() == n &&
+                         w.previous.size() == n && w.body_generations.size() == n,
+                     "bodies");
     for (const BodyRecord& body : w.bodies) {
         findings.require(
             body.mobility <= Mobility::dynamic && body.type <= BodyType::dynamic_body &&

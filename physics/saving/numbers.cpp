@@ -39,7 +39,7 @@ void require(bool holds, const char* what, size_t slot) {
 
 // --- Bodies
 
-void check(const BodyRecord& body, size_t slot) {
+void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
     const bool given = (!is_given(body.given_mass) || body.given_mass > 0.0f) &&
                        (!is_given(body.given_inertia) || body.given_inertia > 0.0f) &&
                        is_given(body.given_center.x) == is_given(body.given_center.y) &&
@@ -48,8 +48,8 @@ void check(const BodyRecord& body, size_t slot) {
     require(is_finite(body.center) && is_finite(body.local_center) &&
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
                            body.thickness) &&
-                is_amount(body.sleep_time) && body.inverse_mass >= 0.0f &&
-                body.inverse_inertia >= 0.0f,
+                is_amount(body.sleep_time) && is_finite(rest.center) && are_finite(rest.angle) &&
+                body.inverse_mass >= 0.0f && body.inverse_inertia >= 0.0f,
             "the state of body", slot);
     check_finite("gravity_scale", body.gravity_scale);
     check_not_negative("linear_damping", body.linear_damping);
@@ -167,7 +167,7 @@ void check(const JointRecord& joint, size_t slot) {
 void check_all(const WorldState& w) {
     check(w.settings);
     for (size_t i = 0; i < w.bodies.size(); ++i) {
-        check(w.bodies[i], i);
+        check(w.bodies[i], w.rest_poses[i], i);
         check(w.states[i], w.previous[i], i);
     }
     for (size_t i = 0; i < w.shapes.size(); ++i)

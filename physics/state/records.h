@@ -73,7 +73,7 @@ struct BodyRecord {
     float angle_rest = 0.0f;    ///< part of the angle below the resolution of `angle`
     float extent = 0.0f;        ///< farthest point of the shapes from the center of mass, m
     float thickness = 0.0f;     ///< smallest half width, m; a longer motion per step is fast
-    float sleep_time = 0.0f;    ///< s below the sleep speed
+    float sleep_time = 0.0f;    ///< s at rest: step/rest.h
     uint32_t solver_index = 0;  ///< 1 + index in the list of awake bodies; 0: fixed or asleep
     // Both are in one byte, so that one access writes them.
     Mobility mobility : 4 = Mobility::fixed;
@@ -109,6 +109,12 @@ struct BodyRecord {
         for (size_t at = 0; at < sizeof(BodyRecord); at += 64)
             __builtin_prefetch(reinterpret_cast<const char*>(this) + at, 1);
     }
+};
+
+/// Where a body was when it came to rest: step/rest.h.
+struct RestPose {
+    V2 center;
+    float angle = 0.0f;
 };
 
 /// Data of a shape for the narrow phase, packed.

@@ -52,6 +52,7 @@ struct Slots {
 /// The objects of a world, by slot.
 struct ObjectState {
     std::vector<BodyRecord> bodies;
+    std::vector<RestPose> rest_poses;  ///< of the bodies
     std::vector<Island> islands;
     std::vector<ShapeRecord> shapes;
     std::vector<ShapeForm> forms;  ///< of the shapes
@@ -147,7 +148,8 @@ struct ObjectState {
     static void members(auto& io, auto& s) {
         list_members<ObjectState>(
             io,
-            named("bodies", s.bodies, s.islands, s.body_slots, s.island_slots, s.kinematic_bodies),
+            named("bodies", s.bodies, s.rest_poses, s.islands, s.body_slots, s.island_slots,
+                  s.kinematic_bodies),
             named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
             named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.manifold_poses, s.contact_slots),

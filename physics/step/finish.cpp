@@ -3,15 +3,13 @@
 #include <state/limits.h>
 #include <state/place_shape.h>
 #include <step/finish.h>
+#include <step/rest.h>
 
 namespace fettle::physics::detail {
 namespace {
 
 /// Number of bodies in a task of a thread.
 constexpr size_t bodies_of_piece = 64;
-
-/// A body of this extent or more falls asleep at the sleep speed of the world, m.
-constexpr float usual_extent = 0.07f;
 
 /// True if the shapes of the body turned in the step before.
 bool turned_before(const ObjectState& objects, const BodyRecord& body) {
@@ -63,9 +61,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
 
     const float speed =
         max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
-    // A small body that moves through its own size in the delay is not at rest.
-    const float size = min(record.extent / usual_extent, 1.0f);
-    record.sleep_time = speed < settings.sleep_speed * size * size ? record.sleep_time + dt : 0.0f;
+    count_rest(settings, record, in.objects.rest_poses[slot], state.angle, speed, dt);
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }
 
