@@ -6,11 +6,12 @@
 #   set(FETTLE_PARTS physics)            only rigid bodies
 #   set(FETTLE_PARTS physics console)    and everything the console rests on
 
-set(fettle_parts property storage maps physics module physics_module visuals script app console fettle)
+set(fettle_parts property storage maps physics physics_c module physics_module visuals script app console fettle)
 set(fettle_needs_property)
 set(fettle_needs_storage property)
 set(fettle_needs_maps property)
 set(fettle_needs_physics)
+set(fettle_needs_physics_c physics)
 set(fettle_needs_module property)
 set(fettle_needs_physics_module module property physics)
 set(fettle_needs_visuals module storage property)
@@ -22,6 +23,7 @@ set(fettle_needs_fettle ${fettle_parts})
 set(fettle_folder_property framework/property)
 set(fettle_folder_maps framework/maps)
 set(fettle_folder_physics physics)
+set(fettle_folder_physics_c bindings/c)
 set(fettle_folder_module framework/module)
 set(fettle_folder_physics_module physics/module)
 set(fettle_folder_visuals framework/visuals)

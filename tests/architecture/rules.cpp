@@ -37,6 +37,10 @@ const std::vector<Part>& parts() {
          {"property"},
          {"Eigen", "JSON", "pugixml", "zlib", "Zstandard"}},
         {"physics", {"physics", "physics/include/fettle/physics"}, {}, {"Eigen", "intrinsics"}},
+        {"physics_c",
+         {"bindings/c", "bindings/c/include/fettle/physics_c"},
+         {"physics"},
+         {"Eigen"}},
         {"module",
          {"framework/module", "framework/include/fettle/module"},
          {"property"},
@@ -141,7 +145,7 @@ bool may_know(const Part& part, const Part& other) {
 }
 
 bool is_standard(const std::string& header) {
-    static const std::regex modern_or_c("[a-z_0-9]+|std(def|int|io|lib)\\.h|string\\.h");
+    static const std::regex modern_or_c("[a-z_0-9]+|std(bool|def|int|io|lib)\\.h|string\\.h");
     return std::regex_match(header, modern_or_c);
 }
 

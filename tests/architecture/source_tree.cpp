@@ -10,8 +10,8 @@
 namespace fettle::architecture {
 namespace {
 
-constexpr std::array code_folders = {"framework", "physics", "console", "fettle",
-                                     "tests",     "bench",   "scripts", "examples"};
+constexpr std::array code_folders = {"framework", "physics", "bindings", "console", "fettle",
+                                     "tests",     "bench",   "scripts",  "examples"};
 
 bool has_suffix(const std::string& path, std::string_view suffix) {
     return path.ends_with(suffix);
@@ -37,7 +37,9 @@ bool SourceFile::is_cmake() const {
 }
 
 bool SourceFile::is_public_header() const {
-    return is_header() && path.find("/include/fettle/") != std::string::npos;
+    // `fettle_physics.h` is all of an interface in C, included without a folder.
+    return is_header() && (path.find("/include/fettle/") != std::string::npos ||
+                           path.ends_with("/include/fettle_physics.h"));
 }
 
 std::vector<Include> SourceFile::includes() const {
@@ -88,8 +90,8 @@ std::string SourceTree::resolve(const SourceFile& from, const Include& include) 
     for (fs::path folder = beside; !folder.empty(); folder = folder.parent_path()) {
         roots.push_back(folder);
     }
-    roots.insert(roots.end(),
-                 {"framework/include", "physics/include", "console/include", "tests/include"});
+    roots.insert(roots.end(), {"framework/include", "physics/include", "bindings/c/include",
+                               "console/include", "tests/include"});
     for (const fs::path& root : roots) {
         const std::string path = (root / include.name).lexically_normal().generic_string();
         if (contains(path)) return path;

@@ -1,0 +1,157 @@
+#include <fettle/physics_c/callbacks.h>
+
+#include <functional>
+
+#include "calls.h"
+
+namespace fettle::physics_c {
+
+using namespace physics;
+
+namespace {
+
+/// `function` in C as one that gets the contacts of the library.
+ContactCallback contact_callback(const fettle_world* world, fettle_contact_callback function,
+                                 void* user) {
+    if (function == nullptr) return {};
+    return [world, function, user](ContactEdit& edit) {
+        fettle_contact_edit told{converted(edit.shape_a),
+                                 converted(edit.shape_b),
+                                 converted(edit.point),
+                                 converted(edit.normal),
+                                 edit.speed,
+                                 edit.impulse,
+                                 edit.separation,
+                                 edit.friction,
+                                 edit.restitution,
+                                 edit.surface_speed,
+                                 edit.enabled};
+        function(user, world, &told);
+        edit.friction = told.friction;
+        edit.restitution = told.restitution;
+        edit.surface_speed = told.surface_speed;
+        edit.enabled = flag(told.enabled);
+    };
+}
+
+PairFilter pair_filter(const fettle_world* world, fettle_pair_filter function, void* user) {
+    if (function == nullptr) return {};
+    return [world, function, user](const Shape& a, const Shape& b) {
+        return function(user, world, converted(a), converted(b));
+    };
+}
+
+RefreshCallback refresh_callback(const fettle_world* world, fettle_refresh_callback function,
+                                 void* user) {
+    if (function == nullptr) return {};
+    return [world, function, user](const Refresh& refresh) {
+        function(user, world, converted(refresh.of), refresh.slot);
+    };
+}
+
+}  // namespace
+}  // namespace fettle::physics_c
+
+using namespace fettle::physics_c;
+using fettle::physics::World;
+
+fettle_code fettle_world_set_filter(fettle_world* world, fettle_pair_filter function, void* user) {
+    return edit<&World::set_filter>(__func__, world, pair_filter(world, function, user));
+}
+
+fettle_code fettle_world_set_mixing(fettle_world* world, fettle_contact_callback function,
+                                    void* user) {
+    return edit<&World::set_mixing>(__func__, world, contact_callback(world, function, user));
+}
+
+fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_callback function,
+                                          void* user) {
+    return edit<&World::set_before_solve>(__func__, world, contact_callback(world, function, user));
+}
+
+fettle_code fettle_world_on_refresh(fettle_world* world, fettle_refresh_callback function,
+                                    void* user) {
+    return edit<&World::on_refresh>(__func__, world, refresh_callback(world, function, user));
+}
+
+fettle_code fettle_world_refresh(fettle_world* world, int32_t of, uint32_t slot) {
+    return guarded(__func__, [&] {
+        using fettle::physics::Refresh;
+        World& refreshed = editable(world);
+        refreshed.refresh({enumerator("of", of, Refresh::Of::shape), slot});
+    });
+}
+
+fettle_code fettle_world_locked(const fettle_world* world, bool* locked) {
+    return guarded(__func__, [&] {
+        bool& told = needed("locked", locked);
+        told = live(world).locked() || world->visiting > 0;
+    });
+}
+
+// --- The owner
+// -------------------------------------------------------------------------------------
+
+fettle_code fettle_owner_create(const char* advice, fettle_owner** owner) {
+    return guarded(__func__, [&] {
+        fettle_owner*& made = needed("owner", owner);
+        made = std::make_unique<fettle_owner>(&needed("advice", advice)).release();
+    });
+}
+
+fettle_code fettle_owner_on_unlocked(fettle_owner* owner, fettle_unlocked_callback function,
+                                     void* user) {
+    return guarded(__func__, [&] {
+        std::function<void()> call;
+        if (function != nullptr) call = [function, user] { function(user); };
+        needed("owner", owner).owner.on_unlocked(std::move(call));
+    });
+}
+
+fettle_code fettle_owner_destroy(fettle_owner* owner) {
+    return guarded(__func__, [&] {
+        fettle_owner& ended = needed("owner", owner);
+        if (ended.worlds > 0 || ended.depth > 0)
+            throw Failure{FETTLE_LOCKED, ended.depth > 0 ? "it acts" : "a world has this owner"};
+        delete owner;
+    });
+}
+
+fettle_code fettle_owner_begin(fettle_owner* owner) {
+    return guarded(__func__, [&] {
+        fettle_owner& acting = needed("owner", owner);
+        if (acting.depth == 0) acting.acting.emplace(acting.owner);
+        ++acting.depth;
+    });
+}
+
+fettle_code fettle_owner_end(fettle_owner* owner) {
+    return guarded(__func__, [&] {
+        fettle_owner& acting = needed("owner", owner);
+        if (acting.depth == 0) throw Failure{FETTLE_INVALID, "there was no begin"};
+        if (--acting.depth == 0) acting.acting.reset();
+    });
+}
+
+fettle_code fettle_owner_acts(const fettle_owner* owner, bool* acts) {
+    return guarded(__func__, [&] {
+        bool& told = needed("acts", acts);
+        told = needed("owner", owner).owner.acts();
+    });
+}
+
+fettle_code fettle_owner_advice(const fettle_owner* owner, const char** advice) {
+    return guarded(__func__, [&] {
+        const char*& told = needed("advice", advice);
+        told = needed("owner", owner).owner.advice();
+    });
+}
+
+fettle_code fettle_world_set_owner(fettle_world* world, fettle_owner* owner) {
+    return guarded(__func__, [&] {
+        editable(world).set_owner(owner != nullptr ? &owner->owner : nullptr);
+        if (world->owner != nullptr) --world->owner->worlds;
+        if (owner != nullptr) ++owner->worlds;
+        world->owner = owner;
+    });
+}

@@ -1,0 +1,62 @@
+#include "calls.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace fettle::physics_c {
+namespace {
+
+thread_local char last_error[1024] = "";
+
+fettle_code keep(fettle_code code, const char* function, const char* message) noexcept {
+    std::snprintf(last_error, sizeof last_error, "%s: %s", function, message);
+    return code;
+}
+
+}  // namespace
+
+fettle_code told(const char* function) noexcept {
+    try {
+        throw;
+    } catch (const Failure& failure) {
+        return keep(failure.code, function, failure.message.c_str());
+    } catch (const physics::Locked& error) {
+        return keep(FETTLE_LOCKED, function, error.what());
+    } catch (const std::invalid_argument& error) {
+        return keep(FETTLE_INVALID, function, error.what());
+    } catch (const std::bad_alloc&) {
+        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+    } catch (const std::length_error&) {
+        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+    } catch (const std::exception& error) {
+        return keep(FETTLE_FAILED, function, error.what());
+    } catch (...) {
+        return keep(FETTLE_FAILED, function, "a function that was called threw an exception");
+    }
+}
+
+float checked(const Finite& number) {
+    if (!std::isfinite(number.value))
+        throw Failure{FETTLE_INVALID, std::string(number.name) + ": expected a finite number"};
+    return number.value;
+}
+
+physics::Vec2 checked(const FinitePoint& point) {
+    return {checked(Finite{"x", point.x}), checked(Finite{"y", point.y})};
+}
+
+}  // namespace fettle::physics_c
+
+using namespace fettle::physics_c;
+
+const char* fettle_last_error(void) {
+    return last_error;
+}
+
+const char* fettle_physics_version(void) {
+    return FETTLE_VERSION;
+}
+
+int32_t fettle_simd_width(void) {
+    return fettle::physics::simd_width();
+}

@@ -1,0 +1,206 @@
+#include <fettle/physics_c/columns.h>
+
+#include <cstddef>
+
+#include "calls.h"
+
+namespace fettle::physics_c {
+
+using namespace physics;
+
+namespace {
+
+// The columns of the library are those that a caller in C reads.
+static_assert(sizeof(fettle_body_state) == sizeof(BodyState));
+static_assert(offsetof(fettle_body_state, angle) == offsetof(BodyState, angle));
+static_assert(offsetof(fettle_body_state, angular_velocity) ==
+              offsetof(BodyState, angular_velocity));
+static_assert(offsetof(fettle_body_state, velocity) == offsetof(BodyState, velocity));
+static_assert(offsetof(fettle_body_state, cosine) == offsetof(BodyState, cosine));
+static_assert(offsetof(fettle_body_state, sine) == offsetof(BodyState, sine));
+static_assert(sizeof(fettle_pose) == sizeof(Pose));
+static_assert(offsetof(fettle_pose, angle) == offsetof(Pose, angle));
+
+uint32_t body_slot(const World& world, uint32_t slot) {
+    if (slot >= world.body_slots() || world.body_generation(slot) == 0)
+        throw Failure{FETTLE_STALE,
+                      "slot = " + std::to_string(slot) + ": expected the slot of a live body"};
+    return slot;
+}
+
+Written written(World& world, uint32_t slot, BodyNumber number, float value) {
+    const auto not_negative = [&] {
+        if (!(checked(Finite{"value", value}) >= 0.0f))
+            throw Failure{FETTLE_INVALID, "value: expected a finite number of at least 0"};
+        return value;
+    };
+    switch (number) {
+        case BodyNumber::angular_velocity:
+            return world.write<BodyNumber::angular_velocity>(slot, checked(Finite{"value", value}));
+        case BodyNumber::torque:
+            return world.write<BodyNumber::torque>(slot, checked(Finite{"value", value}));
+        case BodyNumber::gravity_scale:
+            return world.write<BodyNumber::gravity_scale>(slot, checked(Finite{"value", value}));
+        case BodyNumber::linear_damping:
+            return world.write<BodyNumber::linear_damping>(slot, not_negative());
+        default:
+            return world.write<BodyNumber::angular_damping>(slot, not_negative());
+    }
+}
+
+template <class Id>
+fettle_id id_in(uint32_t slot, uint32_t slots, uint32_t (World::*generation)(uint32_t) const,
+                const World& world) {
+    return slot < slots ? converted(Id{slot, (world.*generation)(slot)}) : 0;
+}
+
+/// `worlds` and `bodies` of a function for many worlds, all checked.
+std::vector<Body> checked_bodies(const fettle_world* const* worlds, uint32_t world_count,
+                                 const fettle_id* bodies, uint32_t body_count) {
+    if (world_count > 0) needed("worlds", worlds);
+    if (world_count > 0 && body_count > 0) needed("bodies", bodies);
+    std::vector<Body> found;
+    found.reserve(size_t(world_count) * body_count);
+    for (size_t i = 0; i < world_count; ++i)
+        for (size_t k = 0; k < body_count; ++k)
+            found.push_back(handle<Body>(worlds[i], bodies[i * body_count + k]));
+    return found;
+}
+
+}  // namespace
+}  // namespace fettle::physics_c
+
+using namespace fettle::physics_c;
+using namespace fettle::physics;
+
+fettle_code fettle_world_columns(const fettle_world* world, fettle_columns* columns) {
+    return guarded(__func__, [&] {
+        fettle_columns& told = needed("columns", columns);
+        const World& of = live(world);
+        const std::span<const BodyState> states = of.states();
+        told.states = reinterpret_cast<const fettle_body_state*>(states.data());
+        told.previous =
+            states.empty() ? nullptr : reinterpret_cast<const fettle_pose*>(&of.previous(0));
+        told.body_slots = uint32_t(states.size());
+    });
+}
+
+fettle_code fettle_world_contacts(const fettle_world* world, fettle_contact* out, uint32_t room,
+                                  uint32_t* count) {
+    return list<&World::contacts>(__func__, world, out, room, count);
+}
+
+fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        needed("state", state) = converted(of.state(body_slot(of, slot)));
+    });
+}
+
+fettle_code fettle_world_previous(const fettle_world* world, uint32_t slot, fettle_pose* pose) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        needed("pose", pose) = converted(of.previous(body_slot(of, slot)));
+    });
+}
+
+fettle_code fettle_world_mass(const fettle_world* world, uint32_t slot, float* mass) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        float& told = needed("mass", mass);
+        told = of.mass(body_slot(of, slot));
+    });
+}
+
+fettle_code fettle_world_velocity(const fettle_world* world, uint32_t slot, fettle_vec2* velocity) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        needed("velocity", velocity) = converted(of.velocity(body_slot(of, slot)));
+    });
+}
+
+fettle_code fettle_world_body_in(const fettle_world* world, uint32_t slot, fettle_id* body) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        needed("body", body) = id_in<BodyId>(slot, of.body_slots(), &World::body_generation, of);
+    });
+}
+
+fettle_code fettle_world_shape_in(const fettle_world* world, uint32_t slot, fettle_id* shape) {
+    return guarded(__func__, [&] {
+        const World& of = live(world);
+        needed("shape", shape) =
+            id_in<ShapeId>(slot, of.shape_slots(), &World::shape_generation, of);
+    });
+}
+
+fettle_code fettle_world_body_slots(const fettle_world* world, uint32_t* body_slots) {
+    return read<&World::body_slots>(__func__, world, body_slots);
+}
+
+fettle_code fettle_world_shape_slots(const fettle_world* world, uint32_t* shape_slots) {
+    return read<&World::shape_slots>(__func__, world, shape_slots);
+}
+
+fettle_code fettle_world_write(fettle_world* world, uint32_t slot, int32_t number, float value,
+                               int32_t* written) {
+    return guarded(__func__, [&] {
+        World& to = editable(world);
+        int32_t& told = needed("written", written);
+        const auto which = enumerator("number", number, BodyNumber::angular_damping);
+        told = int32_t(fettle::physics_c::written(to, body_slot(to, slot), which, value));
+    });
+}
+
+fettle_code fettle_world_write_velocity(fettle_world* world, uint32_t slot, float x, float y,
+                                        int32_t* written) {
+    return guarded(__func__, [&] {
+        World& to = editable(world);
+        int32_t& told = needed("written", written);
+        told = int32_t(to.write_velocity(body_slot(to, slot), checked(FinitePoint{x, y})));
+    });
+}
+
+fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float x, float y,
+                                      bool* moves) {
+    return guarded(__func__, [&] {
+        World& to = editable(world);
+        bool& told = needed("moves", moves);
+        told = to.set_velocity(body_slot(to, slot), checked(FinitePoint{x, y}));
+    });
+}
+
+// --- Many worlds
+// -----------------------------------------------------------------------------------
+
+fettle_code fettle_worlds_step(fettle_world* const* worlds, uint32_t world_count, float dt) {
+    return guarded(__func__, [&] {
+        if (std::isnan(dt)) throw Failure{FETTLE_INVALID, "dt: expected a number of seconds"};
+        if (world_count > 0) needed("worlds", worlds);
+        for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
+        for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]).step(dt);
+    });
+}
+
+fettle_code fettle_worlds_read_states(const fettle_world* const* worlds, uint32_t world_count,
+                                      const fettle_id* bodies, uint32_t body_count,
+                                      fettle_body_state* states) {
+    return guarded(__func__, [&] {
+        const auto found = checked_bodies(worlds, world_count, bodies, body_count);
+        if (!found.empty()) needed("states", states);
+        for (size_t i = 0; i < found.size(); ++i)
+            states[i] = converted(found[i].world().state(found[i].index()));
+    });
+}
+
+fettle_code fettle_worlds_apply_forces(fettle_world* const* worlds, uint32_t world_count,
+                                       const fettle_id* bodies, uint32_t body_count,
+                                       const fettle_vec2* forces) {
+    return guarded(__func__, [&] {
+        auto found = checked_bodies(worlds, world_count, bodies, body_count);
+        if (!found.empty()) needed("forces", forces);
+        for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
+        for (size_t i = 0; i < found.size(); ++i) checked(FinitePoint{forces[i].x, forces[i].y});
+        for (size_t i = 0; i < found.size(); ++i) found[i].apply_force(vector_of(forces[i]));
+    });
+}

@@ -1,0 +1,104 @@
+#include "convert.h"
+
+#include <cstdio>
+
+namespace fettle::physics_c {
+
+using namespace physics;
+
+namespace {
+
+const char* name_of_kind(uint32_t kind) {
+    constexpr const char* names[] = {"nothing", "a body", "a shape", "a joint", "a field"};
+    return kind < std::size(names) ? names[kind] : "no object";
+}
+
+const char* name_of(JointType type) {
+    constexpr const char* names[] = {"mouse", "distance", "revolute", "prismatic",
+                                     "wheel", "weld",     "motor",    "pulley",
+                                     "gear",  "groove",   "pin slot", "ratchet"};
+    return names[size_t(type)];
+}
+
+std::string text(fettle_id id) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "0x%016llx", static_cast<unsigned long long>(id));
+    return buffer;
+}
+
+}  // namespace
+
+fettle_id packed(uint32_t index, uint32_t generation, uint32_t kind) {
+    if (generation == 0) return 0;
+    if (index >> slot_bits != 0)
+        throw Failure{FETTLE_FAILED, "the world has more objects than ids in C can name"};
+    return uint64_t(generation) << 32 | kind << slot_bits | index;
+}
+
+uint32_t unpacked(fettle_id id, uint32_t kind) {
+    const uint32_t given = uint32_t(id) >> slot_bits;
+    if (id == 0)
+        throw Failure{FETTLE_STALE, std::string("expected the id of ") + name_of_kind(kind) +
+                                        ", got 0, which names none"};
+    if (given != kind)
+        throw Failure{FETTLE_INVALID, std::string("expected the id of ") + name_of_kind(kind) +
+                                          ", got " + text(id) + ", which names " +
+                                          name_of_kind(given)};
+    return uint32_t(id) & ((1u << slot_bits) - 1);
+}
+
+void refuse_stale(fettle_id id, uint32_t kind) {
+    throw Failure{FETTLE_STALE, std::string("expected the id of ") + name_of_kind(kind) + ", got " +
+                                    text(id) + ", which was destroyed, or is of another world"};
+}
+
+void refuse_joint(JointType wanted, JointType is) {
+    throw Failure{FETTLE_INVALID, std::string("expected a ") + name_of(wanted) + " joint, got a " +
+                                      name_of(is) + " joint"};
+}
+
+Body body_or_world(const fettle_world* world, fettle_id id) {
+    return id == 0 ? Body() : handle<Body>(world, id);
+}
+
+fettle_body_state converted(const BodyState& state) {
+    return {converted(state.position), state.angle,  state.angular_velocity,
+            converted(state.velocity), state.cosine, state.sine};
+}
+
+fettle_contact converted(const Contact& contact) {
+    fettle_contact told{};
+    told.body_a = converted(contact.body_a);
+    told.body_b = converted(contact.body_b);
+    told.shape_a = converted(contact.shape_a);
+    told.shape_b = converted(contact.shape_b);
+    told.normal = converted(contact.normal);
+    told.friction = contact.friction;
+    told.restitution = contact.restitution;
+    told.normal_force = contact.normal_force;
+    told.point_count = contact.point_count;
+    for (size_t i = 0; i < contact.points.size(); ++i) {
+        const ContactPoint& point = contact.points[i];
+        told.points[i] = {converted(point.point), point.separation, point.normal_impulse,
+                          point.tangent_impulse, point.feature};
+    }
+    return told;
+}
+
+fettle_ray_hit converted(const RayHit& hit) {
+    return {converted(hit.shape), converted(hit.point), converted(hit.normal), hit.fraction};
+}
+
+fettle_point_hit converted(const PointHit& hit) {
+    return {converted(hit.shape), converted(hit.point), converted(hit.normal), hit.distance};
+}
+
+fettle_memory_share converted(const MemoryShare& share) {
+    return {share.purpose, share.used, share.reserved};
+}
+
+}  // namespace fettle::physics_c
+
+uint32_t fettle_slot(fettle_id id) {
+    return uint32_t(id) & ((1u << fettle::physics_c::slot_bits) - 1);
+}

@@ -1,0 +1,102 @@
+/* Functions of the host that a world calls, and the owner of a world.
+ *
+ * `user` is the pointer that was given with the function. A function may read the world and make
+ * queries of it. Functions that edit, step, restore, assign, clear or destroy the world, or that
+ * set a callback, are refused with FETTLE_LOCKED inside it, and so are saving, copying and
+ * fettle_world_validate inside a step. Other worlds are not affected. It runs on the thread of the
+ * caller, and must return: it must not jump out or throw past the library (an exception of a C++
+ * function is caught, and the call of the world gives FETTLE_FAILED after it is complete).
+ *
+ * Callbacks and owner are not part of snapshots: copying, saving and restoring do not change those
+ * of a world, and a clone has none. */
+
+#pragma once
+
+#include <fettle/physics_c/basics.h>
+
+FETTLE_PHYSICS_C_BEGIN
+
+/** A contact about to be solved. The last five members may be set, and are valid for the step. */
+typedef struct fettle_contact_edit {
+    fettle_id shape_a, shape_b;
+    fettle_vec2 point;   /* world, m: middle of the manifold of the deepest part */
+    fettle_vec2 normal;  /* from a to b */
+    float speed;         /* m/s, approach speed along the normal */
+    float impulse;       /* N s, normal impulse of the last step */
+    float separation;    /* m, negative when the shapes overlap */
+    float friction;      /* mixed; 0 or more; NaN changes nothing */
+    float restitution;   /* mixed; 0 to 1 */
+    float surface_speed; /* mixed; m/s */
+    bool enabled;        /* false: no contact in this step */
+} fettle_contact_edit;
+
+enum fettle_refresh_of {
+    FETTLE_REFRESH_EVERYTHING = 0,
+    FETTLE_REFRESH_BODY = 1,
+    FETTLE_REFRESH_SHAPE = 2
+};
+
+/** Whether two shapes whose filters agree may collide. */
+typedef bool (*fettle_pair_filter)(void* user, const fettle_world* world, fettle_id shape_a,
+                                   fettle_id shape_b);
+typedef void (*fettle_contact_callback)(void* user, const fettle_world* world,
+                                        fettle_contact_edit* contact);
+/** `of`: one of fettle_refresh_of; `slot`: of the body or shape. */
+typedef void (*fettle_refresh_callback)(void* user, const fettle_world* world, int32_t of,
+                                        uint32_t slot);
+
+/** Called for every pair of shapes that come near to each other, and again after an edit of a
+   filter. Setting it calls it for all pairs. A null function: none. */
+fettle_code fettle_world_set_filter(fettle_world* world, fettle_pair_filter function, void* user);
+
+/** Mixes the surfaces of every contact in every step, after the mix rules; called for each touching
+    part of an outline. A null function: none. */
+fettle_code fettle_world_set_mixing(fettle_world* world, fettle_contact_callback function,
+                                    void* user);
+
+/** Called for every contact before it is solved, once for two shapes. A null function: none. */
+fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_callback function,
+                                          void* user);
+
+/** Called before a read updates edited data. A null function: none. */
+fettle_code fettle_world_on_refresh(fettle_world* world, fettle_refresh_callback function,
+                                    void* user);
+
+/** Makes the update that a read would make: of everything, or of the body or shape in a slot. Does
+    nothing if nothing is out of date or the slot is free. */
+fettle_code fettle_world_refresh(fettle_world* world, int32_t of, uint32_t slot);
+
+/** Whether the world is calling a function now. */
+fettle_code fettle_world_locked(const fettle_world* world, bool* locked);
+
+/** For a host that keeps data for every object of a world. Once a world has an owner, objects can
+   be created and destroyed, and their user data set, only while the owner acts: otherwise these
+   calls give FETTLE_LOCKED. */
+typedef struct fettle_owner fettle_owner;
+typedef void (*fettle_unlocked_callback)(void* user);
+
+/** An owner. `advice` is copied to the end of messages, as in "delete the entity instead". */
+fettle_code fettle_owner_create(const char* advice, fettle_owner** owner);
+
+/** Called at the end of a step, an edit or a query in which a world of the owner called functions.
+   A null function: none. */
+fettle_code fettle_owner_on_unlocked(fettle_owner* owner, fettle_unlocked_callback function,
+                                     void* user);
+
+/** FETTLE_LOCKED while a world has this owner, or while it acts. An owner must not be used after.
+ */
+fettle_code fettle_owner_destroy(fettle_owner* owner);
+
+/** Between begin and end, calls count as calls by the owner. They may be nested; an end without a
+    begin is FETTLE_INVALID. */
+fettle_code fettle_owner_begin(fettle_owner* owner);
+fettle_code fettle_owner_end(fettle_owner* owner);
+
+/** Whether the owner acts, and the advice in its messages, which lives as long as the owner. */
+fettle_code fettle_owner_acts(const fettle_owner* owner, bool* acts);
+fettle_code fettle_owner_advice(const fettle_owner* owner, const char** advice);
+
+/** Sets the owner of a world; null: every caller may create and destroy. */
+fettle_code fettle_world_set_owner(fettle_world* world, fettle_owner* owner);
+
+FETTLE_PHYSICS_C_END

@@ -1,0 +1,66 @@
+/* Events of the last step and of the edits before it. Ids of destroyed objects are dangling on
+ * purpose: they can still be compared, so a listener knows which object was destroyed. */
+
+#pragma once
+
+#include <fettle/physics_c/basics.h>
+
+FETTLE_PHYSICS_C_BEGIN
+
+/** A touch that begins or continues, or an impact. */
+typedef struct fettle_contact_event {
+    fettle_id shape_a, shape_b;
+    fettle_id body_a, body_b;
+    fettle_vec2 point;  /* world, m: middle of the manifold */
+    fettle_vec2 normal; /* from a to b */
+    float speed;        /* m/s, approach speed along the normal (begin: before the step) */
+    float impulse;      /* N s: that stops the approach (persist: of the last step) */
+    float friction;     /* mixed */
+    float restitution;  /* mixed */
+} fettle_contact_event;
+
+typedef struct fettle_contact_end_event {
+    fettle_id shape_a, shape_b;
+    fettle_id body_a, body_b;
+} fettle_contact_end_event;
+
+typedef struct fettle_sensor_event {
+    fettle_id sensor, visitor; /* shapes */
+    fettle_id sensor_body, visitor_body;
+} fettle_sensor_event;
+
+/** A joint had more load than its break_force or break_torque; it no longer acts. */
+typedef struct fettle_joint_break_event {
+    fettle_id joint;
+    fettle_id body_a, body_b; /* 0: the world */
+    fettle_vec2 force;        /* N, on body b, mean over the step */
+    float torque;             /* N m, on body b, without the torque of the force */
+} fettle_joint_break_event;
+
+/** Arrays, each with its length. */
+typedef struct fettle_events {
+    const fettle_contact_event* contact_begin;
+    const fettle_contact_event* contact_persist; /* only with persist_events */
+    const fettle_contact_end_event* contact_end;
+    const fettle_contact_event* contact_hit; /* for shapes with hit_events */
+    const fettle_sensor_event* sensor_begin;
+    const fettle_sensor_event* sensor_end;
+    const fettle_joint_break_event* joint_broke;
+    const fettle_id* slept; /* bodies */
+    const fettle_id* woke;
+    uint32_t contact_begin_count;
+    uint32_t contact_persist_count;
+    uint32_t contact_end_count;
+    uint32_t contact_hit_count;
+    uint32_t sensor_begin_count;
+    uint32_t sensor_end_count;
+    uint32_t joint_broke_count;
+    uint32_t slept_count;
+    uint32_t woke_count;
+} fettle_events;
+
+/** The events. The arrays belong to the world and are valid until the next call of this function
+   for it, or until it is destroyed: stepping and editing do not change them. */
+fettle_code fettle_world_events(fettle_world* world, fettle_events* events);
+
+FETTLE_PHYSICS_C_END

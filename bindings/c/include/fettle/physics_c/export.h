@@ -1,0 +1,19 @@
+/* Marks around the declarations of this library: they have C names and are exported. */
+
+#pragma once
+
+#ifdef __GNUC__
+#define FETTLE_PHYSICS_C_SHOW _Pragma("GCC visibility push(default)")
+#define FETTLE_PHYSICS_C_SHOWN _Pragma("GCC visibility pop")
+#else
+#define FETTLE_PHYSICS_C_SHOW
+#define FETTLE_PHYSICS_C_SHOWN
+#endif
+
+#ifdef __cplusplus
+#define FETTLE_PHYSICS_C_BEGIN FETTLE_PHYSICS_C_SHOW extern "C" {
+#define FETTLE_PHYSICS_C_END } FETTLE_PHYSICS_C_SHOWN
+#else
+#define FETTLE_PHYSICS_C_BEGIN FETTLE_PHYSICS_C_SHOW
+#define FETTLE_PHYSICS_C_END FETTLE_PHYSICS_C_SHOWN
+#endif

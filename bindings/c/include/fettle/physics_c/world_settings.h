@@ -1,0 +1,97 @@
+/* Settings of a world. Their defaults are those of fettle_world_def. Errors are those of basics.h.
+ */
+
+#pragma once
+
+#include <fettle/physics_c/basics.h>
+
+FETTLE_PHYSICS_C_BEGIN
+
+/** m/s2; finite. The setter wakes all bodies. */
+fettle_code fettle_world_gravity(const fettle_world* world, fettle_vec2* gravity);
+fettle_code fettle_world_set_gravity(fettle_world* world, float x, float y);
+
+/** Solver sub-steps a step, 1 to 64. A step that is much longer than the last one may get more of
+    them. */
+fettle_code fettle_world_substeps(const fettle_world* world, int32_t* substeps);
+fettle_code fettle_world_set_substeps(fettle_world* world, int32_t substeps);
+
+/** Whether walls keep dynamic bodies inside, and where they are (m; zero if there are none). */
+fettle_code fettle_world_bounds(const fettle_world* world, bool* is_set, fettle_aabb* bounds);
+
+/** Walls at these coordinates (m, from -1e8 to 1e8, min below max); null: none. Wakes all bodies.
+ */
+fettle_code fettle_world_set_bounds(fettle_world* world, const fettle_aabb* bounds);
+
+/** Of these walls; finite, at least 0. */
+fettle_code fettle_world_bounds_friction(const fettle_world* world, float* bounds_friction);
+fettle_code fettle_world_set_bounds_friction(fettle_world* world, float bounds_friction);
+
+/** Of these walls, from 0 to 1. */
+fettle_code fettle_world_bounds_restitution(const fettle_world* world, float* bounds_restitution);
+fettle_code fettle_world_set_bounds_restitution(fettle_world* world, float bounds_restitution);
+
+/** Whether resting islands fall asleep and cost no time; false wakes all bodies. */
+fettle_code fettle_world_sleeping(const fettle_world* world, bool* sleeping);
+fettle_code fettle_world_set_sleeping(fettle_world* world, bool sleeping);
+
+/** Whether fast bodies do not pass through static ones. */
+fettle_code fettle_world_continuous(const fettle_world* world, bool* continuous);
+fettle_code fettle_world_set_continuous(fettle_world* world, bool continuous);
+
+/** m/s; finite, at least 0. Slower impacts do not bounce. */
+fettle_code fettle_world_restitution_threshold(const fettle_world* world,
+                                               float* restitution_threshold);
+fettle_code fettle_world_set_restitution_threshold(fettle_world* world,
+                                                   float restitution_threshold);
+
+/** m/s; finite, at least 0. Slower impacts make no hit event. */
+fettle_code fettle_world_hit_threshold(const fettle_world* world, float* hit_threshold);
+fettle_code fettle_world_set_hit_threshold(fettle_world* world, float hit_threshold);
+
+/** m/s; finite, at least 0. An island slower than this for sleep_delay sleeps. */
+fettle_code fettle_world_sleep_speed(const fettle_world* world, float* sleep_speed);
+fettle_code fettle_world_set_sleep_speed(fettle_world* world, float sleep_speed);
+
+/** s; finite, at least 0. */
+fettle_code fettle_world_sleep_delay(const fettle_world* world, float* sleep_delay);
+fettle_code fettle_world_set_sleep_delay(fettle_world* world, float sleep_delay);
+
+/** Hz; finite, at least 0: frequency of a contact under load. The solver uses at most a quarter
+    of the sub-step rate. */
+fettle_code fettle_world_contact_hertz(const fettle_world* world, float* contact_hertz);
+fettle_code fettle_world_set_contact_hertz(fettle_world* world, float contact_hertz);
+
+/** Damping ratio of contacts; finite, at least 0. */
+fettle_code fettle_world_contact_damping(const fettle_world* world, float* contact_damping);
+fettle_code fettle_world_set_contact_damping(fettle_world* world, float contact_damping);
+
+/** m/s; finite, at least 0: limit for pushing overlapping shapes apart. */
+fettle_code fettle_world_push_speed(const fettle_world* world, float* push_speed);
+fettle_code fettle_world_set_push_speed(fettle_world* world, float push_speed);
+
+/** One of fettle_solver. The setter wakes all bodies. */
+fettle_code fettle_world_solver(const fettle_world* world, int32_t* solver);
+fettle_code fettle_world_set_solver(fettle_world* world, int32_t solver);
+
+/** One of fettle_mix_rule. The setter wakes all bodies. */
+fettle_code fettle_world_friction_mix(const fettle_world* world, int32_t* friction_mix);
+fettle_code fettle_world_set_friction_mix(fettle_world* world, int32_t friction_mix);
+
+/** One of fettle_mix_rule. The setter wakes all bodies. */
+fettle_code fettle_world_restitution_mix(const fettle_world* world, int32_t* restitution_mix);
+fettle_code fettle_world_set_restitution_mix(fettle_world* world, int32_t restitution_mix);
+
+/** Whether every continuing touch is reported in every step. */
+fettle_code fettle_world_persist_events(const fettle_world* world, bool* persist_events);
+fettle_code fettle_world_set_persist_events(fettle_world* world, bool persist_events);
+
+/** Threads that share the work of a step, with the caller's, 1 to 64. Changes no result.
+    FETTLE_FAILED if the system provides fewer; then the number stays. */
+fettle_code fettle_world_threads(const fettle_world* world, int32_t* threads);
+fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads);
+
+/** Largest number of values that are computed at a time: 4, 8 or 16. Changes no result. */
+fettle_code fettle_world_limit_simd_width(fettle_world* world, int32_t most);
+
+FETTLE_PHYSICS_C_END

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <fettle/physics/physics.h>
+#include <fettle_physics.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the pointers of a caller in C lead to.
+
+namespace fettle::physics_c {
+
+/// An error of a caller in C.
+struct Failure {
+    fettle_code code;
+    std::string message;
+};
+
+/// The arrays that `fettle_world_events` gave.
+struct GivenEvents {
+    std::vector<fettle_contact_event> contact_begin, contact_persist, contact_hit;
+    std::vector<fettle_contact_end_event> contact_end;
+    std::vector<fettle_sensor_event> sensor_begin, sensor_end;
+    std::vector<fettle_joint_break_event> joint_broke;
+    std::vector<fettle_id> slept, woke;
+};
+
+}  // namespace fettle::physics_c
+
+struct fettle_owner {
+    explicit fettle_owner(const char* text) : advice(text), owner(advice.c_str()) {}
+
+    std::string advice;
+    fettle::physics::Owner owner;
+    std::optional<fettle::physics::Owner::Acting> acting;
+    int depth = 0;   ///< of begin and end
+    int worlds = 0;  ///< that it owns
+};
+
+struct fettle_world {
+    std::unique_ptr<fettle::physics::World> world;  ///< null: destroyed
+    fettle_owner* owner = nullptr;
+    int visiting = 0;  ///< calls of visitors that have not returned
+    fettle::physics_c::GivenEvents events;
+    std::vector<std::byte> saved;
+    std::string fault;
+};
+
+namespace fettle::physics_c {
+
+/// A world of the library in C. The memory of a destroyed one stays for some time, so that a stale
+/// pointer is recognized.
+fettle_world* adopt(std::unique_ptr<physics::World> world);
+void retire(fettle_world* world) noexcept;
+
+/// The world; throws Failure if it is null or destroyed.
+physics::World& live(const fettle_world* world);
+/// Also throws Failure inside a visitor.
+physics::World& editable(fettle_world* world);
+
+/// While it lives, the world must not be edited.
+class Visiting {
+  public:
+    explicit Visiting(fettle_world& world) : world_(world) { ++world_.visiting; }
+    ~Visiting() { --world_.visiting; }
+    Visiting(const Visiting&) = delete;
+    Visiting& operator=(const Visiting&) = delete;
+
+  private:
+    fettle_world& world_;
+};
+
+}  // namespace fettle::physics_c

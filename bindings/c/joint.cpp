@@ -1,0 +1,139 @@
+#include "calls.h"
+
+#include <fettle/physics_c/joint.h>
+
+using namespace fettle::physics;
+using namespace fettle::physics_c;
+
+bool fettle_joint_is_valid(const fettle_world* world, fettle_id joint) {
+    return lives<JointId>(world, joint);
+}
+
+fettle_code fettle_joint_destroy(fettle_world* world, fettle_id joint) {
+    return edit<&Joint::destroy>(__func__, world, joint);
+}
+
+fettle_code fettle_joint_type(const fettle_world* world, fettle_id joint, int32_t* type) {
+    return read<&Joint::type>(__func__, world, joint, type);
+}
+
+fettle_code fettle_joint_body_a(const fettle_world* world, fettle_id joint, fettle_id* body_a) {
+    return read<&Joint::body_a>(__func__, world, joint, body_a);
+}
+
+fettle_code fettle_joint_set_body_a(fettle_world* world, fettle_id joint, fettle_id body) {
+    return on<Joint>(__func__, world, joint,
+                     [&](Joint it) { it.set_body_a(body_or_world(world, body)); });
+}
+
+fettle_code fettle_joint_body_b(const fettle_world* world, fettle_id joint, fettle_id* body_b) {
+    return read<&Joint::body_b>(__func__, world, joint, body_b);
+}
+
+fettle_code fettle_joint_set_body_b(fettle_world* world, fettle_id joint, fettle_id body) {
+    return on<Joint>(__func__, world, joint,
+                     [&](Joint it) { it.set_body_b(body_or_world(world, body)); });
+}
+
+fettle_code fettle_joint_connect(fettle_world* world, fettle_id joint, fettle_id body_a,
+                                 fettle_id body_b) {
+    return on<Joint>(__func__, world, joint, [&](Joint it) {
+        it.connect(body_or_world(world, body_a), body_or_world(world, body_b));
+    });
+}
+
+fettle_code fettle_joint_disconnect(fettle_world* world, fettle_id joint) {
+    return edit<&Joint::disconnect>(__func__, world, joint);
+}
+
+fettle_code fettle_joint_dormant(const fettle_world* world, fettle_id joint, bool* dormant) {
+    return read<&Joint::dormant>(__func__, world, joint, dormant);
+}
+
+fettle_code fettle_joint_anchor_a(const fettle_world* world, fettle_id joint,
+                                  fettle_vec2* anchor_a) {
+    return read<&Joint::anchor_a>(__func__, world, joint, anchor_a);
+}
+
+fettle_code fettle_joint_set_anchor_a(fettle_world* world, fettle_id joint, float x, float y) {
+    return edit<&Joint::set_anchor_a>(__func__, world, joint, Vec2(x, y));
+}
+
+fettle_code fettle_joint_anchor_b(const fettle_world* world, fettle_id joint,
+                                  fettle_vec2* anchor_b) {
+    return read<&Joint::anchor_b>(__func__, world, joint, anchor_b);
+}
+
+fettle_code fettle_joint_set_anchor_b(fettle_world* world, fettle_id joint, float x, float y) {
+    return edit<&Joint::set_anchor_b>(__func__, world, joint, Vec2(x, y));
+}
+
+fettle_code fettle_joint_world_anchor_a(const fettle_world* world, fettle_id joint,
+                                        fettle_vec2* world_anchor_a) {
+    return read<&Joint::world_anchor_a>(__func__, world, joint, world_anchor_a);
+}
+
+fettle_code fettle_joint_world_anchor_b(const fettle_world* world, fettle_id joint,
+                                        fettle_vec2* world_anchor_b) {
+    return read<&Joint::world_anchor_b>(__func__, world, joint, world_anchor_b);
+}
+
+fettle_code fettle_joint_enabled(const fettle_world* world, fettle_id joint, bool* enabled) {
+    return read<&Joint::enabled>(__func__, world, joint, enabled);
+}
+
+fettle_code fettle_joint_set_enabled(fettle_world* world, fettle_id joint, bool enabled) {
+    return edit<&Joint::set_enabled>(__func__, world, joint, enabled);
+}
+
+fettle_code fettle_joint_collide(const fettle_world* world, fettle_id joint, bool* collide) {
+    return read<&Joint::collide>(__func__, world, joint, collide);
+}
+
+fettle_code fettle_joint_set_collide(fettle_world* world, fettle_id joint, bool collide) {
+    return edit<&Joint::set_collide>(__func__, world, joint, collide);
+}
+
+fettle_code fettle_joint_break_force(const fettle_world* world, fettle_id joint,
+                                     float* break_force) {
+    return read<&Joint::break_force>(__func__, world, joint, break_force);
+}
+
+fettle_code fettle_joint_set_break_force(fettle_world* world, fettle_id joint, float break_force) {
+    return edit<&Joint::set_break_force>(__func__, world, joint, break_force);
+}
+
+fettle_code fettle_joint_break_torque(const fettle_world* world, fettle_id joint,
+                                      float* break_torque) {
+    return read<&Joint::break_torque>(__func__, world, joint, break_torque);
+}
+
+fettle_code fettle_joint_set_break_torque(fettle_world* world, fettle_id joint,
+                                          float break_torque) {
+    return edit<&Joint::set_break_torque>(__func__, world, joint, break_torque);
+}
+
+fettle_code fettle_joint_broken(const fettle_world* world, fettle_id joint, bool* broken) {
+    return read<&Joint::broken>(__func__, world, joint, broken);
+}
+
+fettle_code fettle_joint_set_broken(fettle_world* world, fettle_id joint, bool broken) {
+    return edit<&Joint::set_broken>(__func__, world, joint, broken);
+}
+
+fettle_code fettle_joint_force(const fettle_world* world, fettle_id joint, fettle_vec2* force) {
+    return read<&Joint::force>(__func__, world, joint, force);
+}
+
+fettle_code fettle_joint_torque(const fettle_world* world, fettle_id joint, float* torque) {
+    return read<&Joint::torque>(__func__, world, joint, torque);
+}
+
+fettle_code fettle_joint_user_data(const fettle_world* world, fettle_id joint,
+                                   uint64_t* user_data) {
+    return read<&Joint::user_data>(__func__, world, joint, user_data);
+}
+
+fettle_code fettle_joint_set_user_data(fettle_world* world, fettle_id joint, uint64_t user_data) {
+    return edit<&Joint::set_user_data>(__func__, world, joint, user_data);
+}

@@ -1,0 +1,212 @@
+#include <fettle/physics_c/query.h>
+
+#include "calls.h"
+
+namespace fettle::physics_c {
+
+using namespace physics;
+
+QueryFilter filter_of(const fettle_world* world, const fettle_query_filter* filter) {
+    QueryFilter taken;
+    if (filter == nullptr) return taken;
+    check_size(filter->size, sizeof *filter);
+    taken.category = filter->category;
+    taken.mask = filter->mask;
+    taken.group = filter->group;
+    taken.sensors = flag(filter->sensors);
+    if (const fettle_accept accept = filter->accept; accept != nullptr) {
+        taken.accept = [world, accept, user = filter->user](const Shape& shape) {
+            return accept(user, world, converted(shape));
+        };
+    }
+    return taken;
+}
+
+namespace {
+
+void visit(fettle_world* world, const std::vector<Shape>& found, fettle_shape_visitor visitor,
+           void* user) {
+    needed("visitor", visitor);
+    const Visiting visiting(*world);
+    for (const Shape& shape : found)
+        if (!visitor(user, world, converted(shape))) return;
+}
+
+void tell_hit(const auto& found, bool* is_found, auto* hit) {
+    needed("found", is_found) = found.has_value();
+    if (found && hit != nullptr) *hit = converted(*found);
+}
+
+}  // namespace
+}  // namespace fettle::physics_c
+
+using namespace fettle::physics;
+using namespace fettle::physics_c;
+
+fettle_code fettle_query_filter_init(fettle_query_filter* filter, size_t size) {
+    fettle_query_filter defaults{};
+    defaults.category = QueryFilter().category;
+    defaults.mask = QueryFilter().mask;
+    return init(__func__, filter, size, defaults);
+}
+
+fettle_code fettle_world_query_point(const fettle_world* world, float x, float y,
+                                     const fettle_query_filter* filter, fettle_id* out,
+                                     uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        tell_list(live(world).query_point({x, y}, filter_of(world, filter)), out, room, count);
+    });
+}
+
+fettle_code fettle_world_visit_point(fettle_world* world, float x, float y,
+                                     const fettle_query_filter* filter,
+                                     fettle_shape_visitor visitor, void* user) {
+    return guarded(__func__, [&] {
+        visit(world, live(world).query_point({x, y}, filter_of(world, filter)), visitor, user);
+    });
+}
+
+fettle_code fettle_world_query_aabb(const fettle_world* world, const fettle_aabb* box,
+                                    const fettle_query_filter* filter, fettle_id* out,
+                                    uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        const Aabb within = box_of(needed("box", box));
+        tell_list(live(world).query_aabb(within, filter_of(world, filter)), out, room, count);
+    });
+}
+
+fettle_code fettle_world_visit_aabb(fettle_world* world, const fettle_aabb* box,
+                                    const fettle_query_filter* filter, fettle_shape_visitor visitor,
+                                    void* user) {
+    return guarded(__func__, [&] {
+        const Aabb within = box_of(needed("box", box));
+        visit(world, live(world).query_aabb(within, filter_of(world, filter)), visitor, user);
+    });
+}
+
+fettle_code fettle_world_query_overlap(const fettle_world* world, const fettle_world* of,
+                                       fettle_id shape, const fettle_query_filter* filter,
+                                       fettle_id* out, uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        const auto found =
+            live(world).query_overlap(handle<Shape>(of, shape), filter_of(world, filter));
+        tell_list(found, out, room, count);
+    });
+}
+
+fettle_code fettle_world_visit_overlap(fettle_world* world, const fettle_world* of, fettle_id shape,
+                                       const fettle_query_filter* filter,
+                                       fettle_shape_visitor visitor, void* user) {
+    return guarded(__func__, [&] {
+        const auto found =
+            live(world).query_overlap(handle<Shape>(of, shape), filter_of(world, filter));
+        visit(world, found, visitor, user);
+    });
+}
+
+fettle_code fettle_world_query_overlap_geometry(const fettle_world* world,
+                                                const fettle_geometry* geometry,
+                                                const fettle_pose* pose,
+                                                const fettle_query_filter* filter, fettle_id* out,
+                                                uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        const auto found = live(world).query_overlap(geometry_of(geometry), pose_of(pose),
+                                                     filter_of(world, filter));
+        tell_list(found, out, room, count);
+    });
+}
+
+fettle_code fettle_world_visit_overlap_geometry(fettle_world* world,
+                                                const fettle_geometry* geometry,
+                                                const fettle_pose* pose,
+                                                const fettle_query_filter* filter,
+                                                fettle_shape_visitor visitor, void* user) {
+    return guarded(__func__, [&] {
+        const auto found = live(world).query_overlap(geometry_of(geometry), pose_of(pose),
+                                                     filter_of(world, filter));
+        visit(world, found, visitor, user);
+    });
+}
+
+fettle_code fettle_world_cast_ray(const fettle_world* world, float from_x, float from_y, float to_x,
+                                  float to_y, const fettle_query_filter* filter, bool* found,
+                                  fettle_ray_hit* hit) {
+    return guarded(__func__, [&] {
+        tell_hit(live(world).cast_ray({from_x, from_y}, {to_x, to_y}, filter_of(world, filter)),
+                 found, hit);
+    });
+}
+
+fettle_code fettle_world_cast_ray_all(const fettle_world* world, float from_x, float from_y,
+                                      float to_x, float to_y, const fettle_query_filter* filter,
+                                      fettle_ray_hit* out, uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        const auto found =
+            live(world).cast_ray_all({from_x, from_y}, {to_x, to_y}, filter_of(world, filter));
+        tell_list(found, out, room, count);
+    });
+}
+
+fettle_code fettle_world_visit_ray(fettle_world* world, float from_x, float from_y, float to_x,
+                                   float to_y, const fettle_query_filter* filter,
+                                   fettle_ray_visitor visitor, void* user) {
+    return guarded(__func__, [&] {
+        const auto found =
+            live(world).cast_ray_all({from_x, from_y}, {to_x, to_y}, filter_of(world, filter));
+        needed("visitor", visitor);
+        const Visiting visiting(*world);
+        for (const RayHit& each : found) {
+            const fettle_ray_hit hit = converted(each);
+            if (!visitor(user, world, &hit)) return;
+        }
+    });
+}
+
+fettle_code fettle_world_cast_shape(const fettle_world* world, const fettle_world* of,
+                                    fettle_id shape, float motion_x, float motion_y,
+                                    const fettle_query_filter* filter, bool* found,
+                                    fettle_ray_hit* hit) {
+    return guarded(__func__, [&] {
+        tell_hit(live(world).cast_shape(handle<Shape>(of, shape), Vec2(motion_x, motion_y),
+                                        filter_of(world, filter)),
+                 found, hit);
+    });
+}
+
+fettle_code fettle_world_cast_geometry(const fettle_world* world, const fettle_geometry* geometry,
+                                       const fettle_pose* pose, float motion_x, float motion_y,
+                                       const fettle_query_filter* filter, bool* found,
+                                       fettle_ray_hit* hit) {
+    return guarded(__func__, [&] {
+        tell_hit(live(world).cast_shape(geometry_of(geometry), pose_of(pose),
+                                        Vec2(motion_x, motion_y), filter_of(world, filter)),
+                 found, hit);
+    });
+}
+
+fettle_code fettle_world_closest(const fettle_world* world, float x, float y, float reach,
+                                 const fettle_query_filter* filter, bool* found,
+                                 fettle_point_hit* hit) {
+    return guarded(__func__, [&] {
+        tell_hit(live(world).closest({x, y}, reach, filter_of(world, filter)), found, hit);
+    });
+}
+
+fettle_code fettle_distance(const fettle_world* world_a, fettle_id shape_a,
+                            const fettle_world* world_b, fettle_id shape_b,
+                            fettle_separation* separation) {
+    return guarded(__func__, [&] {
+        fettle_separation& told = needed("separation", separation);
+        const Separation between =
+            distance(handle<Shape>(world_a, shape_a), handle<Shape>(world_b, shape_b));
+        told = {between.distance, converted(between.point_a), converted(between.point_b),
+                converted(between.normal)};
+    });
+}
+
+fettle_code fettle_world_explode(fettle_world* world, float x, float y, float radius, float impulse,
+                                 const fettle_query_filter* filter) {
+    return guarded(__func__, [&] {
+        editable(world).explode({x, y}, radius, impulse, filter_of(world, filter));
+    });
+}

@@ -1,0 +1,247 @@
+#include <fettle/physics/physics.h>
+#include <fettle_physics.h>
+
+#include <map>
+
+#include "catch.h"
+#include "header_text.h"
+
+namespace coverage_test {
+
+// The interface in C has everything that the headers of the physics library declare.
+
+using namespace fettle::physics;
+
+namespace {
+
+const char* const headers[] = {"body.h",           "shape.h",           "joint.h", "field.h",
+                               "sliding_joints.h", "coupling_joints.h", "owner.h", "world.h"};
+
+/// What stands for a method that has no function with its name, or for its overloads.
+const std::map<std::string, std::vector<std::string>> other_names = {
+    {"Body::index", {"fettle_slot"}},
+    {"Shape::index", {"fettle_slot"}},
+    {"Body::apply_force", {"fettle_body_apply_force", "fettle_body_apply_force_at"}},
+    {"Body::apply_impulse", {"fettle_body_apply_impulse", "fettle_body_apply_impulse_at"}},
+    {"World::create_joint", {"fettle_world_create_joint", "fettle_world_create_joint_like"}},
+    {"World::query_overlap", {"fettle_world_query_overlap", "fettle_world_query_overlap_geometry"}},
+    {"World::cast_shape", {"fettle_world_cast_shape", "fettle_world_cast_geometry"}},
+    {"World::is_valid",
+     {"fettle_body_is_valid", "fettle_shape_is_valid", "fettle_joint_is_valid",
+      "fettle_field_is_valid"}},
+    {"World::states", {"fettle_world_columns"}},
+    {"World::body_generation", {"fettle_world_body_in"}},
+    {"World::shape_generation", {"fettle_world_shape_in"}},
+    {"Acting::Acting", {"fettle_owner_begin"}},
+    {"Acting::~Acting", {"fettle_owner_end"}},
+};
+
+/// Methods without a function in C, and why.
+const std::map<std::string, std::string> exceptions = {
+    {"Body::id", "in C an object is its id"},
+    {"Shape::id", "in C an object is its id"},
+    {"Joint::id", "in C an object is its id"},
+    {"Field::id", "in C an object is its id"},
+    {"Body::world", "in C every call names the world"},
+    {"Shape::world", "in C every call names the world"},
+    {"Joint::world", "in C every call names the world"},
+    {"Field::world", "in C every call names the world"},
+    {"World::body", "makes a handle, which is an id in C"},
+    {"World::shape", "makes a handle, which is an id in C"},
+    {"World::joint", "makes a handle, which is an id in C"},
+    {"World::field", "makes a handle, which is an id in C"},
+    {"World::joint_generation",
+     "its bounds cannot be asked for; fettle_world_joints lists the ids"},
+    {"Owner::tell_unlocked", "the library calls it"},
+};
+
+std::string snake_case(const std::string& name) {
+    std::string snake;
+    for (const char c : name) {
+        if (c >= 'A' && c <= 'Z' && !snake.empty()) snake += '_';
+        snake += char(std::tolower(c));
+    }
+    return snake;
+}
+
+/// "Body::mass" with the number of its overloads, for each public method that a header declares.
+std::map<std::string, int> methods_in(const std::string& file) {
+    std::map<std::string, int> found;
+    const std::string text = header_text::of_physics(file);
+    const std::regex method("([\\w~]+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)");
+    for (size_t at = text.find("\nclass "); at != std::string::npos;
+         at = text.find("\nclass ", at + 1)) {
+        const size_t end = text.find("\n};", at), begin = text.find("public:", at);
+        if (begin > end || text.find(';', at) < begin) continue;
+        const std::string head = text.substr(at + 7, begin - at);
+        const std::string name = head.substr(0, head.find_first_of(" :{\n"));
+        std::string body = text.substr(begin, end - begin);
+        for (const char* part : {"\n  protected:", "\n  private:"})
+            body = body.substr(0, body.find(part));
+        for (std::sregex_iterator m(body.begin(), body.end(), method), none; m != none; ++m)
+            ++found[name + "::" + (*m)[1].str()];
+    }
+    return found;
+}
+
+/// The text between the braces of a structure.
+std::string members_of(const std::string& text, const std::string& begin) {
+    const size_t at = text.find(begin + " {");
+    if (at == std::string::npos) return {};
+    return text.substr(at + begin.size() + 2, text.find("\n}", at) - at - begin.size() - 2);
+}
+
+std::set<std::string> names_in(const std::string& members) {
+    std::set<std::string> names;
+    const std::regex member("(\\w+)\\s*(=[^;]*)?;|(\\w+)\\s*(?=,)");
+    for (std::sregex_iterator m(members.begin(), members.end(), member), none; m != none; ++m)
+        names.insert((*m)[1].matched ? (*m)[1].str() : (*m)[3].str());
+    return names;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+    return std::regex_search(text, std::regex("\\b" + word + "\\b"));
+}
+
+}  // namespace
+
+TEST_CASE("every method of the library has a function in C") {
+    const std::set<std::string> in_c = header_text::functions_in_c();
+    size_t seen = 0, excepted = 0;
+    for (const char* file : headers) {
+        for (const auto& [method, overloads] : methods_in(file)) {
+            const std::string type = method.substr(0, method.find(':')),
+                              name = method.substr(method.rfind(':') + 1);
+            // Constructors, comparison, and what the patterns take for a name.
+            if (name == type || name == "~" + type || name == "operator" || name == "bool" ||
+                name == "self" || name == "uint32_t" || name == "Acting" || name == "~Acting")
+                continue;
+            INFO(method);
+            if (exceptions.contains(method)) {
+                ++excepted;
+                continue;
+            }
+            ++seen;
+            if (const auto other = other_names.find(method); other != other_names.end()) {
+                for (const std::string& function : other->second) CHECK(in_c.contains(function));
+                continue;
+            }
+            // The overload for const, and one for each kind of id, need no function of their own.
+            CHECK(overloads == 1);
+            const bool forwarded = type == "MouseJoint" && name == "world";
+            CHECK((forwarded || in_c.contains("fettle_" + snake_case(type) + "_" + name)));
+        }
+    }
+    CHECK(excepted >= exceptions.size() - 1);
+    REQUIRE(seen > 330);
+}
+
+TEST_CASE("every other name of another function exists in C") {
+    const std::set<std::string> in_c = header_text::functions_in_c();
+    for (const auto& [method, functions] : other_names)
+        for (const std::string& function : functions) {
+            INFO(method);
+            CHECK(in_c.contains(function));
+        }
+    for (const char* function : {"fettle_distance", "fettle_convex_hull", "fettle_describe",
+                                 "fettle_simd_width", "fettle_world_create", "fettle_world_destroy",
+                                 "fettle_world_clone", "fettle_world_assign", "fettle_world_draw"})
+        CHECK(in_c.contains(function));
+}
+
+TEST_CASE("every member of a structure of the library is one in C") {
+    struct Pair {
+        const char* file;
+        const char* structure;
+        const char* in_c;
+    };
+    const Pair pairs[] = {
+        {"definitions.h", "WorldDef", "world_def"},
+        {"definitions.h", "BodyDef", "body_def"},
+        {"definitions.h", "ShapeDef", "shape_def"},
+        {"definitions.h", "JointDef", "joint_def"},
+        {"definitions.h", "MouseJointDef", "mouse_joint_def"},
+        {"definitions.h", "Circle", "geometry"},
+        {"definitions.h", "Box", "geometry"},
+        {"definitions.h", "Segment", "geometry"},
+        {"definitions.h", "Ellipse", "geometry"},
+        {"definitions.h", "Chain", "geometry"},
+        {"field.h", "WindField", "field_def"},
+        {"field.h", "DragField", "field_def"},
+        {"field.h", "BuoyancyField", "field_def"},
+        {"field.h", "AttractorField", "field_def"},
+        {"contact.h", "ContactPoint", "contact_point"},
+        {"contact.h", "Contact", "contact"},
+        {"callbacks.h", "ContactEdit", "contact_edit"},
+        {"events.h", "ContactBeginEvent", "contact_event"},
+        {"events.h", "ContactPersistEvent", "contact_event"},
+        {"events.h", "ContactHitEvent", "contact_event"},
+        {"events.h", "ContactEndEvent", "contact_end_event"},
+        {"events.h", "SensorEvent", "sensor_event"},
+        {"events.h", "JointBreakEvent", "joint_break_event"},
+        {"events.h", "Events", "events"},
+        {"query.h", "QueryFilter", "query_filter"},
+        {"query.h", "RayHit", "ray_hit"},
+        {"query.h", "PointHit", "point_hit"},
+        {"query.h", "Separation", "separation"},
+        {"statistics.h", "StepStatistics", "statistics"},
+        {"statistics.h", "MemoryShare", "memory_share"},
+        {"types.h", "BodyState", "body_state"},
+        {"types.h", "Pose", "pose"},
+        {"types.h", "Aabb", "aabb"},
+    };
+    for (const Pair& pair : pairs) {
+        const std::string own =
+            members_of(header_text::of_physics(pair.file), std::string("struct ") + pair.structure);
+        const std::string in_c =
+            members_of(header_text::in_c(), std::string("typedef struct fettle_") + pair.in_c);
+        REQUIRE(names_in(own).size() > 1);
+        for (const std::string& member : names_in(own)) {
+            INFO(pair.structure << "::" << member);
+            CHECK(has_word(in_c, member));
+        }
+    }
+}
+
+TEST_CASE("enumerators in C are those of the library") {
+    CHECK(FETTLE_BODY_DYNAMIC == int(BodyType::dynamic_body));
+    CHECK(FETTLE_BODY_KINEMATIC == int(BodyType::kinematic_body));
+    CHECK(FETTLE_SHAPE_SEGMENT == int(ShapeType::segment));
+    CHECK(FETTLE_SHAPE_ELLIPSE == int(ShapeType::ellipse));
+    CHECK(FETTLE_SHAPE_BORDER == int(ShapeType::border));
+    CHECK(FETTLE_JOINT_WHEEL == int(JointType::wheel));
+    CHECK(FETTLE_JOINT_PULLEY == int(JointType::pulley));
+    CHECK(FETTLE_JOINT_RATCHET == int(JointType::ratchet));
+    CHECK(FETTLE_MIX_MAXIMUM == int(MixRule::maximum));
+    CHECK(FETTLE_MIX_GEOMETRIC == int(MixRule::geometric));
+    CHECK(FETTLE_SOLVER_SEQUENTIAL == int(Solver::sequential));
+    CHECK(FETTLE_SOLVER_DIRECT == int(Solver::direct));
+    CHECK(FETTLE_HULL_COLLINEAR == int(HullStatus::collinear));
+    CHECK(FETTLE_HULL_NOT_FINITE == int(HullStatus::not_finite));
+    CHECK(FETTLE_REFRESH_SHAPE == int(Refresh::Of::shape));
+    CHECK(FETTLE_NUMBER_ANGULAR_DAMPING == int(BodyNumber::angular_damping));
+    CHECK(FETTLE_WRITTEN_REFUSED == int(Written::refused));
+    CHECK(decltype(FieldDef::force)(AttractorField{}).index() == FETTLE_FIELD_ATTRACTOR);
+}
+
+TEST_CASE("every function in C has a comment before it") {
+    const std::string umbrella = header_text::text_of("bindings/c/include/fettle_physics.h");
+    const std::regex include("#include <(fettle/physics_c/\\w+\\.h)>");
+    size_t seen = 0;
+    for (std::sregex_iterator it(umbrella.begin(), umbrella.end(), include), end; it != end; ++it) {
+        std::istringstream lines(header_text::text_of("bindings/c/include/" + (*it)[1].str()));
+        // A comment holds for the group below it, to the next empty line.
+        bool described = false;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty()) described = false;
+            if (line.find("*/") != std::string::npos) described = true;
+            if (!line.starts_with("fettle_code ") && !line.starts_with("bool fettle_")) continue;
+            INFO(line);
+            CHECK(described);
+            ++seen;
+        }
+    }
+    REQUIRE(seen > 380);
+}
+
+}  // namespace coverage_test

@@ -1,0 +1,248 @@
+#pragma once
+
+#include <fettle_physics.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+// Arguments for functions in C: some with a meaning, some without. Pointers are null or lead to
+// enough memory, as the headers demand; all numbers may be anything.
+
+namespace random_arguments {
+
+class Arguments {
+  public:
+    explicit Arguments(uint32_t seed) : random_(seed) {
+        for (auto& world : worlds_) fettle_world_create(nullptr, &world);
+        fettle_world_destroy(worlds_[3]);  // a stale pointer
+        fettle_owner_create("ask the owner", &owner_);
+        scratch_.resize(1 << 16);
+    }
+    ~Arguments() {
+        for (fettle_world* world : worlds_) fettle_world_destroy(world);
+        while (fettle_owner_end(owner_) == FETTLE_DONE) {
+        }
+        fettle_owner_destroy(owner_);
+    }
+    Arguments(const Arguments&) = delete;
+    Arguments& operator=(const Arguments&) = delete;
+
+    uint32_t below(uint32_t count) { return uint32_t(random_()) % count; }
+
+    /// Calls a function with arguments of the types that it has, and looks at what it made.
+    template <class Result, class... Parameters>
+    void call(Result (*function)(Parameters...)) {
+        new_world_ = nullptr;
+        new_owner_ = nullptr;
+        [[maybe_unused]] const Result result = function(make<Parameters>()...);
+        if (new_owner_ != nullptr) fettle_owner_destroy(new_owner_);
+        if (new_world_ != nullptr) {
+            fettle_world*& place = worlds_[below(3)];
+            fettle_world_destroy(place);
+            place = new_world_;
+        }
+        remember_ids();
+    }
+
+    const fettle_world* world(int i) const { return worlds_[i]; }
+    fettle_world* world(int i) { return worlds_[i]; }
+
+  private:
+    template <class T>
+    T make() {
+        if constexpr (std::is_same_v<T, float>)
+            return number();
+        else if constexpr (std::is_same_v<T, bool>)
+            return below(2) == 0;
+        else if constexpr (std::is_same_v<T, int32_t>)
+            return below(8) == 0 ? int32_t(random_()) : int32_t(below(14)) - 1;
+        else if constexpr (std::is_same_v<T, uint32_t>)
+            return below(9);                              // a room, or a number of elements
+        else if constexpr (std::is_same_v<T, fettle_id>)  // and size_t
+            return id();
+        else if constexpr (std::is_same_v<T, fettle_world*> ||
+                           std::is_same_v<T, const fettle_world*>)
+            return below(16) == 0 ? nullptr : worlds_[below(16) == 0 ? 3 : below(3)];
+        else if constexpr (std::is_same_v<T, fettle_owner*> ||
+                           std::is_same_v<T, const fettle_owner*>)
+            return below(4) == 0 ? owner_ : nullptr;
+        else if constexpr (std::is_function_v<std::remove_pointer_t<T>>)
+            return callback(T());
+        else if constexpr (std::is_pointer_v<T>)
+            return below(12) == 0 ? nullptr : pointer(T());
+    }
+
+    float number() {
+        constexpr float odd[] = {std::numeric_limits<float>::quiet_NaN(),
+                                 std::numeric_limits<float>::infinity(),
+                                 -std::numeric_limits<float>::infinity(),
+                                 0.0f,
+                                 1e-30f,
+                                 1e8f,
+                                 -3e38f};
+        if (below(8) == 0) return odd[below(std::size(odd))];
+        return (float(below(2001)) - 1000.0f) / (below(2) == 0 ? 1000.0f : 100.0f);
+    }
+
+    fettle_id id() {
+        const uint32_t kind = below(10);
+        if (kind == 0) return 0;
+        if (kind == 1) return random_();
+        if (ids_.empty()) return 1;
+        fettle_id known = ids_[below(uint32_t(ids_.size()))];
+        if (kind == 2) known ^= fettle_id(1) << below(64);
+        return known;
+    }
+
+    // Functions that a world may call; they read it.
+    static bool pass(void*, const fettle_world* world, fettle_id a, fettle_id) {
+        float friction;
+        return fettle_shape_friction(world, a, &friction) == FETTLE_DONE || a != 0;
+    }
+    static bool accept(void*, const fettle_world* world, fettle_id shape) {
+        return fettle_world_step(const_cast<fettle_world*>(world), 1) == FETTLE_LOCKED &&
+               fettle_shape_is_valid(world, shape);
+    }
+    fettle_pair_filter callback(fettle_pair_filter) { return below(2) == 0 ? pass : nullptr; }
+    fettle_contact_callback callback(fettle_contact_callback) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, const fettle_world*, fettle_contact_edit* contact) {
+            contact->friction = std::numeric_limits<float>::quiet_NaN();
+            contact->restitution = 7;
+        };
+    }
+    fettle_refresh_callback callback(fettle_refresh_callback) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, const fettle_world*, int32_t, uint32_t) {};
+    }
+    fettle_unlocked_callback callback(fettle_unlocked_callback) { return nullptr; }
+    fettle_shape_visitor callback(fettle_shape_visitor) { return below(4) == 0 ? nullptr : accept; }
+    fettle_ray_visitor callback(fettle_ray_visitor) {
+        return [](void*, const fettle_world*, const fettle_ray_hit* hit) {
+            return hit->fraction >= 0;
+        };
+    }
+
+    // Pointers to input.
+    const char* pointer(const char*) { return "text"; }
+    const float* pointer(const float*) { return store(number()); }
+    const fettle_vec2* pointer(const fettle_vec2*) {
+        for (auto& point : points_) point = {number(), number()};
+        return points_;
+    }
+    const fettle_aabb* pointer(const fettle_aabb*) {
+        return store(fettle_aabb{{number(), number()}, {number(), number()}});
+    }
+    const fettle_pose* pointer(const fettle_pose*) {
+        return store(fettle_pose{{number(), number()}, number()});
+    }
+    const fettle_id* pointer(const fettle_id*) {
+        for (auto& one : id_list_) one = id();
+        return id_list_;
+    }
+    fettle_world* const* pointer(fettle_world* const*) { return world_list(); }
+    const fettle_world* const* pointer(const fettle_world* const*) { return world_list(); }
+    const void* pointer(const void*) { return scratch_.data(); }
+    void* pointer(void*) { return nullptr; }
+    template <class Def>
+    requires requires(const Def& def) { def.size; }
+    const Def* pointer(const Def*) {
+        Def& def = *reinterpret_cast<Def*>(definition_);
+        begin(def);
+        if (below(3) == 0) {
+            // Any byte may be anything, also of members that should be true or false.
+            for (uint32_t i = 0; i < 1 + below(6); ++i)
+                definition_[below(sizeof def)] = std::byte(random_());
+        }
+        mend(def);
+        return &def;
+    }
+
+    void begin(fettle_world_def& def) { fettle_world_def_init(&def, sizeof def); }
+    void begin(fettle_body_def& def) {
+        fettle_body_def_init(&def, sizeof def);
+        def.position = {number(), number()};
+    }
+    void begin(fettle_shape_def& def) { fettle_shape_def_init(&def, sizeof def); }
+    void begin(fettle_joint_def& def) {
+        fettle_joint_def_init(&def, sizeof def);
+        def.body_a = id();
+        def.body_b = id();
+    }
+    void begin(fettle_mouse_joint_def& def) {
+        fettle_mouse_joint_def_init(&def, sizeof def);
+        def.body = id();
+    }
+    void begin(fettle_field_def& def) {
+        fettle_field_def_init(&def, sizeof def, int32_t(below(4)));
+    }
+    void begin(fettle_geometry& geometry) {
+        fettle_geometry_init(&geometry, sizeof geometry, int32_t(below(7)));
+    }
+    void begin(fettle_query_filter& filter) { fettle_query_filter_init(&filter, sizeof filter); }
+    void begin(fettle_debug_draw& draw) { fettle_debug_draw_init(&draw, sizeof draw); }
+    // Pointers in a definition must lead somewhere.
+    template <class Def>
+    void mend(Def&) {}
+    void mend(fettle_geometry& geometry) {
+        geometry.points = pointer(static_cast<const fettle_vec2*>(nullptr));
+        geometry.point_count = below(9);
+    }
+    void mend(fettle_query_filter& filter) { filter.accept = below(2) == 0 ? accept : nullptr; }
+    void mend(fettle_debug_draw& draw) {
+        draw.polygon = nullptr;
+        draw.circle = [](void*, fettle_vec2, float, float, uint32_t) {};
+        draw.segment = [](void*, fettle_vec2, fettle_vec2, uint32_t) {};
+        draw.point = [](void*, fettle_vec2, uint32_t) {};
+    }
+
+    // Pointers to results.
+    fettle_world** pointer(fettle_world**) { return &new_world_; }
+    fettle_owner** pointer(fettle_owner**) { return &new_owner_; }
+    template <class Out>
+    requires(!std::is_const_v<Out> && !std::is_void_v<Out>) Out* pointer(Out*) {
+        if constexpr (requires(Out out) { out.size; }) begin(*reinterpret_cast<Out*>(scratch()));
+        return reinterpret_cast<Out*>(scratch());
+    }
+    std::byte* scratch() { return scratch_.data(); }
+
+    template <class Value>
+    const Value* store(const Value& value) {
+        std::memcpy(definition_, &value, sizeof value);
+        return reinterpret_cast<const Value*>(definition_);
+    }
+    fettle_world** world_list() {
+        for (auto& one : world_list_) one = worlds_[below(3)];
+        return world_list_;
+    }
+    void remember_ids() {
+        if (ids_.size() > 200) ids_.erase(ids_.begin(), ids_.begin() + 100);
+        fettle_id found[4];
+        uint32_t count = 0;
+        const fettle_world* of = worlds_[below(3)];
+        using List = fettle_code (*)(const fettle_world*, fettle_id*, uint32_t, uint32_t*);
+        constexpr List lists[] = {fettle_world_bodies, fettle_world_shapes, fettle_world_joints,
+                                  fettle_world_fields};
+        if (lists[below(4)](of, found, 4, &count) != FETTLE_DONE) return;
+        for (uint32_t i = 0; i < count && i < 4; ++i) ids_.push_back(found[i]);
+    }
+
+    std::mt19937_64 random_;
+    fettle_world* worlds_[4] = {};
+    fettle_world* new_world_ = nullptr;
+    fettle_owner* owner_ = nullptr;
+    fettle_owner* new_owner_ = nullptr;
+    std::vector<fettle_id> ids_;
+    std::vector<std::byte> scratch_;
+    fettle_vec2 points_[64] = {};
+    fettle_id id_list_[128] = {};
+    fettle_world* world_list_[16] = {};
+    alignas(16) std::byte definition_[512] = {};
+};
+
+}  // namespace random_arguments
