@@ -1,0 +1,35 @@
+-- A bot plays the whole game with keys and the mouse, as a player would.
+
+local screens = require("screens")
+
+-- For each level: cut a rope, wait, hold the button that turns time back; seconds.
+local solutions = {
+    { { cut = "rope" } },
+    { { cut = "left" }, { wait = 1.1 }, { cut = "right" } },
+    { { wait = 3 }, { cut = "rope" }, { wait = 2 }, { back = 4 } },
+}
+
+local function perform(t, action)
+    if action.cut then
+        local rope = world.level[action.cut]
+        t:click(action.far and rope:middle():lerp(rope.anchor_a, action.far) or rope:middle())
+    end
+    if action.wait then t:wait(action.wait) end
+    if action.back then
+        t:press("space")
+        t:wait(action.back)
+        t:release("space")
+    end
+end
+
+for number = 1, #solutions do
+    test(string.format("level %d can be won", number), function(t)
+        store.unlocked = number
+        t:steps(20)
+        t:tap("enter")
+        expect(screens.name):is("play")
+        for _, action in ipairs(solutions[number]) do perform(t, action) end
+        t:wait_until(function() return screens.name == "won" end, 15)
+        print(number, world.level.title, screens.result.score, screens.result.sparks, screens.result.seconds)
+    end)
+end
