@@ -41,7 +41,7 @@ function fx.draw_trail(pen)
     pen.push() pen.blend("add")
     for i = #trail, 2, -1 do
         local share = 1 - i / 26
-        pen.line(trail[i], trail[i - 1], things.faded(things.gold, 0.35 * share), 2 + 22 * share)
+        pen.line(trail[i], trail[i - 1], things.faded(things.gold, 0.22 * share), 2 + 20 * share)
     end
     pen.pop()
 end
@@ -69,7 +69,7 @@ local function wheel(pen, center, radius, teeth, angle, tint)
         end
     end
     pen.polygon(edge, tint)
-    pen.circle(vec(0, 0), radius * 0.78, color("#211a3d"))
+    pen.circle(vec(0, 0), radius * 0.78, color("#1f1839"))
     for i = 0, 2 do pen.box(vec(0, 0), radius * 1.6, radius * 0.13, tint, nil, nil, i * math.pi / 3) end
     pen.circle(vec(0, 0), radius * 0.2, tint)
     pen.pop()
@@ -78,7 +78,7 @@ end
 function fx.draw_sky(pen, clock)
     local low, high = color("#4a2f55"), color("#17122f")
     for i = 0, 29 do pen.box(vec(0, -7.25 + i * 0.5), 40, 0.52, low:lerp(high, (i / 29) ^ 0.8)) end
-    local tint = color("#2b2249")
+    local tint = color("#272043")
     wheel(pen, vec(6.5, 2.5), 5.2, 24, clock * 0.25, tint)
     wheel(pen, vec(-0.6, -2.1), 2.9, 14, -clock * 0.43 + 0.12, tint)
     wheel(pen, vec(-8.6, 3.6), 3.2, 16, clock * 0.4, tint)

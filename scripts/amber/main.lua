@@ -43,7 +43,7 @@ function run.title()
 end
 
 local function cut(rope)
-    if not rope or screens.name ~= "play" or not rope.enabled then return end
+    if not rope or screens.name ~= "play" or not rope:holds() then return end
     local middle = rope:middle()
     rope.enabled = false
     if rope.of_amber then amber_cuts[rope.name] = true end
@@ -59,8 +59,15 @@ local function lose()
     view:shake(0.25, 0.4)
 end
 
+-- The ball flies into its home. A rewind that ends in this moment takes it back, so it is called again then.
+local function fly_home()
+    local ball = world.level.ball
+    ball.type = "static"
+    ball:tween("position", vec(world.level.goal.position), 0.25, "out_back")
+end
+
 local function win()
-    local level, ball = world.level, world.level.ball
+    local level = world.level
     local sparks = run.sparks()
     local points = 1000 + 500 * sparks + 10 * math.floor(math.max(0, level.par - clock) * 10)
     local levels = store.levels or {}
@@ -72,8 +79,7 @@ local function win()
         store.levels = levels
     end
     store.unlocked = math.max(store.unlocked or 1, math.min(run.count, run.level + 1))
-    ball.type = "static"
-    ball:tween("position", vec(level.goal.position), 0.25, "out_back")
+    fly_home()
     ended = 0
     screens.open("home")
     sound.play("home")
@@ -85,6 +91,7 @@ end
 function rewind.restored()
     sound.restored()
     for name in pairs(amber_cuts) do world.level[name].enabled = false end
+    if screens.name == "home" then fly_home() end
 end
 
 function Ball:contact_hit(hit)
@@ -140,7 +147,7 @@ end
 function mouse_moved(position)
     if input.mouse.left and pointer and screens.name == "play" then
         for _, rope in ipairs(world.level:find("Rope")) do
-            if rope.enabled and cross(pointer, position, rope:ends()) then cut(rope) end
+            if rope:holds() and cross(pointer, position, rope:ends()) then cut(rope) end
         end
     end
     pointer = vec(position)

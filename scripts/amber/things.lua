@@ -9,18 +9,21 @@ things.faded = faded
 
 Level = class("Level", Object) { title = "", par = 10.0, doc = { par = "Seconds below which there is a bonus." } }
 Ball = class("Ball", Body) { can_sleep = false, z = 6 }
-Rock = class("Rock", Body) { type = "static", color = color("#31284f") }
+Rock = class("Rock", Body) { type = "static", color = color("#483b70") }
 Crate = class("Crate", Body) { color = teal, z = 2 }
-Belt = class("Belt", Body) { type = "static", color = color("#31284f") }
+Belt = class("Belt", Body) { type = "static", color = color("#483b70") }
 Spark = class("Spark", Object) { position = vec(0, 0), z = 5 }
 Goal = class("Goal", Object) { position = vec(0, 0), z = 3 }
 Rope = class("Rope", DistanceJoint) { hertz = 0, collide = true, z = 4, of_amber = false }
+Cable = class("Cable", PulleyJoint) { z = 1 }
 Hint = class("Hint", Text) { size = 0.5, color = color("#cfc4ec"), z = -5 }
 
 things.taken = {}               -- names of the sparks that the ball has collected: nothing undoes that
 things.chosen = nil             -- the name of the rope that the player points at
 
 -- The two ends of a rope where they are drawn.
+function Rope:holds() return self.enabled and not self.broken end
+
 function Rope:ends()
     local function at(body, anchor) return body and body:to_drawn(anchor) or vec(anchor) end
     return at(self.body_a, self.anchor_a), at(self.body_b, self.anchor_b)
@@ -34,7 +37,7 @@ end
 function Rope:draw(pen)
     local a, b = self:ends()
     local tint = self.of_amber and gold or pale
-    if not self.enabled then
+    if not self:holds() then
         pen.line(a, a + vec(0, -0.35), faded(tint, 0.5), 3)
         return
     end
@@ -53,6 +56,13 @@ function Rope:draw(pen)
     pen.circle(a, 0.11, tint)
     pen.circle(b, 0.11, tint)
     pen.circle((a + b) / 2 - vec(0, sag), 0.15, tint, color("#1d1736"), 2)
+end
+
+-- A rope over two wheels of the world.
+function Cable:draw(pen)
+    local a, b = self.body_a:to_drawn(self.anchor_a), self.body_b:to_drawn(self.anchor_b)
+    for _, part in ipairs { { a, self.ground_a }, { self.ground_a, self.ground_b }, { self.ground_b, b } } do pen.line(part[1], part[2], teal, 4) end
+    for _, at in ipairs { self.ground_a, self.ground_b } do pen.circle(at, 0.3, color("#483b70"), pale, 3) end
 end
 
 function Goal:draw(pen)
@@ -142,7 +152,7 @@ end
 function things.rope_at(point, within)
     local best
     for _, rope in ipairs(world.level and world.level:find("Rope") or {}) do
-        if rope.enabled then
+        if rope:holds() then
             local a, b = rope:ends()
             local along = b - a
             local t = math.max(0, math.min(1, (point - a):dot(along) / math.max(1e-6, along:dot(along))))
@@ -155,7 +165,7 @@ end
 
 -- The next rope from the chosen one in a direction.
 function things.rope_towards(way)
-    local ropes = world.level:find("Rope", function(rope) return rope.enabled end)
+    local ropes = world.level:find("Rope", Rope.holds)
     local from, best, least
     for _, rope in ipairs(ropes) do if rope.name == things.chosen then from = rope end end
     if not from then return ropes[1] end
