@@ -6,8 +6,9 @@ local sound, screens = require("sound"), require("screens")
 local run = { count = 12, level = 0 }        -- the game as the screens see it
 screens.game = run
 local amber_cuts = {}                        -- names of the cut ropes of amber, which no rewind mends
-local clock, ended, fade, tide = 0, 0, 1, 0  -- s of play; s since won or lost; how black the screen is; how much veil
-local pointer = nil
+local clock, ended, fade = 0, 0, 1           -- s of play; s since won or lost; how dark the screen is
+local pointer                                -- where the mouse is, while it is used
+local pushed = vec(0, 0)                     -- the direction that is held
 
 input.actions.cut = { "mouse.left", "enter", "gamepad.a" }
 input.actions.rewind = { "space", "mouse.right", "left_shift", "gamepad.x", "gamepad.right_trigger" }
@@ -22,70 +23,55 @@ function run.sparks()
     return n
 end
 
-local function load_level(file)
+local function load_level(index, screen)
+    run.level = index
     if world:has("level") then world.level:delete() end
-    scene.load(file, world, "level")
-    things.taken, things.chosen, amber_cuts, clock, ended, fade, tide = {}, nil, {}, 0, 0, 1, 0
+    scene.load(string.format("levels/%02d.json", index), world, "level")
+    things.taken, things.chosen, amber_cuts, clock, fade = {}, nil, {}, 0, 1
+    time.paused = false
     fx.clear()
     rewind.begin()
-    time.paused = false
+    screens.open(screen)
 end
 
-function run.play(index)
-    run.level = index
-    load_level(string.format("levels/%02d.json", index))
-    screens.open("play")
-end
+function run.play(index) load_level(index, "play") end
+function run.title() load_level(0, "title") end
 
-function run.title()
-    load_level("levels/00.json")
-    screens.open("title")
-end
+local function playing() return screens.name == "play" end
 
 local function cut(rope)
-    if not rope or screens.name ~= "play" or not rope:holds() then return end
-    local middle = rope:middle()
+    if not rope or not playing() or not rope:holds() then return end
     rope.enabled = false
     if rope.of_amber then amber_cuts[rope.name] = true end
-    things.chosen = nil
-    sound.play("cut", 1, 0.9 + 0.2 * math.random())
-    fx.burst(middle, 14, 4, rope.of_amber and things.gold or things.pale, 0.12)
+    sound.play("cut", 1, 0.9 + 0.2 * random())
+    fx.burst(rope:middle(), 14, 4, rope.of_amber and things.gold or things.pale, 0.08)
 end
 
-local function lose()
-    screens.open("lost")
+local function finish(screen, noise, shake)
+    screens.open(screen)
     ended = 0
-    sound.play("lost")
-    view:shake(0.25, 0.4)
+    sound.play(noise)
+    view:shake(shake, 0.4)
 end
 
 -- The ball flies into its home. A rewind that ends in this moment takes it back, so it is called again then.
 local function fly_home()
-    local ball = world.level.ball
-    ball.type = "static"
-    ball:tween("position", vec(world.level.goal.position), 0.25, "out_back")
+    world.level.ball.type = "static"
+    world.level.ball:tween("position", vec(world.level.goal.position), 0.25, "out_back")
 end
 
 local function win()
-    local level = world.level
-    local sparks = run.sparks()
-    local points = 1000 + 500 * sparks + 10 * math.floor(math.max(0, level.par - clock) * 10)
-    local levels = store.levels or {}
-    local old = levels[run.level]
-    local best = old and old.score or 0
-    screens.result = { score = points, sparks = sparks, seconds = clock, record = points > best, best = best }
-    if points > best then
-        levels[run.level] = { score = points, sparks = math.max(sparks, old and old.sparks or 0), seconds = clock }
-        store.levels = levels
-    end
-    store.unlocked = math.max(store.unlocked or 1, math.min(run.count, run.level + 1))
+    local levels, sparks = store.levels or {}, run.sparks()
+    local old = levels[run.level] or { score = 0, sparks = 0 }
+    local score = 1000 + 500 * sparks + 100 * math.ceil(math.max(0, world.level.par - clock))
+    screens.result = { score = score, sparks = sparks, seconds = clock, record = score > old.score, best = old.score }
+    levels[run.level] = { score = math.max(score, old.score), sparks = math.max(sparks, old.sparks) }
+    store.levels = levels
+    store.unlocked = math.max(screens.reached(), math.min(run.count, run.level + 1))
     fly_home()
-    ended = 0
-    screens.open("home")
-    sound.play("home")
-    view:shake(0.12, 0.4)
-    fx.burst(level.goal.position, 60, 7, things.gold, 0.16, 2)
-    fx.pop(level.goal.position + vec(0, 1), "Home!")
+    finish("home", "home", 0.12)
+    fx.burst(world.level.goal.position, 60, 7, things.gold, 0.12, 2)
+    fx.pop(world.level.goal.position + vec(0, 1), "Home!")
 end
 
 function rewind.restored()
@@ -95,60 +81,62 @@ function rewind.restored()
 end
 
 function Ball:contact_hit(hit)
-    if hit.speed < 1.5 or screens.name ~= "play" then return end
+    if hit.speed < 1.5 or not playing() then return end
     sound.play("knock", math.min(1, hit.speed / 12), 0.8 + 0.5 * math.min(1, hit.speed / 14))
     fx.squash = math.min(0.35, hit.speed / 40)
-    fx.burst(hit.point, math.floor(hit.speed), hit.speed * 0.35, things.cream, 0.07)
+    fx.burst(hit.point, math.floor(hit.speed), hit.speed * 0.35, things.cream, 0.05)
+end
+
+function Rope:broke()
+    sound.play("snap")
+    fx.burst(self:middle(), 12, 4, things.pale, 0.08)
 end
 
 function step(dt)
-    rewind.step(dt)
-    if screens.name ~= "play" then return end
+    rewind.step()
+    if not playing() then return end
     clock = clock + dt
-    local ball, goal = world.level.ball, world.level.goal
+    local at, home = world.level.ball.position, world.level.goal.position
     for _, spark in ipairs(world.level:children("Spark")) do
-        if not things.taken[spark.name] and (spark.position - ball.position):length() < 0.8 then
+        if not things.taken[spark.name] and (spark.position - at):length() < 0.8 then
             things.taken[spark.name] = true
             sound.play("spark", 1, 1 + 0.12 * (run.sparks() - 1))
-            fx.burst(spark.position, 24, 5, things.cream, 0.1, 1)
+            fx.burst(spark.position, 24, 5, things.cream, 0.07, 1)
             fx.pop(spark.position, "+500")
         end
     end
-    if (goal.position - ball.position):length() < 0.62 then win() end
-    if ball.position.y < -8.5 or math.abs(ball.position.x) > 13.5 then lose() end
+    if (home - at):length() < 0.62 then win() elseif at.y < -8.5 or math.abs(at.x) > 13.5 then finish("lost", "lost", 0.25) end
 end
 
-local function playing(name) return name == "play" or name == "lost" or name == "home" end
+local function push(x, y)
+    if screens.in_menu() then return screens.move(x, y) end
+    local rope = things.rope_towards(vec(x, y))
+    things.chosen, pointer = rope and rope.name, nil
+    sound.play("tick")
+end
 
 function update(dt, real_dt)
     time.paused = screens.name == "pause" or screens.name == "settings" and screens.back == "pause"
-    rewind.update(screens.name == "play" and input.rewind.held and not time.paused)
-    sound.hum(rewind.active)
-    sound.update()
-    tide = tide + ((rewind.active and 1 or 0) - tide) * math.min(1, 10 * real_dt)
-    fade = math.max(0, fade - 2.5 * real_dt)
+    rewind.update(playing() and input.rewind.held)
+    sound.update(rewind.active)
+    fade, ended = math.max(0, fade - 2.5 * real_dt), ended + real_dt
     screens.update(real_dt)
-    fx.update(time.paused and 0 or real_dt, world:has("level") and playing(screens.name) and world.level:has("ball") and world.level.ball)
-    ended = ended + real_dt
+    fx.update(time.paused and 0 or real_dt, screens.in_level() and world.level.ball, rewind.active)
     if screens.name == "lost" and ended > 0.7 then run.play(run.level) end
     if screens.name == "home" and ended > 0.9 then screens.open("won") end
-    if pointer and screens.name == "play" then
-        local near = things.rope_at(pointer, 0.7)
-        things.chosen = near and near.name
-    end
+    local near = pointer and playing() and things.rope_at(pointer, 0.7)
+    if pointer then things.chosen = near and near.name end
+    local way = vec(math.floor(input.move.x * 0.8 + 0.5), math.floor(input.move.y * 0.8 + 0.5))
+    if way ~= pushed and (way.x ~= 0 or way.y ~= 0) then push(way.x, way.y) end
+    pushed = way
 end
 
--- Whether two lines between points cross.
-local function cross(a, b, c, d)
-    local u, v = b - a, d - c
-    return u:cross(c - a) * u:cross(d - a) < 0 and v:cross(a - c) * v:cross(b - c) < 0
-end
-
+-- Dragging the mouse over ropes cuts them, as clicking does.
 function mouse_moved(position)
-    if input.mouse.left and pointer and screens.name == "play" then
-        for _, rope in ipairs(world.level:find("Rope")) do
-            if rope:holds() and cross(pointer, position, rope:ends()) then cut(rope) end
-        end
+    for _, rope in ipairs(input.mouse.left and pointer and world.level:find("Rope") or {}) do
+        local a, b = rope:ends()
+        local along, moved = b - a, position - pointer
+        if along:cross(pointer - a) * along:cross(position - a) < 0 and moved:cross(a - pointer) * moved:cross(b - pointer) < 0 then cut(rope) end
     end
     pointer = vec(position)
     screens.point(position)
@@ -156,82 +144,40 @@ end
 
 function mouse_pressed(button, position)
     pointer = vec(position)
-    if button == "left" and screens.in_menu() and screens.age > 0.15 then screens.click(position) end
-    if button == "left" and screens.name == "play" then cut(things.rope_at(position, 0.7)) end
-end
-
-local function move(x, y)
-    if screens.in_menu() then
-        screens.move(x, y)
-    elseif screens.name == "play" then
-        pointer = nil
-        local rope = things.rope_towards(vec(x, y))
-        things.chosen = rope and rope.name
-        sound.play("tick")
-    end
-end
-
-local arrows = {
-    left = { -1, 0 }, right = { 1, 0 }, up = { 0, 1 }, down = { 0, -1 }, a = { -1, 0 }, d = { 1, 0 }, w = { 0, 1 }, s = { 0, -1 },
-    dpad_left = { -1, 0 }, dpad_right = { 1, 0 }, dpad_up = { 0, 1 }, dpad_down = { 0, -1 },
-}
-
-function key_pressed(key)
-    if arrows[key] then move(arrows[key][1], arrows[key][2]) end
-end
-
-function gamepad_pressed(_, button)
-    if #button > 1 and arrows[button] then move(arrows[button][1], arrows[button][2]) end
-end
-
-local tilted = false
-function gamepad_axis(_, axis, value)
-    if axis ~= "left_x" and axis ~= "left_y" then return end
-    if math.abs(value) < 0.3 then tilted = false end
-    if math.abs(value) > 0.6 and not tilted then
-        tilted = true
-        local way = value > 0 and 1 or -1
-        move(axis == "left_x" and way or 0, axis == "left_y" and way or 0)
-    end
+    if button ~= "left" then return end
+    if playing() then cut(things.rope_at(position, 0.7)) else screens.point(position, true) end
 end
 
 function action_pressed(action)
     if screens.in_menu() then
-        if action == "confirm" then screens.confirm()
-        elseif action == "back" then screens.leave() end
-    elseif action == "pause" and screens.name == "play" then
+        if action == "confirm" then screens.confirm() elseif action == "back" then screens.leave() end
+    elseif action == "pause" and playing() then
         screens.open("pause")
         sound.play("press")
-    elseif action == "restart" and playing(screens.name) then
+    elseif action == "restart" then
         run.play(run.level)
-    elseif action == "cut" and not input.mouse.left and screens.name == "play" then
-        local name = things.chosen
-        cut(name and world.level[name])
+    elseif action == "cut" and not input.mouse.left and things.chosen then
+        cut(world.level[things.chosen])
     end
 end
 
 function start()
-    view.height, view.fit, view.design = 15, "letterbox", vec(1280, 800)
-    view.background = color("#17122f")
+    view.height, view.fit, view.background = 15, "letterbox", color("#130f2b")
     time.rewind_limit = 120
     sound.apply_volumes()
-    sound.start_music()
+    sounds.music:play { fade = 1.5 }
     run.title()
 end
 
 function draw_behind(pen) fx.draw_sky(pen, time.now) end
 
 function draw(pen)
-    local level = world.level
-    things.draw_details(pen, level)
-    local ball = level:has("ball") and level.ball
-    if ball then
-        fx.draw_trail(pen)
-        if screens.name ~= "lost" then things.draw_ball(pen, ball:drawn_position(), ball:drawn_angle(), ball.circle.radius, fx.squash) end
-    end
+    local ball = world.level.ball
+    things.draw_details(pen)
+    if screens.in_level() then fx.draw_trail(pen) end
+    if screens.name ~= "lost" then things.draw_ball(pen, ball:drawn_position(), ball:drawn_angle(), 2 * ball.circle.radius, fx.squash) end
     fx.draw(pen)
-    fx.draw_tide(pen, tide)
-    if playing(screens.name) then screens.draw_play(pen, rewind.past(), tide) end
+    if screens.in_level() then screens.draw_play(pen, rewind.past()) end
     screens.draw(pen)
-    if fade > 0 then pen.box(vec(0, 0), 40, 16, things.faded(color("#17122f"), fade)) end
+    if fade > 0 then pen.box(vec(0, 0), 40, 16, things.faded(view.background, fade)) end
 end

@@ -1,35 +1,31 @@
 -- Going back in time while the ball goes on. In each frame the whole tree is taken to an earlier step, and then the ball is put
 -- back to where it was. For the step that follows, all other bodies are driven backwards along their way, so they push the ball
--- and carry it. What belongs to the ball, and what must not be undone, is kept here and not in the tree.
+-- and carry it. What must not be undone is kept here and in `restored`, and not in the tree.
 
-local rewind = { active = false, first = 0, spent = 0 }
+local rewind = { active = false, first = 0, restored = function() end }
 local target, seen = 0, 0       -- the step to go to, the step that the game was in after the last restore
 local kept                      -- of the ball, from before the restore
 local driven = false            -- whether the bodies already move backwards since the last restore
-rewind.restored = function() end
 
-local function ball() return world.level and world.level:has("ball") and world.level.ball end
+local function ball() return world:has("level") and world.level:has("ball") and world.level.ball end
 
 -- From now on time goes back no further than here.
-function rewind.begin()
-    rewind.active, rewind.first, rewind.spent = false, time.step + 2, 0
-end
+function rewind.begin() rewind.active, rewind.first, kept = false, time.step + 2, nil end
+
+local function dawn() return math.max(rewind.first, time.oldest) end
 
 -- How much of the past there is, in seconds.
-function rewind.past()
-    return math.max(0, time.step - math.max(rewind.first, time.oldest)) * time.dt
-end
+function rewind.past() return math.max(0, time.step - dawn()) * time.dt end
 
 -- Once a frame, with whether the player holds the button.
 function rewind.update(held)
-    if not held and not rewind.active then return end
     if not rewind.active then
-        if rewind.past() == 0 then return end
+        if not held or rewind.past() == 0 then return end
         rewind.active, target, seen = true, time.step, time.step - 1
     end
     local made = time.step - seen
     if made > 0 then
-        target = math.max(rewind.first, time.oldest, target - made)
+        target = math.max(dawn(), target - made)
         local b = ball()
         kept = b and { vec(b.position), vec(b.velocity), b.angle, b.angular_velocity }
         time:go_to(target)
@@ -38,19 +34,15 @@ function rewind.update(held)
     rewind.active = held
 end
 
--- Before each step: everything but the ball moves backwards, or stands still at the beginning of time.
-function rewind.step(dt)
-    if not rewind.active or not world.level then return end
-    rewind.spent = rewind.spent + dt
-    if driven then return end
+-- Before each step: everything but the ball moves backwards, or stands still at the dawn of time.
+function rewind.step()
+    if not rewind.active or driven then return end
     driven = true
-    local way = target > math.max(rewind.first, time.oldest) and -1 or 0
-    for _, body in ipairs(world.level:find("Body")) do
-        if body.type ~= "static" and body.name ~= "ball" then
-            local velocity, turn = body.velocity * way, body.angular_velocity * way
-            body.type = "kinematic"
-            body.velocity, body.angular_velocity = velocity, turn
-        end
+    local way = target > dawn() and -1 or 0
+    for _, body in ipairs(world.level:find("Body", function(body) return body.type ~= "static" and body.name ~= "ball" end)) do
+        local velocity, turn = body.velocity * way, body.angular_velocity * way
+        body.type = "kinematic"
+        body.velocity, body.angular_velocity = velocity, turn
     end
     for _, belt in ipairs(world.level:find("Belt")) do belt.surface.surface_speed = belt.surface.surface_speed * way end
 end
