@@ -1,0 +1,22 @@
+-- What the parts of the game share: categories of shapes, the size of an arena, and values that are read often, once a step.
+
+local common = {
+    HERO = 1, ENEMY = 2, STONE = 4, GEM = 8, SHOT = 16, SOLID = 23,
+    half = vec(36, 27),             -- m, half of the size of an arena
+    hero_at = vec(0, 0), now = 0, count = 0, dt = 1 / 60,
+    comets = {},                    -- that fall now: where, and since when
+}
+
+local probe = Circle {}
+
+-- The bodies of these categories that are not farther from a point.
+function common.around(point, radius, mask)
+    probe.center, probe.radius = point, radius
+    return world:overlap(probe, mask)
+end
+
+function common.refresh(dt)
+    common.hero_at, common.now, common.count, common.dt = vec(world.hero.position), time.now, time.step, dt
+end
+
+return common

@@ -1,0 +1,102 @@
+REPORT = true
+-- A bot plays as a player does: it sees what is near, and holds keys.
+
+local ENEMY, GEM, SHOT = 2, 8, 16
+local wishes = { "orbit", "nova", "storm", "might", "comet", "sparks", "haste", "heart", "swift", "magnet" }
+local keys = { { "d" }, { "d", "w" }, { "w" }, { "w", "a" }, { "a" }, { "a", "s" }, { "s" }, { "s", "d" } }
+
+-- Where to go: away from what hurts, to gems, not into a wall.
+local function best_way()
+    local at = world.hero.position
+    local threats = {}
+    for _, body in ipairs(world:overlap_box(at - vec(7, 7), at + vec(7, 7), ENEMY | SHOT)) do
+        if not body:is_a(Spark) and not body:is_a(Firefly) then
+            threats[#threats + 1] = { body.position, body.velocity, body:is_a(Boss) and 8 or body:is_a(Orb) and 3 or 1 }
+        end
+    end
+    local gem, nearest
+    for _, body in ipairs(world:overlap_box(at - vec(9, 9), at + vec(9, 9), GEM)) do
+        local far = (body.position - at):length()
+        if not nearest or far < nearest then gem, nearest = vec(body.position), far end
+    end
+    local best, least = 1, math.huge
+    for i = 1, 8 do
+        local angle = (i - 1) * math.pi / 4
+        local way = vec(math.cos(angle), math.sin(angle))
+        local cost = 0
+        for _, ahead in ipairs { 0.2, 0.5 } do
+            local there = at + way * 5.2 * ahead
+            for _, threat in ipairs(threats) do
+                local far = (threat[1] + threat[2] * ahead - there):length()
+                cost = cost + threat[3] / (0.15 + far * far)
+            end
+        end
+        local there = at + way * 2.5
+        cost = cost + 0.4 * math.max(0, math.abs(there.x) - 28) + 0.4 * math.max(0, math.abs(there.y) - 20)
+        if gem then cost = cost - 0.8 * way:dot((gem - at):normalized()) end
+        if cost < least then best, least = i, cost end
+    end
+    return best, least
+end
+
+local held = {}
+local function hold(names)
+    for _, key in ipairs { "w", "a", "s", "d" } do
+        local wanted = false
+        for _, name in ipairs(names) do wanted = wanted or name == key end
+        if held[key] ~= wanted then
+            held[key] = wanted
+            input.keys[key] = wanted
+        end
+    end
+end
+
+local function rank(name)
+    for i, wish in ipairs(wishes) do
+        if wish == name then return i end
+    end
+end
+
+-- Takes the wish that is highest on the list.
+local function choose(t)
+    hold {}
+    t:steps(40)
+    local best = 1
+    for i, name in ipairs(night.choices) do
+        if rank(name) < rank(night.choices[best]) then best = i end
+    end
+    while night.pick ~= best do
+        t:tap("right")
+        t:steps(2)
+    end
+    t:tap("enter")
+    t:steps(2)
+end
+
+local function play(t, ends)
+    for _ = 1, 40000 do
+        if night.menu == "choose" then choose(t)
+        elseif ends() then return hold {}
+        else
+            local way, cost = best_way()
+            hold(keys[way])
+            if cost > 6 and world.hero.dash_wait == 0 then t:tap("space") end
+            t:steps(4)
+            if REPORT and time.step % 600 < 4 then
+                print(string.format("%6.1f arena %d clock %5.1f hp %5.1f level %d crowd %d kills %d gems %d score %d", time.now, night.arena, night.clock, world.hero.hp,
+                    world.hero.level, night.crowd, night.kills, #world.gems:children(), night.score))
+            end
+        end
+    end
+end
+
+test("a bot wins the whole game", function(t)
+    time.rewind_limit = 0
+    t:steps(40)
+    t:tap("enter")
+    t:steps(3)
+    expect(night.running):is(true)
+    play(t, function() return night.menu == "over" or night.menu == "win" end)
+    print(night.menu, night.arena, night.score, night.kills, time.now)
+    expect(night.menu):is("win")
+end)
