@@ -1,13 +1,7 @@
--- Enemies walk to the hero, push each other, and drop gems. Bosses do more.
-
-local effects = require "effects"
-local arenas = require "arenas"
-local common = require "common"
-
+-- Enemies walk to the hero, push each other, and drop gems. Bosses rush, and shoot in rings.
+local common, effects, arenas = require "common", require "effects", require "arenas"
 local tau = 2 * math.pi
 local enemies = {}
-
--- Frames are those of art/sheet.png.
 local kinds = {
     shade = { hp = 2, speed = 2.3, damage = 8, worth = 1, radius = 0.36, size = 1.15, frames = "1-4", color = color("#9a7cf0") },
     moth = { hp = 1, speed = 4.1, damage = 5, worth = 1, radius = 0.27, size = 1, frames = "5-8", color = color("#ff8cc8") },
@@ -16,40 +10,35 @@ local kinds = {
 }
 
 Enemy = class("Enemy", Body) {
-    kind = "shade", hp = 1.0, speed = 2.0, damage = 5, worth = 1, turn = 0, charge = 3.0, locked_rotation = true,
+    kind = "shade", hp = 1.0, speed = 2.0, damage = 5, worth = 1, turn = 0, charge = 0.0, locked_rotation = true,
 }
 
 -- A place in the arena that is out of sight.
 local function hidden_place()
-    local at
     for _ = 1, 30 do
-        local angle, far = random() * tau, view.width * (0.56 + 0.12 * random())
-        at = common.hero_at + vec(math.cos(angle) * far, math.sin(angle) * far)
+        local at = common.hero_at + common.toward(random() * tau, view.width * (0.56 + 0.12 * random()))
         if math.abs(at.x) < common.half.x - 1 and math.abs(at.y) < common.half.y - 1 then return at end
     end
-    return vec(-common.hero_at.x, -common.hero_at.y) * 0.9
+    return common.hero_at * -0.9
 end
 
 function enemies.spawn(name, at)
     local kind = kinds[name]
     night.crowd = night.crowd + 1
-    world.swarm:add(Enemy {
+    local enemy = world.swarm:add(Enemy {
         kind = name, hp = kind.hp * arenas[night.arena].toughness, speed = kind.speed * (0.9 + 0.2 * random()), damage = kind.damage,
         worth = kind.worth, turn = random(0, 7), position = at or hidden_place(), charge = 1 + 2 * random(),
-        Circle { radius = kind.radius, category = common.ENEMY, mask = common.SOLID, friction = 0, visible = false },
-        look = Sprite { image = "art/sheet.png", columns = 8, rows = 4, animation = kind.frames, frame = random(4), frames_per_second = 7,
-            size = vec(kind.size, kind.size), position = vec(0, kind.size * 0.16) },
-    })
+        common.disc(kind.radius, common.ENEMY, common.SOLID), look = common.look(kind.frames, kind.size, 0.16 * kind.size) })
+    enemy.look.frame = random(4)
 end
 
 -- Spawns what is due in this step.
 function enemies.come(dt)
-    local arena = arenas[night.arena]
-    for _, wave in ipairs(arena.waves) do
+    for _, wave in ipairs(arenas[night.arena].waves) do
         local kind, from, to, first, last = table.unpack(wave)
         if night.clock >= from and night.clock < to then
             local due = (first + (last - first) * (night.clock - from) / (to - from)) * dt
-            while random() < due and night.crowd < arena.cap do
+            while random() < due and night.crowd < arenas[night.arena].cap do
                 enemies.spawn(kind)
                 due = due - 1
             end
@@ -63,7 +52,7 @@ function Enemy:step()
     local far = to:length()
     local want = to * (self.speed / (far + 0.01))
     if not night.running then                    -- they dance round the light
-        want = (vec(-to.y, to.x) * 0.8 + to * (far > 7 and 0.5 or -0.6)) * (self.speed / (far + 0.01))
+        want = (vec(-to.y, to.x) * 0.8 + to * (far > 9 and 0.5 or -0.6)) * (self.speed / (far + 0.01))
     elseif self.kind == "moth" then
         want = want + vec(-want.y, want.x) * (0.9 * math.sin(common.now * 3 + self.turn))
     elseif self.kind == "spitter" then
@@ -76,8 +65,7 @@ function Enemy:step()
     end
     self.velocity = self.velocity:lerp(want, 0.12)
     if (common.count + self.turn) % 8 == 0 then
-        local look = self.look
-        local left = to.x < 0
+        local look, left = self.look, to.x < 0
         if look.flip_x ~= left then look.flip_x = left end
         self.z = -0.01 * at.y
         if far > 24 and night.running then self.position = hidden_place() end
@@ -96,50 +84,35 @@ function Enemy:hurt(damage, push)
 end
 
 function Enemy:die()
-    local kind, at = kinds[self.kind], self.position
-    night.crowd = night.crowd - 1
-    night.kills = night.kills + 1
-    night.score = night.score + 10 * self.worth * night.arena
-    effects.burst(at, kind.color, 4 + self.worth)
+    night.crowd, night.kills, night.score = night.crowd - 1, night.kills + 1, night.score + 10 * self.worth * night.arena
+    effects.burst(self.position, kinds[self.kind].color, 4 + self.worth)
     sounds.pop:play { pitch = 0.8 + 0.4 * random() }
-    if random() < 0.012 and world.hero.hp < 0.7 * world.hero.max_hp then
-        enemies.drop(at, 0)
-    else
-        enemies.drop(at, self.worth)
-    end
+    local heart = random() < 0.012 and world.hero.hp < 0.7 * world.hero.max_hp
+    enemies.drop(self.position, heart and 0 or self.worth)
     self:delete()
 end
 
--- Gems -------------------------------------------------------------------------------------------------------------------------
-
 Gem = class("Gem", Body) { type = "static", worth = 1, flying = false, z = -50 }
-
 local gem_colors = { color("#5ef2c4"), color("#5ab8ff"), color("#ff9f5a"), color("#ff6fa8") }
 
--- Worth 0 is a heart. When many lie there, an old gem takes up the new one.
+-- Worth 0 is a heart. When many gems lie there, one of them takes up the new one.
 function enemies.drop(at, worth)
     local gems = world.gems:children()
-    if worth > 0 and #gems > 300 then
-        local old = gems[random(#gems)]
-        if old.worth > 0 then old.worth = old.worth + worth return end
-    end
-    local frame, tint = "25", gem_colors[worth < 2 and 1 or worth < 5 and 2 or worth < 20 and 3 or 4]
-    if worth == 0 then frame, tint = "28", color("white") end
-    local size = worth == 0 and 0.8 or 0.42 + 0.05 * math.min(worth, 6)
-    world.gems:add(Gem { position = at, worth = worth,
-        Circle { radius = 0.3, sensor = true, category = common.GEM, mask = common.HERO, visible = false },
-        look = Sprite { image = "art/sheet.png", columns = 8, rows = 4, animation = frame, size = vec(size, size), tint = tint } })
+    local old = worth > 0 and #gems > 300 and gems[random(#gems)]
+    if old and old.worth > 0 then old.worth = old.worth + worth return end
+    local gem = world.gems:add(Gem { position = at, worth = worth, common.disc(0.3, common.GEM, common.HERO, true),
+        look = common.look(worth == 0 and "28" or "25", worth == 0 and 0.8 or 0.42 + 0.05 * math.min(worth, 6)) })
+    if worth > 0 then gem.look.tint = gem_colors[worth < 2 and 1 or worth < 5 and 2 or worth < 20 and 3 or 4] end
 end
 
 function Gem:step()
     if not self.flying then return end
     local to = common.hero_at - self.position
-    local far = to:length()
-    if far < 0.6 then
+    if to:length() > 0.6 then
+        self.velocity = self.velocity:lerp(to:normalized() * 16, 0.2)
+    else
         world.hero:take(self.worth)
         self:delete()
-    else
-        self.velocity = self.velocity:lerp(to * (16 / far), 0.2)
     end
 end
 
@@ -149,15 +122,7 @@ function Gem:fly()
     self.velocity = (self.position - common.hero_at) * 4
 end
 
--- Shots of enemies -------------------------------------------------------------------------------------------------------------
-
 Orb = class("Orb", Body) { type = "kinematic", z = 5 }
-
-function enemies.shoot(at, velocity)
-    world.shots:add(Orb { position = at, velocity = velocity,
-        Circle { radius = 0.24, sensor = true, category = common.SHOT, mask = common.HERO, visible = false },
-        look = Sprite { image = "art/sheet.png", columns = 8, rows = 4, animation = "27", size = vec(1, 1) } })
-end
 
 function Orb:ready() self:after(6, function(orb) orb:delete() end) end
 
@@ -165,90 +130,57 @@ function Orb:sensor_begin(event)
     if event.other == world.hero and event.other:hurt(10) then self:delete() end
 end
 
-local function ring(at, count, speed, turn)
-    for i = 1, count do
-        local angle = turn + tau * i / count
-        enemies.shoot(at, vec(math.cos(angle), math.sin(angle)) * speed)
-    end
-    sounds.zap:play { pitch = 0.6 }
+function enemies.shoot(at, velocity)
+    world.shots:add(Orb { position = at, velocity = velocity, common.disc(0.24, common.SHOT, common.HERO, true), look = common.look("27", 1) })
 end
 
--- Bosses -----------------------------------------------------------------------------------------------------------------------
-
-Boss = class("Boss", Enemy) {
-    max_hp = 1.0, way = vec(0, 0), current_state = "hunt",
-    states = {
-        hunt = {
-            enter = function(self) self:after(self.hp < 0.5 * self.max_hp and 1.6 or 2.4, function(b) b:state("aim") end) end,
-            step = function(self)
-                local to = common.hero_at - self.position
-                self.velocity = self.velocity:lerp(to * (self.speed / (to:length() + 0.1)), 0.08)
-                if night.arena == 3 and common.count % 14 == 0 then
-                    local angle = common.now * 1.7
-                    for _, turn in ipairs { 0, tau / 3, 2 * tau / 3 } do
-                        enemies.shoot(self.position, vec(math.cos(angle + turn), math.sin(angle + turn)) * 4.2)
-                    end
-                end
-            end,
-        },
-        aim = {
-            enter = function(self)
-                self.way = (common.hero_at - self.position):normalized()
-                self.look.tint = color("#ff9d8a")
-                self:after(0.65, function(b) b:state("rush") end)
-            end,
-            step = function(self) self.velocity = self.velocity * 0.85 end,
-            leave = function(self) self.look.tint = color("white") end,
-        },
-        rush = {
-            enter = function(self)
-                sounds.roar:play()
-                self:after(0.7, function(b) b:state("hunt") end)
-            end,
-            step = function(self) self.velocity = self.way * (11 + 2 * night.arena) end,
-            leave = function(self)
-                ring(self.position, 8 + 4 * night.arena, 4, random() * tau)
-                if night.arena == 2 then
-                    for i = 1, 8 do
-                        local angle = tau * i / 8
-                        enemies.spawn("shade", self.position + vec(math.cos(angle), math.sin(angle)) * 2.5)
-                    end
-                end
-            end,
-        },
-    },
-}
+Boss = class("Boss", Enemy) { max_hp = 1.0, way = vec(0, 0) }
 
 function enemies.boss()
     local arena = arenas[night.arena]
-    local boss = Boss {
-        kind = "brute", hp = arena.boss_hp + 0.0, max_hp = arena.boss_hp + 0.0, speed = 2.2, damage = 22, worth = 200, position = hidden_place(),
-        Circle { radius = 1.3, density = 8, category = common.ENEMY, mask = common.SOLID, friction = 0, visible = false },
-        look = Sprite { image = "art/bosses.png", columns = 3, animation = tostring(night.arena), size = vec(3.8, 3.8), position = vec(0, 0.3) },
-    }
-    night.crowd = night.crowd + 1
-    world.swarm:add(boss, "boss")
+    night.boss, night.crowd = true, night.crowd + 1
+    local boss = world.swarm:add(Boss { kind = "brute", hp = arena.boss_hp + 0.0, max_hp = arena.boss_hp + 0.0, speed = 2.2, damage = 22, worth = 200,
+        position = hidden_place(), common.disc(1.3, common.ENEMY, common.SOLID), look = Sprite { image = "art/bosses.png", columns = 3,
+        animation = tostring(night.arena), size = vec(3.8, 3.8), position = vec(0, 0.3) } }, "boss")
+    boss.circle.density = 8
     sounds.roar:play()
     view:shake(0.3, 0.8)
     effects.banner(arena.boss, "appears")
 end
 
-function Boss:step() self.z = -0.01 * self.position.y end
+-- It hunts, aims, rushes, and then shoots a ring; `charge` is the time since it began to hunt.
+function Boss:step(dt)
+    local at, now, hunt = self.position, self.charge + dt, self.hp < 0.5 * self.max_hp and 1.6 or 2.4
+    local to = common.hero_at - at
+    self.charge, self.z = now, -0.01 * at.y
+    if now < hunt then
+        self.velocity = self.velocity:lerp(to:normalized() * self.speed, 0.08)
+        if night.arena == 3 and common.count % 14 == 0 then
+            for i = 1, 3 do enemies.shoot(at, common.toward(common.now * 1.7 + i * tau / 3, 4.2)) end
+        end
+    elseif now < hunt + 0.65 then
+        self.way, self.velocity, self.look.tint = to:normalized(), self.velocity * 0.85, color("#ff9d8a")
+    elseif now < hunt + 1.35 then
+        if now - dt < hunt + 0.65 then sounds.roar:play() end
+        self.velocity = self.way * (11 + 2 * night.arena)
+    else
+        self.charge, self.look.tint = 0.0, color("white")
+        local count = 8 + 4 * night.arena
+        for i = 1, count do enemies.shoot(at, common.toward(i * tau / count, 4)) end
+        for i = 1, night.arena == 2 and 8 or 0 do enemies.spawn("shade", at + common.toward(i * tau / 8, 2.5)) end
+        sounds.zap:play { pitch = 0.6 }
+    end
+end
 
 function Boss:die()
-    local at = self.position
-    night.crowd = night.crowd - 1
     night.score = night.score + 2000 * night.arena
-    for _ = 1, 24 do
-        local angle, far = random() * tau, 2.5 * random()
-        enemies.drop(at + vec(math.cos(angle), math.sin(angle)) * far, 3 * night.arena)
-    end
-    effects.burst(at, color("#ffd166"), 60)
-    effects.ring(at, 9, color("#ffd166"))
+    for _ = 1, 24 do enemies.drop(self.position + common.toward(random() * tau, 2.5 * random()), 3 * night.arena) end
+    effects.burst(self.position, color("#ffd166"), 60)
+    effects.ring(self.position, 9, color("#ffd166"))
     view:shake(0.6, 1)
     sounds.boom:play()
     self:delete()
-    common.cleared()
+    after(0.01, common.cleared)                  -- not while others are still being hurt
 end
 
 return enemies

@@ -1,15 +1,13 @@
 -- Weapons and gifts. A weapon fires by itself; its function returns the seconds until it fires again.
-
-local common = require "common"
-local effects = require "effects"
-
+local common, effects = require "common", require "effects"
 arms = {}
 
+function arms.level(name) return world.arms[name].level end
 local function might() return 1 + 0.16 * arms.level("might") end
 
 local function hurt_all(at, radius, damage, push)
     for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do
-        enemy:hurt(damage, (enemy.position - at):normalized() * push)
+        enemy:hurt(damage * might(), (enemy.position - at):normalized() * push)
     end
 end
 
@@ -25,78 +23,73 @@ local function some(radius, count)
 end
 
 -- Sparks and fireflies hurt what they meet.
-Spark = class("Spark", Body) { type = "kinematic", damage = 1.0, pierce = 0, z = 4 }
+Spark = class("Spark", Body) { type = "kinematic", pierce = 0, z = 4 }
+Firefly = class("Firefly", Body) { type = "kinematic", z = 6 }
 
 function Spark:ready() self:after(0.9, function(spark) spark:delete() end) end
 
 function Spark:sensor_begin(event)
-    if not event.other:alive() or not event.other:is_a(Enemy) then return end
-    event.other:hurt(self.damage, self.velocity * 0.25)
-    self.pierce = self.pierce - 1
-    if self.pierce < 0 and self:alive() then self:delete() end
+    if not self:alive() or not event.other:alive() then return end
+    local way, last = vec(self.velocity), self.pierce == 0
+    if last then self:delete() else self.pierce = self.pierce - 1 end
+    event.other:hurt((1 + 0.45 * arms.level("sparks")) * might(), way * 0.25)
 end
 
-Firefly = class("Firefly", Body) { type = "kinematic", z = 6 }
-
 function Firefly:sensor_begin(event)
-    if event.other:alive() and event.other:is_a(Enemy) then
-        event.other:hurt((0.8 + 0.6 * arms.level("orbit")) * might(), (event.other.position - common.hero_at):normalized() * 6)
-    end
+    local enemy = event.other
+    if not enemy:alive() then return end
+    enemy:hurt((0.8 + 0.6 * arms.level("orbit")) * might(), (enemy.position - common.hero_at):normalized() * 6)
 end
 
 arms.all = {
     sparks = { name = "Sparks", text = "Bolts of light fly\nto the nearest foe", fire = function(level)
-        local near = world:closest(common.hero_at, 11, common.ENEMY)
+        local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
         if not near then return 0.1 end
-        local count, to = 1 + level // 2, near.body.position - common.hero_at
         for i = 1, count do
-            local way = to:normalized():rotated(0.16 * (i - (count + 1) / 2))
-            world.shots:add(Spark { position = vec(common.hero_at), velocity = way * 15, angle = way:angle(),
-                damage = (1 + 0.45 * level) * might(), pierce = level // 2,
-                Circle { radius = 0.26, sensor = true, category = common.SHOT, mask = common.ENEMY, visible = false },
-                look = Sprite { image = "art/sheet.png", columns = 8, rows = 4, animation = "26", size = vec(1, 1) } })
+            local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
+            world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2,
+                common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) })
         end
         sounds.shot:play { pitch = 0.95 + 0.1 * random() }
         return 0.62 - 0.06 * level
     end },
     orbit = { name = "Fireflies", text = "Flames circle\naround you", fire = function(level)
         local flies, count = world.lights:children(), level + 1
-        for i = #flies + 1, count do
-            world.lights:add(Firefly { position = vec(common.hero_at),
-                Circle { radius = 0.42, sensor = true, category = common.SHOT, mask = common.ENEMY, visible = false },
-                look = Sprite { image = "art/flame.png", columns = 4, frames_per_second = 10, frame = i % 4 + 1, size = vec(1.3, 1.3), blend = "add" } })
+        for _ = #flies + 1, count do
+            local fly = Firefly { position = common.hero_at, common.disc(0.42, common.SHOT, common.ENEMY, true), look = common.look("", 1.3) }
+            fly.look.image, fly.look.columns, fly.look.rows, fly.look.blend = "art/flame.png", 4, 1, "add"
+            world.lights:add(fly)
         end
         for i, fly in ipairs(flies) do
-            local angle = common.now * 3.4 + 2 * math.pi * i / count
-            local at = common.hero_at + vec(math.cos(angle), math.sin(angle)) * (2 + 0.2 * level)
+            local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / count, 2 + 0.2 * level)
             fly.velocity = (at - fly.position) / common.dt
         end
         return 0
     end },
     nova = { name = "Flare", text = "A ring of light\npushes all away", fire = function(level)
-        hurt_all(common.hero_at, 2.8 + 0.45 * level, (1.2 + 0.9 * level) * might(), 10)
+        hurt_all(common.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
         effects.ring(common.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
         sounds.nova:play()
         return 3 - 0.25 * level
     end },
     storm = { name = "Storm", text = "Lightning leaps\nfrom foe to foe", fire = function(level)
         local from, struck = common.hero_at, some(8.5, 1 + 2 * level)
-        table.sort(struck, function(a, b) return (a.position - common.hero_at):length() < (b.position - common.hero_at):length() end)
         for _, enemy in ipairs(struck) do
             local at = vec(enemy.position)
-            effects.bolt(from, at)
+            effects.lightning(from, at)
             enemy:hurt((2 + level) * might())
             from = at
         end
-        if #struck > 0 then sounds.zap:play { pitch = 0.9 + 0.2 * random() } end
-        return #struck > 0 and 1.7 - 0.17 * level or 0.1
+        if #struck == 0 then return 0.1 end
+        sounds.zap:play { pitch = 0.9 + 0.2 * random() }
+        return 1.7 - 0.17 * level
     end },
     comet = { name = "Comets", text = "Stars fall on\nthe crowd", fire = function(level)
         for _, enemy in ipairs(some(10, 1 + level // 2)) do
             local at, radius = vec(enemy.position), 1.7 + 0.25 * level
-            common.comets[#common.comets + 1] = { at = at, from = common.now }
+            effects.comet(at)
             after(0.55, function()
-                hurt_all(at, radius, (3 + 2 * level) * might(), 7)
+                hurt_all(at, radius, 3 + 2 * level, 7)
                 effects.ring(at, radius, color("#8ad0ff"))
                 effects.burst(at, color("#8ad0ff"), 12)
                 sounds.boom:play { volume = 0.5, pitch = 1.3 }
@@ -112,35 +105,28 @@ arms.all = {
     magnet = { name = "Lodestone", text = "Gems come from\nfarther away" },
 }
 arms.order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" }
-arms.highest = 5
 
--- What the hero has: a level and the seconds until it fires again.
+-- What the hero has: a level from 0 to 5, and the seconds until it fires again.
 Arm = class("Arm", Object) { level = 0, wait = 0.5 }
 
-function arms.level(name) return world.arms[name].level end
-
 function Arm:step(dt)
-    if self.level == 0 or not night.running then return end
-    self.wait = self.wait - dt
     local fire = arms.all[self.name].fire
-    if fire and self.wait <= 0 then self.wait = fire(self.level) * (1 - 0.09 * arms.level("haste")) end
+    if self.level == 0 or not night.running or not fire then return end
+    self.wait = self.wait - dt
+    if self.wait <= 0 then self.wait = fire(self.level) * (1 - 0.09 * arms.level("haste")) end
 end
 
--- Three things that can still grow, by chance.
+-- Three names of what can still grow, by chance.
 function arms.offer()
     local can = {}
     for _, name in ipairs(arms.order) do
-        if arms.level(name) < arms.highest then can[#can + 1] = name end
+        if arms.level(name) < 5 then can[#can + 1] = name end
     end
     while #can > 3 do table.remove(can, random(#can)) end
     return can
 end
 
 function arms.take(name)
-    local arm = world.arms[name]
-    arm.level = arm.level + 1
-    if name == "heart" then
-        world.hero.max_hp = world.hero.max_hp + 20
-        world.hero.hp = world.hero.hp + 20
-    end
+    world.arms[name].level = arms.level(name) + 1
+    if name == "heart" then world.hero.max_hp, world.hero.hp = world.hero.max_hp + 20, world.hero.hp + 20 end
 end
