@@ -9,6 +9,8 @@
 
 #include <fettle/script/runtime.h>
 
+#include <command_line/exit_status.h>
+
 namespace fettle::program {
 
 namespace {
@@ -47,7 +49,7 @@ void on_alarm(int) {
     alarms = alarms + 1;
     if (alarms > max_alarms) {
         tell_at_once("fettle: the run did not end in time: it ends at once\n");
-        ::_exit(128 + asked_by);
+        ::_exit(status_of_signal(asked_by));
     }
     if (script::Runtime* runtime = stopped.load()) runtime->interrupt();
     ::alarm(1);

@@ -10,4 +10,9 @@ enum ExitStatus : int {
     file_error = 3     // a file could not be read or written
 };
 
+/// The exit status that shells use for a program that was ended by a signal.
+inline int status_of_signal(int number) {
+    return 128 + number;
+}
+
 }  // namespace fettle::program

@@ -33,11 +33,6 @@ int complain(ExitStatus status, const std::string& message) {
     return status;
 }
 
-/// The exit status that shells use for a program that was ended by a signal.
-int status_of_signal(int number) {
-    return 128 + number;
-}
-
 /// Time limit of the game's `closing()` after a signal, s.
 constexpr unsigned closing_time = 5;
 

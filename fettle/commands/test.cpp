@@ -67,7 +67,7 @@ class Suite {
         for (const std::string& file : test_files(options_.game))
             if (EndRequest::asked() == 0) run(file);
         if (!options_.junit.empty()) write_junit(options_.junit, outcomes_);
-        if (EndRequest::asked() != 0) return 128 + EndRequest::asked();
+        if (EndRequest::asked() != 0) return status_of_signal(EndRequest::asked());
         const auto failed = std::ranges::count(outcomes_, false, &TestOutcome::passed);
         if (outcomes_.empty()) {
             print_line(options_.filter.empty()

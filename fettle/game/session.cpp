@@ -13,6 +13,7 @@
 
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
+#include <game/answer.h>
 #include <game/game_path.h>
 #include <game/game_window.h>
 #include <game/recorded_files.h>
@@ -355,13 +356,7 @@ void Session::type_what_is_due() {
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
         print("› " + command);
-        const script::Evaluation said = runtime_->evaluate(command);
-        if (said.incomplete) print("✗ the command ends too early");
-        for (const std::string& line : said.lines) print("  " + line);
-        if (!said.error) continue;
-        std::string mark = "✗ ";
-        for (const std::string& line : script::error_lines(*said.error))
-            print(std::exchange(mark, "  ") + line);
+        for (const std::string& line : lines_of(runtime_->evaluate(command))) print(line);
     }
     // The output must not be lost if the run crashes.
     if (!options_.console.empty()) std::fflush(stdout);

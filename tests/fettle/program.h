@@ -29,9 +29,10 @@ class Folder {
 
 std::string quoted(const std::string& text);
 
-/// Runs `fettle ARGUMENTS` without a display. `before`: a shell command that runs first.
+/// Runs `fettle ARGUMENTS` without a display. `before`: a shell command that runs first. `input`:
+/// the file that is its standard input.
 Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
-               const std::string& before = {});
+               const std::string& before = {}, const std::string& input = "/dev/null");
 
 bool contains(const std::string& text, const std::string& part);
 

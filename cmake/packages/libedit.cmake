@@ -1,0 +1,12 @@
+# Reads and edits the commands of `fettle repl`.
+if(NOT TARGET fettle_libedit)
+  find_path(FETTLE_LIBEDIT_HEADERS histedit.h)
+  find_library(FETTLE_LIBEDIT edit)
+  if(FETTLE_LIBEDIT_HEADERS AND FETTLE_LIBEDIT)
+    add_library(fettle_libedit INTERFACE IMPORTED GLOBAL)
+    target_include_directories(fettle_libedit SYSTEM INTERFACE "${FETTLE_LIBEDIT_HEADERS}")
+    target_link_libraries(fettle_libedit INTERFACE "${FETTLE_LIBEDIT}")
+  else()
+    set(FETTLE_MISSING "libedit (Debian: libedit-dev) is needed")
+  endif()
+endif()

@@ -1,0 +1,43 @@
+#pragma once
+// Reads lines from a terminal, with editing, history and completion (libedit).
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fettle::program {
+
+class LineEditor {
+  public:
+    struct Candidate {
+        std::string text;              // replaces the line from `replace_from` to the cursor
+        std::string label;             // as listed
+        std::string detail;            // listed behind it
+        std::size_t replace_from = 0;  // byte of the line
+    };
+    using Complete =
+        std::function<std::vector<Candidate>(std::string_view line, std::size_t cursor)>;
+
+    /// stdin must be a terminal. Lines of earlier runs are read from the file `history`, and it is
+    /// written at the end; empty: they are not kept.
+    LineEditor(std::filesystem::path history, Complete complete);
+    ~LineEditor();
+    LineEditor(const LineEditor&) = delete;
+
+    /// Reads a line, without its end. None when the input ends, or when `idle` returns false.
+    /// `idle` is called sixty times a second meanwhile. What it prints appears above the line.
+    std::optional<std::string> read(const std::string& prompt, const std::function<bool()>& idle);
+    /// Call before `idle` prints.
+    void make_room();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fettle::program

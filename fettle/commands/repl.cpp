@@ -1,0 +1,205 @@
+#include <commands/repl.h>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fettle/app/error_screen.h>
+#ifdef FETTLE_WITH_CONSOLE
+#include <fettle/console/console.h>
+#endif
+
+#include <command_line/arguments.h>
+#include <command_line/end_request.h>
+#include <command_line/exit_status.h>
+#include <command_line/line_editor.h>
+#include <command_line/terminal.h>
+#include <game/answer.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/session.h>
+
+namespace fettle::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The longest time of one call of `advance`, s.
+constexpr double longest_advance = 3600;
+/// A game that was held up goes on by at most this, s.
+constexpr double longest_frame = 0.25;
+
+/// Beside the file of the console's own commands.
+fs::path history_file() {
+#ifdef FETTLE_WITH_CONSOLE
+    const fs::path console = console::default_history_file();
+    if (!console.empty()) return console.parent_path() / "repl_history";
+#endif
+    return {};
+}
+
+class Repl {
+  public:
+    explicit Repl(const RunOptions& options)
+        : session_(options, nullptr, [this](const script::ScriptError& error) { report(error); }),
+          scripts_(session_.runtime()) {
+        if (session_.settings().console == property::ConsoleUse::off)
+            throw FileError("repl: this game has no console, as its game.json says");
+        session_.on_output([this](std::string_view text) {
+            make_room();
+            print_line(text);
+        });
+        session_.runtime().add_function(
+            "advance", [this](auto arguments) { return property::Value(asked_steps(arguments)); });
+    }
+
+    int run() {
+        session_.start();
+        if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1)
+            talk();
+        else
+            read_all();
+        const int asked = EndRequest::asked();
+        return asked != 0 ? status_of_signal(asked) : session_.exit_status();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void make_room() {
+        if (editor_) editor_->make_room();
+    }
+    void report(const script::ScriptError& error) {
+        make_room();
+        tell_lines(app::error_text(error));
+    }
+
+    bool ended() {
+        return EndRequest::asked() != 0 || session_.runtime().quit_status().has_value();
+    }
+
+    /// In a terminal, the game goes on while the next command is typed.
+    void talk() {
+        print_line("Type any Lua, or help(). Tab completes, Ctrl+D ends.");
+        editor_.emplace(history_file(), [this](std::string_view line, std::size_t cursor) {
+            return candidates(line, cursor);
+        });
+        Clock::time_point last = Clock::now();
+        const auto idle = [&] {
+            const Clock::time_point now = Clock::now();
+            const double seconds = std::chrono::duration<double>(now - last).count();
+            last = now;
+            if (!session_.loop().halted()) session_.loop().frame(std::min(seconds, longest_frame));
+            std::fflush(stdout);
+            return !ended();
+        };
+        while (!ended()) {
+            const std::optional<std::string> line =
+                editor_->read(pending_.empty() ? "› " : "… ", idle);
+            if (!line) break;
+            take(*line);
+            last = Clock::now();
+        }
+        print_line("");
+        editor_.reset();
+    }
+
+    /// Without a terminal, the game stands still between the commands.
+    void read_all() {
+        for (std::string line; !ended() && std::getline(std::cin, line);) take(line);
+        if (pending_.empty() || ended()) return;
+        script::Evaluation said;
+        said.incomplete = true;
+        answer(said);
+    }
+
+    /// Runs the command, unless it goes on in the next line.
+    void take(const std::string& line) {
+        pending_ += pending_.empty() ? line : "\n" + line;
+        const script::Evaluation said = session_.runtime().evaluate(pending_);
+        if (said.incomplete && !line.empty()) return;
+        pending_.clear();
+        answer(said);
+        app::Loop& loop = session_.loop();
+        if (!loop.stopped()) loop.frame(0);
+        for (; turns_ > 0 && !loop.stopped() && !ended(); --turns_) loop.turn();
+        turns_ = 0;
+    }
+
+    void answer(const script::Evaluation& said) {
+        for (const std::string& line : lines_of(said)) print_line(line);
+        std::fflush(stdout);
+    }
+
+    /// Returns the number of steps. They are made after the command, since none can begin within
+    /// one.
+    std::int64_t asked_steps(std::span<const property::Value> arguments) {
+        const double seconds =
+            arguments.size() == 1 && arguments[0].is_numeric() ? arguments[0].as_double() : -1;
+        if (!(seconds >= 0 && seconds <= longest_advance))
+            throw std::invalid_argument(
+                "advance: expected a time from 0 to 3600 s, as in advance(1.5)");
+        const std::int64_t steps = std::llround(seconds / session_.services().clock.dt);
+        turns_ += steps;
+        return steps;
+    }
+
+    std::vector<LineEditor::Candidate> candidates(std::string_view line, std::size_t cursor) {
+        const std::size_t before = pending_.empty() ? 0 : pending_.size() + 1;
+        const std::string all =
+            pending_.empty() ? std::string(line) : pending_ + "\n" + std::string(line);
+        std::vector<LineEditor::Candidate> found;
+        for (script::Completion& c : session_.runtime().complete(all, before + cursor))
+            if (c.replace_from >= before)
+                found.push_back({std::move(c.text), std::move(c.label), std::move(c.detail),
+                                 c.replace_from - before});
+        return found;
+    }
+
+    std::optional<LineEditor> editor_;
+    Session session_;
+    const EndRequest::Scripts scripts_;
+    std::string pending_;     // the lines of a command that is not complete
+    std::int64_t turns_ = 0;  // still to be made
+};
+
+int repl(const fs::path& named) {
+    const EndRequest end_request;
+    RunOptions options{.headless = true};
+    options.game = named.empty() ? assets() / "templates" / "empty" : found_game(named);
+    options.developer = true;
+    // The game of a run without a path is nobody's: nothing of it is kept.
+    options.isolated = named.empty();
+    return Repl(options).run();
+}
+
+}  // namespace
+
+Command add_repl(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "repl", "Type commands of the console in the terminal, to a game without a window.");
+    command.allow_extras();
+    const auto game = std::make_shared<fs::path>();
+    command.add_option_function<std::string>(
+        "path",
+        [game](const std::string& text) {
+            *game = checked_text("path", text, "a folder with main.lua, or a .lua file");
+        },
+        "A folder with main.lua, or one .lua file; without it, a game with nothing in it");
+    return {&command, [game] { return with_file_errors([&] { return repl(*game); }); }};
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,165 @@
+// `fettle repl`: the console of a game in the terminal, with commands from a file and typed ones.
+
+#include <catch.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "program.h"
+
+namespace repl_test {
+
+using namespace program_test;
+
+namespace {
+
+Outcome repl(const Folder& folder, const std::string& commands,
+             std::vector<std::string> arguments = {}) {
+    arguments.insert(arguments.begin(), "repl");
+    return fettle(folder, arguments, {}, folder.write("commands", commands));
+}
+
+/// The program in a terminal of its own.
+class Terminal {
+  public:
+    Terminal(const Folder& folder, const std::string& game) {
+        child_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
+        REQUIRE(child_ >= 0);
+        if (child_ != 0) return;
+        setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
+        setenv("TERM", "xterm", 1);
+        setenv("LC_ALL", "C.UTF-8", 1);
+        execl(FETTLE_PROGRAM, "fettle", "repl", game.c_str(), nullptr);
+        _exit(127);
+    }
+    ~Terminal() {
+        if (child_ > 0) end();
+    }
+    Terminal(const Terminal&) = delete;
+
+    void type(const std::string& keys) {
+        REQUIRE(write(terminal_, keys.data(), keys.size()) == ssize_t(keys.size()));
+    }
+    /// Reads until `text` appears; false after half a minute without it.
+    bool shows(const std::string& text) {
+        for (int waits = 0; waits < 300; ++waits) {
+            if (const std::size_t at = screen_.find(text); at != std::string::npos) {
+                screen_.erase(0, at + text.size());
+                return true;
+            }
+            pollfd ready = {.fd = terminal_, .events = POLLIN, .revents = 0};
+            std::array<char, 4096> bytes;
+            if (poll(&ready, 1, 100) <= 0) continue;
+            const ssize_t count = read(terminal_, bytes.data(), bytes.size());
+            if (count <= 0) break;
+            screen_.append(bytes.data(), std::size_t(count));
+        }
+        UNSCOPED_INFO("the screen: " << screen_);
+        return false;
+    }
+    /// Closes the terminal; returns the exit status.
+    int end() {
+        close(terminal_);
+        int status = 0;
+        waitpid(std::exchange(child_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    /// Waits until the program has ended; returns the exit status.
+    int status() {
+        while (shows("\n")) {
+        }
+        return end();
+    }
+
+  private:
+    pid_t child_ = -1;
+    int terminal_ = -1;
+    std::string screen_;
+};
+
+}  // namespace
+
+TEST_CASE("commands from a file are run one after another") {
+    const Folder folder;
+    const Outcome said = repl(folder,
+                              "x = 3\nx + 4\nfor i = 1, 2 do\nprint(i)\nend\ntime.step\n"
+                              "advance(1)\ntime.step\nworld.gravity = vec(0, -2)\n"
+                              "world.gravty\nquit(4)\nprint('too late')\n");
+    INFO(said.out << said.err);
+    CHECK(said.status == 4);
+    CHECK(said.out.starts_with("  7\n  1\n  2\n  0\n  60\n  60\n"));
+    CHECK(contains(said.out, "  world.gravity: vec(0, -10) → vec(0, -2) m/s²\n"));
+    CHECK(contains(said.out, "did you mean \"gravity\"?"));
+    CHECK(!contains(said.out, "too late"));
+}
+
+TEST_CASE("a game stands still between commands from a file") {
+    const Folder folder;
+    const std::string game =
+        folder.write("game/main.lua",
+                     "world.ball = Body { position = vec(0, 50), Circle { radius = 1 } }\n"
+                     "function step(dt) if time.step == 30 then print('half a second') end end\n");
+    const Outcome said =
+        repl(folder,
+             "world.ball.position.y\nworld.ball.position.y\nadvance(0.5)\n"
+             "world.ball.position.y < 50\nworld.ball.mass is time.now\nworld.ball.mass\n",
+             {game});
+    INFO(said.out << said.err);
+    CHECK(said.status == 0);
+    CHECK(said.out.starts_with("  50 m\n  50 m\n  30\n"));
+    CHECK(contains(said.out, "half a second\n"));
+    CHECK(contains(said.out, "  true\n"));
+    CHECK(said.out.ends_with("  0.5 kg\n"));
+}
+
+TEST_CASE("what repl cannot do is said") {
+    const Folder folder;
+    CHECK(contains(repl(folder, "advance(-1)\n").out, "expected a time from 0 to 3600 s"));
+    CHECK(contains(repl(folder, "advance('x')\n").out, "expected a time from 0 to 3600 s"));
+    CHECK(contains(repl(folder, "for i = 1, 2 do\n").out, "the command ends too early"));
+    CHECK(contains(repl(folder, "while true do end\n1 + 1\n").out, "  2\n"));
+    CHECK(repl(folder, "", {(folder / "none").string()}).status == 3);
+    const std::string broken = folder.write("broken/main.lua", "error('no start')\n");
+    const Outcome failed = repl(folder, "1 + 1\n", {broken});
+    CHECK(failed.status == 1);
+    CHECK(contains(failed.err, "no start"));
+    CHECK(contains(failed.out, "  2\n"));
+    folder.write("closed/main.lua", "");
+    folder.write("closed/game.json", R"({"console": "off"})");
+    const Outcome closed = repl(folder, "1\n", {(folder / "closed").string()});
+    CHECK(closed.status == 3);
+    CHECK(contains(closed.err, "this game has no console"));
+}
+
+TEST_CASE("in a terminal words are completed and the game goes on") {
+    const Folder folder;
+    const std::string game =
+        folder.write("game/main.lua",
+                     "every(0.1, function() if time.step > 120 then print('späte Zeile') end end)");
+    {
+        Terminal terminal(folder, game);
+        REQUIRE(terminal.shows("Tab completes"));
+        terminal.type("world.gravit\t\n");
+        CHECK(terminal.shows("vec(0, -10) m/s²"));
+        CHECK(terminal.shows("späte Zeile"));
+        terminal.type("print('ü' .. 1 +");
+        terminal.type("\n 1)\n");
+        CHECK(terminal.shows("ü2"));
+        CHECK(terminal.shows("› "));
+        terminal.type("\x04");
+        CHECK(terminal.status() == 0);
+    }
+    // The commands of the last run are there again.
+    Terminal terminal(folder, game);
+    REQUIRE(terminal.shows("Tab completes"));
+    terminal.type("\x1b[A\x1b[A\x1b[A\n");
+    CHECK(terminal.shows("vec(0, -10) m/s²"));
+    terminal.type("quit(5)\n");
+    CHECK(terminal.status() == 5);
+}
+
+}  // namespace repl_test
