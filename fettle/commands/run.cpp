@@ -105,8 +105,12 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
         const property::Vec2 size = session.services().view.screen;
         picture =
             app::make_picture(static_cast<unsigned>(size.x()), static_cast<unsigned>(size.y()));
-        session.loop().draw(*picture, 0);
-        picture->present();
+        // The console lays out its lists by what it has drawn before: the second picture is
+        // settled.
+        for (int i = 0; i < 2; ++i) {
+            session.loop().draw(*picture, 0);
+            picture->present();
+        }
     }
     return finish(session, options, picture.get());
 }

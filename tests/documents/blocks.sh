@@ -3,8 +3,9 @@
 
 # read_blocks FILE fills these arrays, an element for each block of the document, in its order:
 #   block_line   the line of its fence, or its first line if it is only indented
-#   block_kind   the language after the fence; "" if there is none, "indented", "html" (<pre>) or "open" (no end)
-#   block_file   the text after the language: the name of a file
+#   block_kind   the language after the fence; "" if there is none, "indented", "html" (<pre>), "open" (no end) or
+#                "picture": a line that begins with an image
+#   block_file   the text after the language: the name of a file; of a picture, its link
 #   block_mark   the text of the comment <!-- test: ... --> before it
 #   block_text   its lines, without the indentation of its fence
 read_blocks() {
@@ -66,6 +67,14 @@ read_blocks() {
             heard = ""
             sub(/^ *<!-- */, "")
             if (/-->/) finish_mark(); else { heard = $0; comment = 1 }
+            next
+        }
+        match($0, /^!\[[^]]*\]\([^)]*\)/) {
+            end_of_indented()
+            file = substr($0, RSTART, RLENGTH)
+            sub(/^!\[[^]]*\]\(/, "", file)
+            sub(/\)$/, "", file)
+            put(FNR, "picture", file, "")
             next
         }
         /^ *<pre/ { end_of_indented(); put(FNR, "html", "", $0 "\n"); next }

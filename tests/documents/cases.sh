@@ -295,6 +295,59 @@ PAGE
     expect_failure "+[--console]"
 }
 
+case_a_foreign_block_is_not_run() {
+    follow <<'PAGE'
+<!-- test: foreign -->
+```gdscript
+extends Node
+```
+PAGE
+    expect_success
+}
+
+case_a_picture_without_a_mark_is_a_failure() {
+    follow <<'PAGE'
+![A ball](ball.png)
+PAGE
+    expect_failure "page.md:1: a picture needs a mark"
+}
+
+case_a_kept_picture_must_be_there() {
+    printf 'a picture' >"$work/ball.png"
+    follow <<'PAGE'
+<!-- test: picture kept -->
+![A ball](ball.png)
+PAGE
+    expect_success
+    follow <<'PAGE'
+<!-- test: picture kept -->
+![A ball](box.png)
+PAGE
+    expect_failure "there is no"
+}
+
+case_a_picture_is_drawn_at_its_step_and_compared() {
+    # This program draws its arguments; the comparison is one of files.
+    printf '#!/bin/sh\nfor a; do file=$a; done\necho "$*" | sed "s/ --screenshot.*//" >"$file"\n' >"$work/build/bin/fettle"
+    printf '#!/bin/sh\nshift\ncmp "$@"\n' >"$work/build/bin/fettle_pictures"
+    printf '#!/bin/sh\nshift 3\nexec "$@"\n' >"$project/tests/documents/stand-ins/xvfb-run"
+    chmod +x "$work/build/bin/"* "$project/tests/documents/stand-ins/xvfb-run"
+    local page='<!-- test: picture game at 7 --seed 3 -->
+![A game](game.png)
+
+```lua game/main.lua
+x = 1
+```'
+    follow --draw <<<"$page"
+    expect_success
+    [[ $(<"$work/game.png") == 'run game --headless --steps 7 --seed 3 '* ]] || wrong "drawn is: $(<"$work/game.png")"
+    follow <<<"$page"
+    expect_success
+    printf 'another\n' >"$work/game.png"
+    follow <<<"$page"
+    expect_failure "look at both pictures"
+}
+
 case_full_runs_what_is_marked_so_and_nothing_else() {
     local page='<!-- test: full -->
 ```sh

@@ -4,6 +4,7 @@
 #
 #   follow.sh DOCUMENT BUILD FOLDER    DOCUMENT is absolute or relative to the project; BUILD is a build folder in which everything is
 #                                      built; FOLDER is where checkout and home are made
+#   follow.sh --draw DOCUMENT BUILD FOLDER    the same, and writes the pictures of the document in place of comparing them
 #   follow.sh --full DOCUMENT BUILD FOLDER    runs only the blocks marked "full", in the checkout that this file is part of
 #
 # How each kind of block is tested, and what the marks in comments mean, is in docs/design/testing.md.
@@ -11,12 +12,14 @@ set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 source "$here/blocks.sh"
 sources=$(cd -- "$here/../.." && pwd -P)
-full=0 limit=600  # seconds
+full=0 draw=0 limit=600  # seconds
+if [[ ${1:-} == --draw ]]; then draw=1; shift; fi
 if [[ ${1:-} == --full ]]; then full=1 limit=3600; shift; fi
 document=$1 folder=$3
 finished=$(cd -- "$2" && pwd -P)
 [[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
-if [[ $document == /* ]]; then read_blocks "$document"; else read_blocks "$sources/$document"; fi
+if [[ $document == /* ]]; then where=$document; else where=$sources/$document; fi
+read_blocks "$where"
 
 # --- The checkout ---------------------------------------------------------------------------------------------------------
 
@@ -103,10 +106,11 @@ compare_output() {
 # Each line that begins with the prompt is typed before the step that the mark names for it, or one step later than the last.
 play_console() {
     local game steps=() step=0 line typed=() words
-    [[ ${block_mark[i]} =~ ^console\ ([^ ]+)\ at\ ([0-9 ]+)$ ]] ||
+    [[ ${block_mark[i]} =~ ^console\ (fresh\ )?([^ ]+)\ at\ ([0-9 ]+)$ ]] ||
         fail "a console needs a mark: <!-- test: console GAME at STEP STEP ... -->"
-    game=${BASH_REMATCH[1]}
-    read -r -a steps <<<"${BASH_REMATCH[2]}"
+    game=${BASH_REMATCH[2]}
+    read -r -a steps <<<"${BASH_REMATCH[3]}"
+    if [[ -n ${BASH_REMATCH[1]} ]]; then in_terminal "rm -rf -- $game/.fettle"; fi
     while IFS= read -r line; do
         [[ $line == '› '* ]] || continue
         step=${steps[0]:-$((step + 1))}
@@ -114,12 +118,63 @@ play_console() {
         typed+=(--console "$step:${line#'› '}")
     done <<<"${block_text[i]}"
     ((${#typed[@]})) || fail "nothing is typed here"
-    printf -v words ' %q' "$finished/bin/fettle" run "$game" --headless --steps "$((step + 1))" "${typed[@]}"
-    run_commands "$words"
+    printf -v words ' %q' --headless --steps "$((step + 1))" "${typed[@]}"
+    console_game=$game console_words=$words
+    run_commands "$(printf '%q' "$finished/bin/fettle") run $game$words"
     compare_output "${block_text[i]%$'\n'}"
 }
 
-tested=0 has_output=0 said=
+# --- Pictures -------------------------------------------------------------------------------------------------------------
+
+# Pictures are smaller than a window usually is, so that a page shows their texts in full size.
+picture_size='--eval "view.window.size = vec(960, 600)"'
+
+# draw_picture: makes the picture that the document shows as its mark says, and compares it with the one in the repository,
+# or writes that one.
+draw_picture() {
+    local mark=${block_mark[i]} kept drawn=$folder/drawn.${block_file[i]##*.} words
+    kept=$(cd -- "$(dirname -- "$where")" && realpath -m -- "${block_file[i]}")
+    case $mark in
+        # In a copy, so that the edits of the block before are not there twice.
+        'picture console'*)
+            in_terminal "rm -rf '$folder/copy' && cp -r '$console_game' '$folder/copy' && rm -rf '$folder/copy/.fettle'" || fail "$said"
+            printf -v words '%q run %q %s --eval console.open=true %s' \
+                "$finished/bin/fettle" "$folder/copy" "$console_words" "${mark#picture console}"
+            ;;
+        'picture session '*) words= ;;
+        picture\ *\ at\ *)
+            [[ $mark =~ ^picture\ ([^ ]+)\ at\ ([0-9]+)(.*)$ ]] || fail "no such mark: test: $mark"
+            # A page may begin with a picture of what it makes.
+            if [[ -z ${drawing_last:-} ]] && ! in_terminal "test -e '${BASH_REMATCH[1]}'"; then
+                last_pictures+=("$i")
+                return
+            fi
+            printf -v words '%q run %q --headless --steps %s' "$finished/bin/fettle" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
+            words+=${BASH_REMATCH[3]}
+            ;;
+        'picture kept') [[ -s $kept ]] || fail "there is no $kept"; return ;;
+        *) fail "a picture needs a mark that says how it is drawn: <!-- test: picture GAME at STEP -->" ;;
+    esac
+    rm -f -- "$drawn"
+    if [[ $mark == 'picture session '* ]]; then
+        "$here/draw_session.sh" "${mark#picture session }" "$checkout" "$finished" "$folder/frames" "$drawn" ||
+            fail "the session went wrong"
+    else
+        printf -v words "LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s '-screen 0 1280x800x24 -noreset' %s %s --screenshot %q" "$words" "$picture_size" "$drawn"
+        run_commands "$words"
+    fi
+    [[ -s $drawn || $drawn == *.webp ]] || fail "no picture was drawn"
+    if ((draw)); then
+        if [[ -s $drawn ]]; then mkdir -p -- "$(dirname -- "$kept")" && cp -- "$drawn" "$kept"; fi
+        return
+    fi
+    [[ -s $kept ]] || fail "there is no picture $kept yet: draw it with follow.sh --draw, and look at it"
+    if [[ $drawn != *.webp ]]; then
+        "$finished/bin/fettle_pictures" compare "$kept" "$drawn" || fail "look at both pictures; follow.sh --draw writes the new one"
+    fi
+}
+
+tested=0 has_output=0 said= console_words= console_game= last_pictures=()
 for i in "${!block_kind[@]}"; do
     kind=${block_kind[i]} file=${block_file[i]} mark=${block_mark[i]}
     if [[ $mark == full ]]; then
@@ -127,10 +182,12 @@ for i in "${!block_kind[@]}"; do
     elif ((full)); then
         continue
     fi
+    if [[ $mark == foreign ]]; then continue; fi
     case $kind in
         sh) run_commands "${block_text[i]}" ;;
         text) compare_output "${block_text[i]%$'\n'}" ;;
         console) play_console ;;
+        picture) draw_picture ;;
         cpp | c | cmake | json | lua)
             [[ -n $file ]] || fail "a block of $kind needs the name of its file behind the language"
             write_file
@@ -143,9 +200,11 @@ for i in "${!block_kind[@]}"; do
     esac
     if [[ $mark == run\ * ]]; then run_commands "${mark#run }"; fi
     case $mark in
-        '' | full | run\ * | console\ *) ;;
+        '' | full | run\ * | console\ * | picture\ *) ;;
         *) fail "no such mark: test: $mark" ;;
     esac
     tested=$((tested + 1))
 done
+drawing_last=1
+for i in ${last_pictures[@]+"${last_pictures[@]}"}; do draw_picture; done
 printf '%s: %d blocks, all as they stand\n' "$document" "$tested"
