@@ -166,12 +166,13 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
     return std::nullopt;
 }
 
-// 250 pixels are the whole range; without a range, one pixel is one percent of the value. The
-// result is rounded to the decimal place of one pixel, so that dragging gives round numbers.
+// 250 pixels are the whole range. Without a range, and with one that only keeps values computable,
+// as that of a position does, one pixel is one percent of the value. The result is rounded to the
+// decimal place of one pixel, so that dragging gives round numbers.
 double Fields::dragged(double pixels, const NumberLook& look) {
+    constexpr double widest = 10'000;
     double span = look.range.max - look.range.min;
-    double speed =
-        std::isfinite(span) && span > 0 ? span / 250 : std::max(std::abs(start_), 1.0) * 0.01;
+    double speed = span > 0 && span <= widest ? span / 250 : std::max(std::abs(start_), 1.0) * 0.01;
     if (look.integer) speed = std::max(speed, 0.1);
     ImGuiIO& io = ImGui::GetIO();
     double fine = io.KeyCtrl ? 0.01 : io.KeyShift ? 0.1 : 1;

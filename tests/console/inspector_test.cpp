@@ -110,6 +110,13 @@ TEST_CASE("a drag with shift is slower and with control even slower") {
     CHECK(travelled("left_alt") == plain);  // window managers take it
 }
 
+TEST_CASE("a wide range does not make a drag fast") {
+    BallRig rig;
+    REQUIRE(rig.tree.property(rig.ball, "position").range.max > 1e6);
+    rig.drag_by("position", 50, 0.25f);
+    CHECK(rig.value("world.ball.position").vec2().x() == Approx(0.5).margin(0.1));
+}
+
 TEST_CASE("a vector has a field for each component") {
     BallRig rig;
     rig.drag_by("position", 30, 0.25f);

@@ -38,8 +38,11 @@ std::vector<Property> body_properties() {
                     .default_value = "dynamic",
                     .doc = "How the body moves.",
                     .enumerators = {"static", "kinematic", "dynamic"}});
-    list.push_back(
-        {.name = "position", .type = Type::vec2, .default_value = Vec2(0, 0), .unit = "m"});
+    list.push_back({.name = "position",
+                    .type = Type::vec2,
+                    .default_value = Vec2(0, 0),
+                    .unit = "m",
+                    .range = {-1e8, 1e8}});
     list.push_back({.name = "angle", .default_value = 0.0, .unit = "rad"});
     list.push_back({.name = "mass",
                     .default_value = 1.0,
