@@ -1511,6 +1511,164 @@ local fettle_Layer = {}
 ---@overload fun(members?: table): Layer
 Layer = {}
 
+---set_tile changed a cell.
+---@class Tilemap.cell_changed
+---@field layer TileLayer The layer of the cell.
+---@field x integer Column, from 0.
+---@field y integer Row from the top, from 0.
+---@field tile integer The tile there now.
+---@field before integer The tile before.
+---@field instance Tilemap To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It has instances for its map file. Its collisions follow at the same barrier.
+---@class Tilemap.loaded
+---@field instance Tilemap To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---@class Tilemap : Object
+---@field animation_time number Time since the animations of the tiles began. · s · 0 to 1000000000 · default 0 · simulated
+---@field columns integer Number of cells side by side; 0 for an infinite map. · any integer · read-only
+---@field corner vec Where the lower left corner of the map is in the world; of an infinite map, the upper left corner of cell (0, 0). Objects are placed once, when they are made. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field map string A map file of the Tiled editor in the game's folder (TMJ or TMX). Another name makes the instances of that file in place of those that were made. · any text · default ""
+---@field pixels_per_unit number Pixels of the map in a meter. · px/m · 0.001 to 1000000 · default 32
+---@field rows integer Number of rows of cells; 0 for an infinite map. · any integer · read-only
+---@field size vec Width and height of the map; 0 for an infinite map. · m · any finite vec · read-only
+---@field smooth boolean Whether pixels are mixed when tiles are enlarged; otherwise each is a square. · true or false · default false
+local fettle_Tilemap = {}
+
+---The cell at a point of the world.
+---@param point vec A point in the world. · m
+---@return vec cell Column and row, whole numbers; also outside of the map.
+function fettle_Tilemap:cell_at(point) end
+
+---The middle of a cell.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@return vec point The point in the world. · m
+function fettle_Tilemap:cell_center(x, y) end
+
+---Reads the map file again and makes its instances again. Changed cells stay changed in layers that the file still has.
+function fettle_Tilemap:reload() end
+
+---Changes a cell. Its collisions follow at the next barrier, before the next step.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param tile integer Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@param flips? string As tile_flips returns them; not flipped if it is left out.
+function fettle_Tilemap:set_tile(x, y, tile, layer, flips) end
+
+---The tile of a cell; 0 if it is empty or outside of the layer.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@return integer tile Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+function fettle_Tilemap:tile(x, y, layer) end
+
+---How the tile of a cell is flipped.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@return string flips Letters: x for left and right, y for top and bottom, d for the exchange of x and y before these.
+function fettle_Tilemap:tile_flips(x, y, layer) end
+
+---A custom property of a tile, as the editor saved it.
+---@param tile integer Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+---@param name string Name of a custom property, or "class".
+---@return any? value Its value; nil if the tile does not have it.
+function fettle_Tilemap:tile_property(tile, name) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Tilemap, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Tilemap, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Tilemap, event: "loaded", handler: fun(record: Tilemap.loaded)): Connection
+---@overload fun(self: Tilemap, event: "cell_changed", handler: fun(record: Tilemap.cell_changed)): Connection
+function fettle_Tilemap:on(event, handler) end
+
+---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---@class Class.Tilemap : Class
+---@overload fun(members?: table): Tilemap
+Tilemap = {}
+
+---A layer of tiles of the Tilemap that it is below. The map makes one for each tile layer of its file.
+---@class TileLayer : Object
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field changes string[] The cells that differ from the map file, a text for each row, such as "3: 7=12 8=0": in row 3, column 7 has tile 12 and column 8 none. · any length · default {}
+---@field friction number Friction of its solid tiles. · 0 to 1000000 · default 0.6
+---@field layer integer Number of the layer in the map file, as the editor gave it. · 0 to 1000000000 · default 0
+---@field offset vec Moves the whole layer, its collisions too. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field opacity number Multiplies the opacity of its tiles. · 0 to 1 · default 1
+---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, 0 not at all. · -1000 to 1000 · default vec(1, 1)
+---@field restitution number Share of the speed with which bodies bounce off its solid tiles. · 0 to 1 · default 0
+---@field solid boolean Whether bodies meet its solid tiles: those with collision shapes, and those with the custom property `solid`. · true or false · default true
+---@field tint color The colors of its tiles are multiplied by it. · 0 to 1 · default color("#ffffff")
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_TileLayer = {}
+
+---A layer of tiles of the Tilemap that it is below. The map makes one for each tile layer of its file.
+---@class Class.TileLayer : Class
+---@overload fun(members?: table): TileLayer
+TileLayer = {}
+
+---Its last particle has ended, and no other will begin by itself: `rate` is 0, or it is not playing.
+---@class Emitter.finished
+---@field instance Emitter To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---@class Emitter : Object
+---@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1000000 · default vec(1, 1)
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field burst integer Number of particles that begin at once, when it is placed or when `playing` becomes true. · 0 to 200000 · default 0
+---@field color color[] Colors over its life, by which those of the image are multiplied. · 0 to 1 · default {color("#ffffff"), color("#ffffff00")}
+---@field count integer Number of particles now. · any integer · read-only, simulated
+---@field damping number Share of their velocity that particles lose in a second, for small values. · 1/s · 0 to 10000 · default 0
+---@field gravity vec Acceleration of all particles; pixels, y down, in a layer on the screen. · m/s² · -1000000 to 1000000 · default vec(0, 0)
+---@field image string An image file in the game's folder; a soft white dot if it is empty. · any text · default ""
+---@field lifetime number Time after which a particle ends. · s · 0.001 to 10000 · default 1
+---@field limit integer Largest number of particles at a time; no further ones begin. · 0 to 200000 · default 1000
+---@field playing boolean Whether new particles begin. Those that have begun live on. · true or false · default true
+---@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field randomness number Share by which lifetime, speed and size of a particle are larger or smaller. · 0 to 1 · default 0.3
+---@field rate number Number of particles that begin in a second. · 1/s · 0 to 1000000 · default 20
+---@field rotation number How fast particles turn, half of them to either side. Unless it is 0, each begins at an angle of its own. · rad/s · -10000 to 10000 · default 0
+---@field seed integer Emitters with the same seed and properties make the same particles. · 0 to 1e+15 · default 0
+---@field shape "point"|"circle"|"ring"|"box" Where particles begin: at its position, anywhere in an ellipse (circle) or a rectangle (box) of the size `area`, or on the line around the ellipse (ring). · "point", "circle", "ring", "box" · default "point"
+---@field size number[] Heights of a particle over its life, at equal distances from its beginning to its end; pixels in a layer on the screen. · m · 0 to 1000000 · default {0.2}
+---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
+---@field space "world"|"local" world: particles stay where they are when the emitter moves on. local: they move and turn with it. · "world", "local" · default "world"
+---@field speed number Speed at which particles begin; pixels in a layer on the screen. · m/s · -1000000 to 1000000 · default 2
+---@field spread number Angle between the outermost directions. 2 pi: all directions. · rad · 0 to 6.283185307179586 · default 6.283185307179586
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Emitter = {}
+
+---Removes all particles.
+function fettle_Emitter:clear() end
+
+---Lets particles begin at once, in the next step, also while it is not playing.
+---@param count integer Number of particles, up to `limit` at a time.
+function fettle_Emitter:emit(count) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Emitter, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Emitter, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Emitter, event: "finished", handler: fun(record: Emitter.finished)): Connection
+function fettle_Emitter:on(event, handler) end
+
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---@class Class.Emitter : Class
+---@overload fun(members?: table): Emitter
+Emitter = {}
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated

@@ -5,6 +5,7 @@
 
 #include <fettle/property/ended_class.h>
 
+#include <emitters/emitters.h>
 #include <images/images.h>
 #include <layers/layers.h>
 #include <letters/fonts.h>
@@ -12,6 +13,7 @@
 #include <lines/lines.h>
 #include <sprites/sprites.h>
 #include <texts/texts.h>
+#include <tilemaps/tilemaps.h>
 
 namespace fettle::visuals {
 
@@ -64,6 +66,8 @@ struct Visuals::State {
           fonts(assets, [this](const std::string& problem) { images.tell(problem); }),
           sprites(images),
           texts(fonts),
+          tilemaps(images),
+          emitters(images),
           media(images, fonts) {}
     Images images;
     Fonts fonts;
@@ -71,6 +75,8 @@ struct Visuals::State {
     Texts texts;
     Lines lines;
     Layers layers;
+    Tilemaps tilemaps;
+    Emitters emitters;
     GameMedia media;
     property::Tree* tree = nullptr;
     std::weak_ptr<const property::Tree*> tree_life;
@@ -81,7 +87,8 @@ Visuals::Visuals(property::Assets* assets) : state_(std::make_unique<State>(asse
 // The tree would go on to draw and to read instances whose functions have ended.
 Visuals::~Visuals() {
     if (state_->tree_life.expired()) return;
-    for (const char* name : {"Sprite", "Text", "Line", "Layer"})
+    state_->tree->remove_part(*this);
+    for (const char* name : {"Tilemap", "TileLayer", "Emitter", "Sprite", "Text", "Line", "Layer"})
         property::end_class(*state_->tree, state_->tree->class_named(name));
 }
 
@@ -92,6 +99,9 @@ void Visuals::attach(property::Tree& tree) {
     state_->texts.define(tree);
     state_->lines.define(tree);
     state_->layers.define(tree);
+    state_->tilemaps.define(tree);
+    state_->emitters.define(tree);
+    tree.add_part(*this);
     state_->tree_life = tree.lifetime();
 }
 
@@ -101,14 +111,30 @@ property::Media& Visuals::media() {
 
 void Visuals::step(double dt) {
     state_->sprites.step(dt);
+    state_->tilemaps.step(dt);
+    state_->emitters.step(dt);
 }
 
 void Visuals::report(property::Tree&) {
     state_->sprites.report();
+    state_->tilemaps.report();
+    state_->emitters.report();
 }
 
 std::uint64_t Visuals::hash() const {
-    return state_->sprites.hash();
+    return state_->sprites.hash() ^ 3 * state_->tilemaps.hash() ^ 5 * state_->emitters.hash();
+}
+
+property::Memory Visuals::save(property::ByteWriter& to) const {
+    state_->emitters.save(to);
+    return {};
+}
+
+std::function<void()> Visuals::restore(property::ByteReader& from, const property::Memory&) {
+    return [this, emitters = state_->emitters.restore(from)] {
+        emitters();
+        state_->tilemaps.restored();
+    };
 }
 
 void Visuals::on_problem(std::function<void(const std::string&)> tell) {

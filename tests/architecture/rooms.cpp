@@ -149,6 +149,8 @@ const std::vector<DividedPart>& divided_parts() {
              {"texts", {"letters", "properties"}},
              {"lines", {"properties"}},
              {"layers", {"properties"}},
+             {"tilemaps", {"images", "properties"}},
+             {"emitters", {"images", "properties"}},
          }},
         {"app",
          "framework/app/",

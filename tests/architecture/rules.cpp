@@ -58,7 +58,7 @@ const std::vector<Part>& parts() {
          {"Eigen"}},
         {"visuals",
          {"framework/visuals", "framework/include/fettle/visuals"},
-         {"module", "property", "storage"},
+         {"module", "property", "storage", "maps"},
          {"Eigen", "JSON", "stb"}},
         {"script",
          {"framework/script", "framework/include/fettle/script"},

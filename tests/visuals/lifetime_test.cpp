@@ -18,11 +18,16 @@ TEST_CASE("the instances of the visuals end with them") {
     const Handle layer = tree.create(tree.class_named("Layer"), tree.root(), "layer");
     const Handle line = tree.create(tree.class_named("Line"), layer, "line");
     const Handle detached = tree.create(tree.class_named("Sprite"));
+    const Handle map = tree.create(tree.class_named("Tilemap"), tree.root(), "map");
+    const Handle emitter = tree.create(tree.class_named("Emitter"), tree.root(), "emitter");
     CHECK_THROWS_AS(visuals->attach(tree), std::logic_error);
     visuals.reset();
     CHECK_FALSE(tree.alive(layer));
     CHECK_FALSE(tree.alive(line));
     CHECK_FALSE(tree.alive(detached));
+    CHECK_FALSE(tree.alive(map));
+    CHECK_FALSE(tree.alive(emitter));
+    CHECK_NOTHROW(tree.snapshot());
     CHECK_THROWS_AS(tree.create(tree.class_named("Text"), tree.root(), "text"), Error);
     tree.draw(tree.root(), sheet, 1);
     CHECK(sheet.all.empty());

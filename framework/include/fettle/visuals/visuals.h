@@ -1,7 +1,7 @@
 #pragma once
-// Instances that show something: pictures, texts, lines, and the layers that they are on. They only
-// use the tree, the files of the game and the painter, so a game without a window has the same
-// state.
+// Instances that show something: pictures, texts, lines, maps, particles, and the layers that they
+// are on. They only use the tree, the files of the game and the painter, so a game without a window
+// has the same state.
 
 #include <cstdint>
 #include <functional>
@@ -21,8 +21,9 @@ class Assets;
 
 namespace fettle::visuals {
 
-/// The classes Sprite, Text, Line and Layer, for one tree. The destructor deletes their instances
-/// if the tree still lives; the classes stay in the tree without instances.
+/// The classes Sprite, Text, Line, Layer, Tilemap, TileLayer and Emitter, for one tree. The
+/// destructor deletes their instances if the tree still lives; the classes stay in the tree without
+/// instances.
 class Visuals : public module::Module {
   public:
     /// `assets`: the files of the game; null if there are none. They must outlive this object.
@@ -33,10 +34,13 @@ class Visuals : public module::Module {
 
     std::string_view name() const override { return "visuals"; }
     void attach(property::Tree& tree) override;
-    /// Advances the frames of animations.
+    /// Advances animations and particles.
     void step(double dt) override;
     void report(property::Tree& tree) override;
     std::uint64_t hash() const override;
+    property::Memory save(property::ByteWriter& to) const override;
+    std::function<void()> restore(property::ByteReader& from,
+                                  const property::Memory& memory) override;
     /// Images and text for `draw(pen)`.
     property::Media& media();
     /// The function gets one line for each file that is missing or cannot be read, once.

@@ -1,0 +1,176 @@
+// The instances below a Tilemap: one for each layer of its file.
+
+#include <exception>
+#include <utility>
+
+#include <fettle/property/error.h>
+
+#include <properties/properties.h>
+#include <tilemaps/map_objects.h>
+#include <tilemaps/tilemaps.h>
+
+namespace fettle::visuals {
+
+using property::Handle;
+using property::List;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// What the groups around a layer say.
+struct Outer {
+    Vec2 offset{0, 0};  // px, y down
+    Vec2 parallax{1, 1};
+    double opacity = 1;
+    property::Color tint{1, 1, 1, 1};
+    bool visible = true;
+
+    Outer with(const maps::Layer& layer) const {
+        Outer all = *this;
+        all.offset += layer.offset;
+        all.parallax = all.parallax.cwiseProduct(layer.parallax);
+        all.opacity *= layer.opacity;
+        all.tint = {tint.r * layer.tint.r, tint.g * layer.tint.g, tint.b * layer.tint.b,
+                    tint.a * layer.tint.a};
+        all.visible = visible && layer.visible;
+        return all;
+    }
+};
+
+class LayerMaker {
+  public:
+    LayerMaker(property::Tree& tree, Handle map, const LoadedMap& file, Images& images,
+               MapPlace place, bool smooth, std::map<std::int64_t, Value> changes, Maker& maker)
+        : tree_(tree),
+          map_(map),
+          file_(file),
+          images_(images),
+          place_(place),
+          smooth_(smooth),
+          changes_(std::move(changes)),
+          make_(maker) {}
+
+    List run() {
+        make_all(file_.map().layers, {});
+        make_.resolve_references();
+        return std::move(made_);
+    }
+
+  private:
+    void make_all(const std::vector<maps::Layer>& layers, const Outer& outer) {
+        for (const maps::Layer& layer : layers) {
+            const Outer now = outer.with(layer);
+            if (layer.kind == maps::LayerKind::group) {
+                make_all(layer.layers, now);
+                continue;
+            }
+            const char* const of = layer.kind == maps::LayerKind::tiles ? "TileLayer" : "Layer";
+            const Handle made = make_.add(tree_.class_named(of), map_, layer.name);
+            made_.emplace_back(made);
+            make_.place_of("layer \"" + layer.name + "\"");
+            make_.set(made, "parallax", Value(now.parallax));
+            make_.set(made, "opacity", Value(now.opacity));
+            make_.set(made, "visible", Value(now.visible));
+            if (layer.kind == maps::LayerKind::tiles) tiles(made, layer, now);
+            if (layer.kind == maps::LayerKind::image) image(made, layer, now);
+            make_.set_custom(made, layer.properties);
+            if (layer.kind == maps::LayerKind::objects)
+                make_objects(make_, file_, layer, made, place_.moved(now.offset), smooth_);
+        }
+    }
+
+    void tiles(Handle made, const maps::Layer& layer, const Outer& now) {
+        make_.set(made, "layer", Value(layer.id));
+        make_.set(made, "offset", Value(place_.length(now.offset)));
+        make_.set(made, "tint", Value(now.tint));
+        if (const auto kept = changes_.find(layer.id); kept != changes_.end())
+            make_.set(made, "changes", kept->second);
+    }
+
+    void image(Handle made, const maps::Layer& layer, const Outer& now) {
+        if (layer.image.empty()) return;
+        const Handle sprite = make_.add(tree_.class_named("Sprite"), made, "image");
+        const double unit = 1 / place_.pixels_per_unit;
+        make_.set(sprite, "image", Value(layer.image));
+        make_.set(sprite, "position", Value(place_.point(now.offset)));
+        make_.set(sprite, "pixels_per_unit", Value(place_.pixels_per_unit));
+        make_.set(sprite, "origin", Value(Vec2(0, 1)));
+        make_.set(sprite, "tint", Value(now.tint));
+        make_.set(sprite, "smooth", Value(smooth_));
+        const auto sheet = images_.get("Tilemap.map", layer.image);
+        if (layer.repeat_x) make_.set(made, "repeat_x", Value(sheet->picture.width() * unit));
+        if (layer.repeat_y) make_.set(made, "repeat_y", Value(sheet->picture.height() * unit));
+    }
+
+    property::Tree& tree_;
+    Handle map_;
+    const LoadedMap& file_;
+    Images& images_;
+    MapPlace place_;
+    bool smooth_;
+    std::map<std::int64_t, Value> changes_;  // by layer
+    Maker& make_;
+    List made_;
+};
+
+}  // namespace
+
+void Tilemaps::make_if_new(Handle map) {
+    const Value name = tree_->peek(map, *of_.map);
+    if (tree_->peek(map, *of_.made_from) == name) return;
+    try {
+        // Another file has other layers, so nothing of the old cells is kept.
+        make(map, {});
+    } catch (const property::Error& error) {
+        // A snapshot is being restored, which makes all instances itself.
+        if (error.kind() != property::ErrorKind::bad_structure) tell(map, error.what());
+    } catch (const std::exception& error) {
+        tell(map, error.what());
+    }
+}
+
+/// `changes`: those that the new layers begin with, by the number of the layer.
+void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
+    const Value made = tree_->peek(map, *of_.made);
+    for (const Value& each : made.list())
+        if (tree_->alive(each.reference()) && tree_->is_below(each.reference(), map))
+            tree_->destroy(each.reference());
+    const Value name = tree_->peek(map, *of_.map);
+    const auto file = loaded(map);
+    if (file == nullptr) {
+        tree_->reset(map, *of_.made);
+        tree_->reset(map, *of_.made_from);
+        return;
+    }
+    const Reader read(*tree_, map);
+    Maker maker(*tree_, [&](const std::string& what) { tell(map, name.text() + ": " + what); });
+    maker.place_of("the map");
+    maker.set_custom(map, file->map().properties);
+    List layers = LayerMaker(*tree_, map, *file, images_,
+                             {upper_left(map, file->map()), pixels_per_unit(map)},
+                             read.flag(of_.smooth), std::move(changes), maker)
+                      .run();
+    tree_->set(map, *of_.made, Value(std::move(layers)));
+    tree_->set(map, *of_.made_from, name);
+    rows_[tree_->row(map)].outdated = true;
+    tree_->emit(map, *loaded_event_, {});
+}
+
+void Tilemaps::reload(Handle map) {
+    std::map<std::int64_t, Value> changes;
+    for (const Handle layer : tile_layers(map))
+        changes[tree_->peek(layer, *in_layer_.layer).integer()] =
+            tree_->peek(layer, *in_layer_.changes);
+    const std::string name = tree_->peek(map, *of_.map).text();
+    const auto before = files_.find(name);
+    if (before != files_.end()) {
+        // A file that has become unreadable changes nothing.
+        const auto now = read(name);
+        if (now == nullptr) return;
+        before->second = now;
+    }
+    make(map, std::move(changes));
+}
+
+}  // namespace fettle::visuals

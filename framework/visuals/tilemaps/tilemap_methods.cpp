@@ -1,0 +1,264 @@
+// The methods of Tilemap: cells, places, properties of tiles.
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fettle/property/spelling.h>
+
+#include <tilemaps/tilemaps.h>
+
+namespace fettle::visuals {
+
+using property::Effect;
+using property::Field;
+using property::Handle;
+using property::Method;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+using Arguments = std::span<const Value>;
+
+const Field x_field{
+    .name = "x", .type = Type::integer, .doc = "Column, from 0 at the left, as the editor counts."};
+const Field y_field{
+    .name = "y", .type = Type::integer, .doc = "Row, from 0 at the top, as the editor counts."};
+const Field layer_field{.name = "layer",
+                        .type = Type::text,
+                        .doc = "Name of a tile layer; the first one if it is left out."};
+const Field tile_field{.name = "tile",
+                       .type = Type::integer,
+                       .doc =
+                           "Number of a tile in the map, from 1: the first tileset has the first "
+                           "numbers. 0: none."};
+
+std::string cell_text(std::int64_t x, std::int64_t y) {
+    return "cell (" + std::to_string(x) + ", " + std::to_string(y) + ")";
+}
+
+std::uint32_t valid_tile(const LoadedMap& map, const Value& value) {
+    const std::int64_t tile = value.integer();
+    if (tile == 0 || (tile > 0 && tile <= map.last_tile() &&
+                      map.map().tileset_of(static_cast<std::uint32_t>(tile)) != nullptr))
+        return static_cast<std::uint32_t>(tile);
+    throw std::invalid_argument("tile " + std::to_string(tile) + ": the map has tiles 1 to " +
+                                std::to_string(map.last_tile()) + ", and 0 is none");
+}
+
+}  // namespace
+
+/// Throws if the map has no file.
+std::shared_ptr<const LoadedMap> Tilemaps::required(Handle map) {
+    std::shared_ptr<const LoadedMap> file = loaded(map);
+    if (file == nullptr)
+        throw std::invalid_argument(tree_->peek(map, *of_.map).text().empty()
+                                        ? "it has no map file"
+                                        : "its map file could not be read");
+    return file;
+}
+
+/// The tile layer of that name, or the first one.
+Handle Tilemaps::layer_named(Handle map, const Value& name) {
+    (void)required(map);
+    std::vector<std::string> names;
+    for (const Handle layer : tile_layers(map)) {
+        if (name.is_nil() || tree_->name(layer) == name.text()) return layer;
+        names.push_back(tree_->name(layer));
+    }
+    if (name.is_nil()) throw std::invalid_argument("it has no tile layer");
+    throw std::invalid_argument("it has no tile layer \"" + name.text() + "\"" +
+                                property::suggestion(name.text(), names));
+}
+
+PackedCell Tilemaps::cell(Handle map, const Value& x, const Value& y, const Value& layer) {
+    const Handle of = layer_named(map, layer);
+    // A formula that calls this depends on the changes.
+    (void)tree_->get(of, *in_layer_.changes);
+    const Grid* const cells = grid(of);
+    return cells == nullptr ? PackedCell() : cells->at(x.integer(), y.integer());
+}
+
+void Tilemaps::set_tile(Handle map, std::span<const Value> given) {
+    const Handle layer = layer_named(map, given[3]);
+    const std::uint32_t tile = valid_tile(*required(map), given[2]);
+    std::uint32_t flips = 0;
+    if (!given[4].is_nil() && !read_flips(given[4].text(), flips))
+        throw std::invalid_argument("flips \"" + given[4].text() +
+                                    "\": expected letters of \"x\", \"y\", \"d\"");
+    const PackedCell next(tile == 0 ? 0 : tile | flips);
+    const std::int64_t x = given[0].integer(), y = given[1].integer();
+    Grid& cells = *grid(layer);
+    if (!cells.contains(x, y))
+        throw std::invalid_argument(
+            cell_text(x, y) + " is outside of the layer \"" + tree_->name(layer) + "\"" +
+            (cells.width() == 0 ? ", which has no cells"
+                                : ": x goes from " + std::to_string(cells.left()) + " to " +
+                                      std::to_string(cells.left() + cells.width() - 1) +
+                                      ", y from " + std::to_string(cells.top()) + " to " +
+                                      std::to_string(cells.top() + cells.height() - 1)));
+    const PackedCell before = cells.at(x, y);
+    if (before == next) return;
+    LayerRow& row = layer_rows_[tree_->row(layer)];
+    const Value changed = cells.change(row.changes, static_cast<int>(x), static_cast<int>(y), next);
+    try {
+        tree_->set(layer, *in_layer_.changes, changed);
+    } catch (...) {
+        cells.set_changes(row.changes);  // a formula that runs forbids it, for example
+        throw;
+    }
+    row.changes = tree_->peek(layer, *in_layer_.changes);
+    rows_[tree_->row(map)].outdated = true;
+    tree_->emit(map, *cell_changed_,
+                {Value(layer), Value(x), Value(y), Value(std::int64_t{tile}),
+                 Value(std::int64_t{before.tile()})});
+}
+
+Vec2 Tilemaps::cell_at(Handle map, const Vec2& point) {
+    const auto file = required(map);
+    const Vec2 pixels = (point - upper_left(map, file->map())) * pixels_per_unit(map);
+    return {std::floor(pixels.x() / file->map().tile_width),
+            std::floor(-pixels.y() / file->map().tile_height)};
+}
+
+Vec2 Tilemaps::cell_center(Handle map, const Value& x, const Value& y) {
+    const auto file = required(map);
+    const Vec2 cell((static_cast<double>(x.integer()) + 0.5) * file->map().tile_width,
+                    -(static_cast<double>(y.integer()) + 0.5) * file->map().tile_height);
+    return upper_left(map, file->map()) + cell / pixels_per_unit(map);
+}
+
+Value Tilemaps::tile_property(Handle map, const Value& tile, const std::string& name) {
+    const auto file = required(map);
+    const std::uint32_t number = valid_tile(*file, tile);
+    const maps::Tile* const found = file->map().tile(number);
+    if (found == nullptr) return {};
+    if (const auto at = found->properties.find(name); at != found->properties.end())
+        return at->second;
+    return name == "class" && !found->class_name.empty() ? Value(found->class_name) : Value();
+}
+
+namespace {
+
+/// `call`: captureless lambda (Tilemaps&, Handle, Arguments) -> Result.
+template <class Call>
+Method method(Tilemaps& maps, Method described, Call) {
+    described.context = &maps;
+    described.call = [](void* context, property::Tree&, Handle self, property::Row,
+                        Arguments given) -> property::Result {
+        return Call{}(*static_cast<Tilemaps*>(context), self, given);
+    };
+    return described;
+}
+
+}  // namespace
+
+std::vector<Method> Tilemaps::cell_methods() {
+    return {
+        method(*this,
+               {.name = "tile",
+                .parameters = {x_field, y_field, layer_field},
+                .required = 2,
+                .returns = {tile_field},
+                .doc = "The tile of a cell; 0 if it is empty or outside of the layer.",
+                .effect = Effect::nothing},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   return Value(std::int64_t{t.cell(self, given[0], given[1], given[2]).tile()});
+               }),
+        method(*this,
+               {.name = "tile_flips",
+                .parameters = {x_field, y_field, layer_field},
+                .required = 2,
+                .returns = {{.name = "flips",
+                             .type = Type::text,
+                             .doc = "Letters: x for left and right, y for top and bottom, d for "
+                                    "the exchange of x and y before these."}},
+                .doc = "How the tile of a cell is flipped.",
+                .effect = Effect::nothing},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   return Value(flips_text(t.cell(self, given[0], given[1], given[2])));
+               }),
+        method(*this,
+               {.name = "set_tile",
+                .parameters = {x_field,
+                               y_field,
+                               tile_field,
+                               layer_field,
+                               {.name = "flips",
+                                .type = Type::text,
+                                .doc = "As tile_flips returns them; not flipped if it is left "
+                                       "out."}},
+                .required = 3,
+                .doc = "Changes a cell. Its collisions follow at the next barrier, before the "
+                       "next step.",
+                .effect = Effect::tree},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   t.set_tile(self, given);
+                   return Value();
+               }),
+    };
+}
+
+std::vector<Method> Tilemaps::methods() {
+    std::vector<Method> all = cell_methods();
+    const std::vector<Method> others = {
+        method(*this,
+               {.name = "cell_at",
+                .parameters = {{.name = "point",
+                                .type = Type::vec2,
+                                .unit = "m",
+                                .doc = "A point in the world."}},
+                .required = 1,
+                .returns = {{.name = "cell",
+                             .type = Type::vec2,
+                             .doc = "Column and row, whole numbers; also outside of the map."}},
+                .doc = "The cell at a point of the world.",
+                .effect = Effect::nothing},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   return Value(t.cell_at(self, given[0].vec2()));
+               }),
+        method(*this,
+               {.name = "cell_center",
+                .parameters = {x_field, y_field},
+                .required = 2,
+                .returns = {{.name = "point",
+                             .type = Type::vec2,
+                             .unit = "m",
+                             .doc = "The point in the world."}},
+                .doc = "The middle of a cell.",
+                .effect = Effect::nothing},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   return Value(t.cell_center(self, given[0], given[1]));
+               }),
+        method(*this,
+               {.name = "tile_property",
+                .parameters = {tile_field,
+                               {.name = "name",
+                                .type = Type::text,
+                                .doc = "Name of a custom property, or \"class\"."}},
+                .required = 2,
+                .returns = {{.name = "value",
+                             .type = Type::nil,
+                             .doc = "Its value; nil if the tile does not have it.",
+                             .nullable = true}},
+                .doc = "A custom property of a tile, as the editor saved it.",
+                .effect = Effect::nothing},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   return t.tile_property(self, given[0], given[1].text());
+               }),
+        method(*this,
+               {.name = "reload",
+                .doc = "Reads the map file again and makes its instances again. Changed cells stay "
+                       "changed in layers that the file still has.",
+                .effect = Effect::tree},
+               [](Tilemaps& t, Handle self, Arguments) -> property::Result {
+                   t.reload(self);
+                   return Value();
+               }),
+    };
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+}  // namespace fettle::visuals

@@ -1,0 +1,117 @@
+#pragma once
+// The classes Tilemap and TileLayer: a map of the Tiled editor as instances.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fettle/property/painter.h>
+#include <fettle/property/tree.h>
+
+#include <images/images.h>
+#include <properties/rows.h>
+#include <tilemaps/grid.h>
+#include <tilemaps/loaded_map.h>
+
+namespace fettle::visuals {
+
+class Tilemaps {
+  public:
+    explicit Tilemaps(Images& images) : images_(images) {}
+    void define(property::Tree& tree);
+    void step(double dt);
+    /// Makes what was written to properties take effect: another map, other collisions.
+    void report();
+    /// A snapshot may be of a moment at which the collisions did not follow yet.
+    void restored();
+    std::uint64_t hash() const;
+
+    // --- tilemap_methods.cpp: what the methods do. They throw std::invalid_argument with a reason.
+    PackedCell cell(property::Handle map, const property::Value& x, const property::Value& y,
+                    const property::Value& layer);
+    void set_tile(property::Handle map, std::span<const property::Value> given);
+    property::Vec2 cell_at(property::Handle map, const property::Vec2& point);
+    property::Vec2 cell_center(property::Handle map, const property::Value& x,
+                               const property::Value& y);
+    property::Value tile_property(property::Handle map, const property::Value& tile,
+                                  const std::string& name);
+    // --- making.cpp
+    void reload(property::Handle map);
+
+  private:
+    struct Row {
+        property::Handle self{};  // null: the row is free
+        double time = 0;          // s, of the animations of tiles
+        bool outdated = false;    // a property that its instances follow was written
+    };
+    struct LayerRow {
+        property::Handle self{};
+        // What `grid` was made of.
+        std::shared_ptr<const LoadedMap> file{};
+        std::int64_t id = 0;
+        property::Value changes{};
+        Grid grid{};
+    };
+    struct MapProperties {
+        const property::Property *map, *corner, *pixels_per_unit, *smooth, *made_from, *made;
+    };
+    struct LayerProperties {
+        const property::Property *layer, *changes, *offset, *parallax, *opacity, *tint, *blend,
+            *visible, *solid, *friction, *restitution;
+    };
+
+    // --- tilemap_class.cpp, tile_layer_class.cpp
+    void define_map(property::Tree& tree);
+    void define_layer(property::Tree& tree);
+    std::vector<property::Property> map_properties();
+    std::vector<property::Property> layer_properties();
+
+    // --- tilemap_methods.cpp
+    std::vector<property::Method> methods();
+    std::vector<property::Method> cell_methods();
+    std::shared_ptr<const LoadedMap> required(property::Handle map);
+    property::Handle layer_named(property::Handle map, const property::Value& name);
+
+    // --- tilemaps.cpp
+    bool is_map(property::Handle instance) const;
+    bool is_layer(property::Handle instance) const;
+    /// Null if the instance has no map or its file cannot be read, which is told once.
+    std::shared_ptr<const LoadedMap> loaded(property::Handle map);
+    std::shared_ptr<const LoadedMap> read(const std::string& file);
+    /// The cells of a layer as they are now; null if it has no map.
+    Grid* grid(property::Handle layer);
+    std::vector<property::Handle> tile_layers(property::Handle map) const;
+    std::vector<property::Handle> solid_layers(property::Handle map) const;
+    /// The upper left corner of cell (0, 0) in the world.
+    property::Vec2 upper_left(property::Handle map, const maps::Map& of) const;
+    double pixels_per_unit(property::Handle map) const;
+    void tell(property::Handle map, const std::string& problem);
+    property::Lifecycle map_lifecycle();
+
+    // --- making.cpp
+    /// Makes the instances of the map file unless they were made before.
+    void make_if_new(property::Handle map);
+    void make(property::Handle map, std::map<std::int64_t, property::Value> changes);
+
+    // --- map_bodies.cpp
+    /// Gives the body below the map the outlines of the solid cells.
+    void update_bodies(property::Handle map);
+
+    // --- tile_drawing.cpp
+    void draw(property::Handle layer, property::Painter& painter);
+
+    Images& images_;
+    property::Tree* tree_ = nullptr;
+    const property::Class *map_class_ = nullptr, *layer_class_ = nullptr;
+    MapProperties of_{};
+    LayerProperties in_layer_{};
+    const property::Event *loaded_event_ = nullptr, *cell_changed_ = nullptr;
+    Rows<Row> rows_;
+    Rows<LayerRow> layer_rows_;
+    std::map<std::string, std::shared_ptr<const LoadedMap>> files_{};  // null: cannot be read
+};
+
+}  // namespace fettle::visuals

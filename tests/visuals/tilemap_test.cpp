@@ -1,0 +1,487 @@
+// Maps: their layers, cells, pictures and objects.
+
+#include <catch.h>
+
+#include <fettle/property/storage/scene.h>
+
+#include "levels.h"
+
+namespace tilemap_test {
+
+using namespace fettle::visuals::test;
+
+TEST_CASE_METHOD(Land, "the layers of a map become its children in order") {
+    write("layers.tmj",
+          level(floor_cells,
+                R"(, {"type": "group", "id": 1, "name": "far", "opacity": 0.5, "offsetx": 16,
+                   "layers": [{"type": "tilelayer", "id": 2, "name": "hills", "width": 4,
+                   "height": 3, "opacity": 0.5, "offsety": 32, "parallaxx": 0.5,
+                   "data": [0,0,0,0,0,0,0,0,0,0,0,4],
+                   "properties": [{"name": "z", "type": "float", "value": -3},
+                                  {"name": "weather", "type": "string", "value": "fog"}]}]},
+                   {"type": "imagelayer", "id": 3, "name": "sky", "image": "hero.tga",
+                    "repeatx": true, "offsetx": 8, "visible": false})"));
+    const Handle top = map("layers.tmj");
+    std::string names;
+    for (const Handle child : tree.children(top)) names += tree.name(child) + " ";
+    CHECK(names == "ground hills sky ");
+    CHECK(tree.get(top, "music") == Value("cave"));
+    const Handle hills = find(top, "hills");
+    CHECK(tree.get(hills, "opacity") == Value(0.25));
+    CHECK(tree.get(hills, "offset") == Value(Vec2(1, -2)));
+    CHECK(tree.get(hills, "parallax") == Value(Vec2(0.5, 1)));
+    CHECK(tree.get(hills, "z") == Value(-3.0));
+    CHECK(tree.get(hills, "weather") == Value("fog"));
+    const Handle sky = find(top, "sky");
+    CHECK(tree.get(sky, "visible") == Value(false));
+    CHECK(tree.get(sky, "repeat_x") == Value(0.5));
+    const Handle image = find(sky, "image");
+    CHECK(tree.get(image, "position") == Value(Vec2(0.5, 3)));
+    CHECK(tree.get(image, "image") == Value("hero.tga"));
+    CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Land, "cells are read and written") {
+    const Handle top = map();
+    CHECK(tree.get(top, "columns") == Value(4));
+    CHECK(tree.get(top, "rows") == Value(3));
+    CHECK(tree.get(top, "size") == Value(Vec2(4, 3)));
+    CHECK(tile(top, 0, 2) == 1);
+    CHECK(tile(top, 0, 1) == 0);
+    CHECK(tile(top, -1, 2) == 0);
+    CHECK(tile(top, 0, 99) == 0);
+    call(top, "set_tile", {Value(1), Value(2), Value(0)});
+    call(top, "set_tile", {Value(3), Value(0), Value(2), Value("ground"), Value("xd")});
+    CHECK(tile(top, 1, 2) == 0);
+    CHECK(tile(top, 3, 0) == 2);
+    CHECK(call(top, "tile_flips", {Value(3), Value(0)}) == Value("xd"));
+    const Handle ground = find(top, "ground");
+    CHECK(tree.get(ground, "changes") == Value(List{"0: 3=2xd", "2: 1=0"}));
+    call(top, "set_tile", {Value(1), Value(2), Value(1)});
+    CHECK(tree.get(ground, "changes") == Value(List{"0: 3=2xd"}));
+    tree.reset(ground, tree.property(ground, "changes"));
+    CHECK(tile(top, 3, 0) == 0);
+}
+
+TEST_CASE_METHOD(Land, "changes in any form are understood") {
+    const Handle top = map();
+    const Handle ground = find(top, "ground");
+    tree.set(ground, "changes",
+             Value(List{"2: 1=0 99=1", "nonsense", "", "0:", "0: 1=x", "0: 2=4 3=", "2: 0=3",
+                        "77: 1=1", "1: 1=-1"}));
+    CHECK(tile(top, 1, 2) == 0);
+    CHECK(tile(top, 0, 2) == 3);
+    CHECK(tile(top, 2, 0) == 4);
+    CHECK(tile(top, 1, 0) == 0);
+    call(top, "set_tile", {Value(0), Value(0), Value(1)});
+    CHECK(tree.get(ground, "changes") == Value(List{"0: 0=1 2=4", "2: 0=3 1=0"}));
+    CHECK(tile(top, 1, 2) == 0);
+}
+
+TEST_CASE_METHOD(Land, "places of cells") {
+    const Handle top = map("level.tmj", 8);
+    tree.set(top, "corner", Value(Vec2(10, 100)));
+    CHECK(call(top, "cell_at", {Value(Vec2(10.1, 100.1))}) == Value(Vec2(0, 2)));
+    CHECK(call(top, "cell_at", {Value(Vec2(9.9, 106.1))}) == Value(Vec2(-1, -1)));
+    CHECK(call(top, "cell_center", {Value(0), Value(2)}) == Value(Vec2(11, 101)));
+    CHECK(call(top, "cell_center", {Value(3), Value(0)}) == Value(Vec2(17, 105)));
+}
+
+TEST_CASE_METHOD(Land, "properties of tiles") {
+    const Handle top = map();
+    CHECK(call(top, "tile_property", {Value(1), Value("gold")}) == Value(5));
+    CHECK(call(top, "tile_property", {Value(1), Value("silver")}).is_nil());
+    CHECK(call(top, "tile_property", {Value(4), Value("gold")}).is_nil());
+    CHECK(call(top, "tile_property", {Value(2), Value("class")}) == Value("Slope"));
+}
+
+TEST_CASE_METHOD(Land, "wrong calls say what is right") {
+    const Handle top = map();
+    CHECK_THROWS_WITH(call(top, "set_tile", {Value(4), Value(0), Value(1)}),
+                      contains("cell (4, 0) is outside") && contains("x goes from 0 to 3"));
+    CHECK_THROWS_WITH(call(top, "set_tile", {Value(0), Value(0), Value(5)}),
+                      contains("tiles 1 to 4"));
+    CHECK_THROWS_WITH(call(top, "set_tile", {Value(0), Value(0), Value(-1)}),
+                      contains("tiles 1 to 4"));
+    CHECK_THROWS_WITH(
+        call(top, "set_tile", {Value(0), Value(0), Value(1), Value("ground"), Value("q")}),
+        contains("\"x\", \"y\", \"d\""));
+    CHECK_THROWS_WITH(call(top, "tile", {Value(0), Value(0), Value("grund")}),
+                      contains("did you mean \"ground\""));
+    tree.set(top, "map", Value(""));
+    CHECK_THROWS_WITH(call(top, "tile", {Value(0), Value(0)}), contains("no map file"));
+}
+
+TEST_CASE_METHOD(Land, "a missing file is told once with the nearest name") {
+    const Handle top = map("levle.tmj");
+    step(3);
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems.front(), contains("level.tmj"));
+    CHECK(tree.children(top).empty());
+    tree.set(top, "map", Value("level.tmj"));
+    step(1);
+    CHECK(tile(top, 0, 2) == 1);
+}
+
+TEST_CASE_METHOD(Land, "an unsuitable map is refused with the reason") {
+    std::string hexagons = level(floor_cells);
+    hexagons.replace(hexagons.find("orthogonal"), 10, "hexagonal");
+    write("hexagons.tmj", hexagons);
+    map("hexagons.tmj");
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems.front(), contains("no orthogonal map"));
+}
+
+TEST_CASE_METHOD(Land, "another file takes the place of the first") {
+    write("other.tmj", level("0,0,0,0, 0,0,0,0, 0,0,0,2", R"(, {"type": "objectgroup", "id": 9,
+        "name": "things", "objects": [{"id": 1, "x": 0, "y": 0, "point": true}]})"));
+    const Handle top = map();
+    const Handle own = make("Sprite", {}, top);
+    call(top, "set_tile", {Value(0), Value(0), Value(1)});
+    tree.set(top, "map", Value("other.tmj"));
+    step(1);
+    CHECK(tree.alive(own));
+    CHECK(tile(top, 0, 2) == 0);
+    CHECK(tile(top, 3, 2) == 2);
+    CHECK(tile(top, 0, 0) == 0);
+    CHECK(tree.child(top, "things"));
+    tree.set(top, "map", Value(""));
+    step(1);
+    CHECK(tree.children(top).size() == 1);
+}
+
+TEST_CASE_METHOD(Land, "reading the file again keeps the changed cells") {
+    const Handle top = map();
+    call(top, "set_tile", {Value(0), Value(0), Value(3)});
+    write("level.tmj", level("0,0,0,0, 4,4,4,4, 1,1,1,1"));
+    tree.call(top, "reload", {});
+    CHECK(tile(top, 0, 1) == 4);
+    CHECK(tile(top, 0, 0) == 3);
+    write("level.tmj", "{");
+    tree.call(top, "reload", {});
+    CHECK(problems.size() == 1);
+    CHECK(tile(top, 0, 1) == 4);
+}
+
+// --- State
+
+TEST_CASE_METHOD(Land, "cells are in snapshots") {
+    const Handle top = map();
+    call(top, "set_tile", {Value(0), Value(0), Value(1)});
+    const Snapshot before = Snapshot::from_bytes(tree.snapshot().to_bytes());
+    call(top, "set_tile", {Value(0), Value(0), Value(0)});
+    call(top, "set_tile", {Value(1), Value(1), Value(2)});
+    step(2);
+    tree.restore(before);
+    CHECK(tile(top, 0, 0) == 1);
+    CHECK(tile(top, 1, 1) == 0);
+    CHECK(tree.children(top).size() == 1);
+    tree.destroy(top);
+    tree.restore(before);
+    CHECK(tile(top, 0, 0) == 1);
+    step(2);
+    CHECK(tree.children(top).size() == 1);
+    CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Land, "a change of cells can be undone") {
+    const Handle top = map();
+    {
+        const Tree::CauseScope person(tree, Writer::console);
+        call(top, "set_tile", {Value(0), Value(0), Value(1)});
+        call(top, "set_tile", {Value(1), Value(0), Value(1)});
+    }
+    tree.undo();
+    CHECK(tile(top, 0, 0) == 1);
+    CHECK(tile(top, 1, 0) == 0);
+    tree.undo();
+    CHECK(tile(top, 0, 0) == 0);
+    tree.redo();
+    CHECK(tile(top, 0, 0) == 1);
+}
+
+TEST_CASE_METHOD(Land, "making a map can be undone") {
+    {
+        const Tree::CauseScope person(tree, Writer::console);
+        tree.begin_edit("map");
+        map();
+        tree.end_edit();
+    }
+    CHECK(tree.size() == 3);
+    tree.undo();
+    CHECK(tree.size() == 1);
+    tree.redo();
+    step(2);
+    CHECK(tree.size() == 3);
+    CHECK(tile(find(tree.root(), "map"), 0, 2) == 1);
+}
+
+TEST_CASE_METHOD(Land, "a scene file with a map has every instance once") {
+    define_bodies();
+    write("level.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "things",
+        "objects": [{"id": 1, "name": "door", "x": 0, "y": 0, "point": true}]})"));
+    const Handle top = map();
+    step(1);
+    call(top, "set_tile", {Value(0), Value(2), Value(0)});
+    step(1);
+    const std::size_t size = tree.size();
+    const std::string text = scene_text(tree, top);
+    tree.destroy(top);
+    const Handle again = load_scene_text(tree, text, "level.json", tree.root());
+    step(2);
+    CHECK(tree.size() == size);
+    CHECK(tile(again, 0, 2) == 0);
+    CHECK(scene_text(tree, again).size() == text.size());
+    CHECK(find(find(again, "things"), "door"));
+}
+
+// --- Pictures
+
+TEST_CASE_METHOD(Land, "only cells in view are drawn") {
+    std::string cells;
+    for (int i = 0; i < 200 * 200; ++i) cells += i == 0 ? "1" : ",1";
+    std::string large = level(cells);
+    for (const char* key : {"\"width\": 4", "\"height\": 3"})
+        for (std::size_t at = 0; (at = large.find(key, at)) != std::string::npos; ++at)
+            large.replace(at, std::string(key).size(),
+                          std::string(key).substr(0, std::string(key).find(':')) + ": 200");
+    write("large.tmj", large);
+    map("large.tmj");
+    Sheet sheet;
+    sheet.view = {{100, 100}, {95, 98}, {105, 102}, {800, 320}};
+    CHECK(draw(sheet).size() >= 10 * 4);
+    CHECK(draw(sheet).size() <= 15 * 8);
+    sheet.view = {{-100, 100}, {-105, 98}, {-95, 102}, {800, 320}};
+    CHECK(draw(sheet).empty());
+}
+
+TEST_CASE_METHOD(Land, "tiles are drawn where they are") {
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 0,2,0,0"));
+    const Handle top = map();
+    tree.set(top, "corner", Value(Vec2(-1, -2)));
+    auto drawn = draw();
+    REQUIRE(drawn.size() == 1);
+    CHECK(near(drawn[0].lower_left, {0, -2}));
+    CHECK(near(drawn[0].lower_right, {1, -2}));
+    CHECK(near(drawn[0].upper_left, {0, -1}));
+    CHECK(drawn[0].area.left == 16);
+    CHECK_FALSE(drawn[0].smooth);
+    const Handle ground = find(top, "ground");
+    tree.set(ground, "offset", Value(Vec2(0.5, 1)));
+    tree.set(ground, "opacity", Value(0.5));
+    tree.set(ground, "tint", Value(Color{1, 0, 0, 1}));
+    tree.set(ground, "blend", Value("add"));
+    drawn = draw();
+    CHECK(near(drawn[0].lower_left, {0.5, -1}));
+    CHECK(drawn[0].opacity == 0.5f);
+    CHECK(drawn[0].color == Color{1, 0, 0, 1});
+    CHECK(drawn[0].blend == Blend::add);
+    tree.set(ground, "visible", Value(false));
+    CHECK(draw().empty());
+}
+
+TEST_CASE_METHOD(Land, "a layer with parallax moves with the view") {
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 2,0,0,0"));
+    tree.set(find(map(), "ground"), "parallax", Value(Vec2(0, 1)));
+    Sheet sheet;
+    sheet.view = {{50, 0}, {40, -5}, {60, 5}, {800, 400}};
+    const auto drawn = draw(sheet);
+    REQUIRE(drawn.size() == 1);
+    CHECK(near(drawn[0].lower_left, {50, 0}));
+}
+
+TEST_CASE_METHOD(Land, "flipped tiles") {
+    const Handle top = map();
+    for (int x = 0; x < 4; ++x) call(top, "set_tile", {Value(x), Value(2), Value(0)});
+    const auto drawn_with = [&](const char* flips) {
+        call(top, "set_tile", {Value(0), Value(2), Value(2), Value("ground"), Value(flips)});
+        return draw().at(0);
+    };
+    // Where the lower left, lower right and upper left corner of the picture are.
+    const auto corners = [&](const char* flips, Vec2 a, Vec2 b, Vec2 c) {
+        INFO(flips);
+        const Drawn d = drawn_with(flips);
+        CHECK(near(d.lower_left, a));
+        CHECK(near(d.lower_right, b));
+        CHECK(near(d.upper_left, c));
+    };
+    corners("", {0, 0}, {1, 0}, {0, 1});
+    corners("x", {1, 0}, {0, 0}, {1, 1});
+    corners("y", {0, 1}, {1, 1}, {0, 0});
+    corners("xy", {1, 1}, {0, 1}, {1, 0});
+    // The editor turns a tile a quarter clockwise with d and x.
+    corners("xd", {0, 1}, {0, 0}, {1, 1});
+    corners("d", {1, 1}, {1, 0}, {0, 1});
+}
+
+TEST_CASE_METHOD(Land, "animated tiles move on with the steps") {
+    write("level.tmj", level("4,0,0,0, 0,0,0,0, 0,0,0,0"));
+    const Handle top = map();
+    CHECK(draw().at(0).area.left == 48);
+    step(6);
+    CHECK(draw().at(0).area.left == 0);
+    const Snapshot then = tree.snapshot();
+    step(6);
+    CHECK(draw().at(0).area.left == 48);
+    tree.restore(then);
+    CHECK(draw().at(0).area.left == 0);
+    tree.set(top, "animation_time", Value(0.25));
+    CHECK(draw().at(0).area.left == 48);
+}
+
+// --- Objects
+
+TEST_CASE_METHOD(Land, "objects become instances of their class") {
+    define_bodies();
+    tree.define({.name = "Door",
+                 .properties = {{.name = "position", .type = Type::vec2},
+                                {.name = "angle", .type = Type::number},
+                                {.name = "locked", .type = Type::boolean},
+                                {.name = "leads_to", .type = Type::reference}}});
+    write("level.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "things",
+        "objects": [
+        {"id": 1, "name": "in", "type": "Door", "x": 16, "y": 16, "width": 16, "height": 32,
+         "properties": [{"name": "locked", "type": "bool", "value": true},
+                        {"name": "leads_to", "type": "object", "value": 2},
+                        {"name": "note", "type": "string", "value": "knock"}]},
+        {"id": 2, "name": "out", "type": "Door", "x": 32, "y": 0, "point": true, "rotation": 90},
+        {"id": 3, "x": 48, "y": 48, "point": true, "type": "Spawn"},
+        {"id": 4, "name": "crate", "type": "Body", "x": 0, "y": 0, "width": 16, "height": 8},
+        {"id": 5, "name": "path", "x": 16, "y": 16,
+         "polyline": [{"x": 0, "y": 0}, {"x": 16, "y": 16}]},
+        {"id": 6, "gid": 2147483652, "x": 32, "y": 48, "width": 32, "height": 16},
+        {"id": 7, "name": "out", "x": 0, "y": 0, "point": true}]})"));
+    const Handle things = find(map(), "things");
+    const Handle in = find(things, "in"), out = find(things, "out");
+    CHECK(tree.class_of(in).name() == "Door");
+    CHECK(tree.get(in, "position") == Value(Vec2(1.5, 1)));
+    CHECK(tree.get(in, "locked") == Value(true));
+    CHECK(tree.get(in, "leads_to") == Value(out));
+    CHECK(tree.get(in, "note") == Value("knock"));
+    CHECK(tree.get(out, "angle").number() == Approx(-1.5707963));
+    const Handle spawn = find(things, "object_1");
+    CHECK(tree.get(spawn, "kind") == Value("Spawn"));
+    CHECK(tree.get(spawn, "position") == Value(Vec2(3, 0)));
+    const Handle crate = find(things, "crate");
+    CHECK(tree.get(crate, "position") == Value(Vec2(0.5, 2.75)));
+    CHECK(tree.get(find(crate, "shape"), "height") == Value(0.5));
+    CHECK(tree.get(find(things, "path"), "points") == Value(List{Vec2(0, 0), Vec2(1, -1)}));
+    const Handle sprite = find(things, "sprite_1");
+    CHECK(tree.get(sprite, "image") == Value("tiles.tga"));
+    CHECK(tree.get(sprite, "frame") == Value(4));
+    CHECK(tree.get(sprite, "size") == Value(Vec2(2, 1)));
+    CHECK(tree.get(sprite, "flip_x") == Value(true));
+    CHECK(tree.get(sprite, "position") == Value(Vec2(3, 0.5)));
+    CHECK(find(things, "out_2"));
+    CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Land, "what an object cannot be is told with its place") {
+    write("level.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "things",
+        "objects": [
+        {"id": 1, "name": "hero", "type": "Sprit", "x": 0, "y": 0, "point": true},
+        {"id": 2, "type": "Sprite", "x": 0, "y": 0, "point": true,
+         "properties": [{"name": "scale", "type": "string", "value": "big"}]},
+        {"id": 3, "type": "Tilemap", "x": 0, "y": 0, "point": true,
+         "properties": [{"name": "map", "type": "string", "value": "level.tmj"}]}]})"));
+    map();
+    REQUIRE(problems.size() == 3);
+    std::string all;
+    for (const std::string& problem : problems) all += problem + "\n";
+    CHECK_THAT(all, contains("level.tmj: object 1 \"hero\"") &&
+                        contains("did you mean \"Sprite\"") && contains("object 2") &&
+                        contains("scale") && contains("a map cannot make a Tilemap"));
+}
+
+// --- Collisions
+
+TEST_CASE_METHOD(Land, "solid tiles have one outline") {
+    define_bodies();
+    const Handle top = map();
+    tree.set(top, "corner", Value(Vec2(5, 6)));
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    const Handle chain = chains(top)[0];
+    CHECK(points(chain).size() == 4);
+    CHECK(tree.get(chain, "closed") == Value(true));
+    CHECK(tree.get(chain, "friction").as_double() == Approx(0.6));
+    // Bodies stay on its left side: around an island, it runs clockwise.
+    double area = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 a = points(chain)[i].vec2(), b = points(chain)[(i + 1) % 4].vec2();
+        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    CHECK(area == Approx(-4));
+    const Handle body = find(top, "collisions");
+    CHECK(tree.get(body, "type") == Value("static"));
+    CHECK(tree.get(body, "position") == Value(Vec2(5, 9)));
+}
+
+TEST_CASE_METHOD(Land, "collisions follow the cells at the next barrier") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 1,0,1,1"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 2);
+    const auto all = chains(top);
+    const Handle kept = points(all[0])[0].vec2().x() <= 1 ? all[0] : all[1];
+    call(top, "set_tile", {Value(3), Value(2), Value(0)});
+    tree.barrier(false);
+    REQUIRE(chains(top).size() == 2);
+    CHECK(tree.alive(kept));
+    const Handle ground = find(top, "ground");
+    tree.set(ground, "solid", Value(false));
+    step(1);
+    CHECK(chains(top).empty());
+    tree.set(ground, "solid", Value(true));
+    tree.set(ground, "friction", Value(0.25));
+    step(1);
+    REQUIRE(chains(top).size() == 2);
+    CHECK(tree.get(chains(top)[0], "friction") == Value(0.25));
+}
+
+TEST_CASE_METHOD(Land, "a slope joins the ground beside it") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,2,1,1, 1,1,1,1"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    // Around the ground, up the slope: no point where the tiles meet.
+    CHECK(points(chains(top)[0]).size() == 6);
+}
+
+TEST_CASE_METHOD(Land, "lines of neighbors become one") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 3,3,3,0, 0,0,0,0"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    const Handle chain = chains(top)[0];
+    CHECK(tree.get(chain, "closed") == Value(false));
+    CHECK(points(chain) == List{Vec2(0, -1), Vec2(3, -1)});
+    call(top, "set_tile", {Value(1), Value(1), Value(3), Value("ground"), Value("x")});
+    tree.barrier();
+    // Mirrored, it is still solid from above.
+    REQUIRE(chains(top).size() == 1);
+    CHECK(points(chains(top)[0]) == List{Vec2(0, -1), Vec2(3, -1)});
+}
+
+TEST_CASE_METHOD(Land, "a restored map has the collisions of its cells") {
+    define_bodies();
+    const Handle top = map();
+    tree.barrier();
+    const Snapshot before = tree.snapshot();
+    call(top, "set_tile", {Value(1), Value(2), Value(0)});
+    const Snapshot between = tree.snapshot();  // before the barrier
+    step(1);
+    CHECK(chains(top).size() == 2);
+    tree.restore(before);
+    CHECK(chains(top).size() == 1);
+    step(2);
+    CHECK(chains(top).size() == 1);
+    tree.restore(between);
+    step(1);
+    CHECK(chains(top).size() == 2);
+}
+
+}  // namespace tilemap_test
