@@ -25,7 +25,7 @@ local level = world.level
 world.hero = Body { position = level.things.start.position, locked_rotation = true, z = 1, bullet = true,
     Capsule { from = vec(0, -0.3), to = vec(0, 0.3), radius = 0.32, friction = 0, color = color("#d4503c"),
         border = color("#6e2018") },
-    eye = Text { text = "••", size = 0.5, position = vec(0.06, 0.32), color = color("white") },
+    Circle { center = vec(0.12, 0.32), radius = 0.07, sensor = true, density = 0, color = color("white") },
 }
 
 view.follow = world.hero
@@ -36,6 +36,26 @@ state("gold", 0)
 game.score = Layer { space = "screen", anchor = "top_right", z = 100,
     count = Text { text = formula(function() return "gold " .. gold end), font = "bold", size = 26, anchor = vec(1, 0.5),
         position = vec(-24, 34), outline = color("#2a3540") } }
+
+-- A short burst of particles that ends by itself.
+local function puff(position, colors, more)
+    local made = Emitter { position = position, rate = 0, burst = 14, speed = 3, damping = 2, lifetime = 0.5,
+        gravity = vec(0, -12), size = { 0.22, 0.1 }, color = colors, z = 20 }
+    for name, value in pairs(more or {}) do made[name] = value end
+    world:add(made):on("finished", function(event) event.instance:delete() end)
+end
+
+-- Each torch of the map gets smoke and sparks.
+for y = 0, level.rows - 1 do
+    for x = 0, level.columns - 1 do
+        local tile = level:tile(x, y, "decoration")
+        if tile > 0 and level:tile_property(tile, "light") then
+            world:add(Emitter { position = level:cell_center(x, y) + vec(0, 0.2), angle = math.pi / 2, spread = 0.9,
+                rate = 12, speed = 1, lifetime = 1.1, size = { 0.3, 0.1 }, blend = "add", seed = x, z = -0.5,
+                color = { color("#ffb04090"), color("#c0401040"), color("#00000000") } })
+        end
+    end
+end
 
 input.actions.jump = { "space", "up", "gamepad.a" }
 
@@ -56,6 +76,7 @@ function step(dt)
     for _, coin in ipairs(level.things:children()) do
         if coin:is_a(Coin) and (coin.position - hero.position):length() < 0.8 then
             gold = gold + coin.worth
+            puff(coin.position, { color("gold"), color("#fff0a000") }, { gravity = vec(0, 0), blend = "add" })
             coin:delete()
         end
     end
@@ -67,7 +88,11 @@ function dig(point)
     local cell = level:cell_at(point)
     local tile = level:tile(cell.x, cell.y, "ground")
     if tile == 0 or level:tile_property(tile, "hard") then return false end
-    gold = gold + (level:tile_property(tile, "gold") or 0)
+    local worth = level:tile_property(tile, "gold")
+    gold = gold + (worth or 0)
+    puff(level:cell_center(cell.x, cell.y),
+        { worth and color("aquamarine") or color("#8c5c3e"), color(worth and "#a0ffe000" or "#8c5c3e00") },
+        { shape = "box", area = vec(0.8, 0.8) })
     level:set_tile(cell.x, cell.y, 0, "ground")
     return true
 end

@@ -193,7 +193,8 @@ def write_tileset():
     tiles.append({"id": number["plank"], "objectgroup": {"type": "objectgroup", "objects": [
         {"id": 1, "x": 0, "y": 0, "polyline": [{"x": 0, "y": 0}, {"x": 16, "y": 0}]}]}})
     for name, time in (("water", 350), ("torch", 160)):
-        tiles.append({"id": number[name], "animation": [
+        light = {"name": "light", "type": "bool", "value": True}
+        tiles.append({"id": number[name], "properties": [light] if name == "torch" else [], "animation": [
             {"tileid": number[name], "duration": time}, {"tileid": number[name + "_2"], "duration": time}]})
     tileset = {"type": "tileset", "name": "tiles", "tilewidth": SIZE, "tileheight": SIZE, "tilecount": 16,
                "columns": 8, "image": "art/tiles.png", "imagewidth": 128, "imageheight": 32, "tiles":
@@ -238,7 +239,7 @@ def write_level():
 
     ground = numbers(cell)
     behind = numbers({(x, y): dice.choice(("wall", "wall", "wall_2"))
-                      for x in range(width) for y in range(tops[x] + 2, height)})
+                      for x in range(width) for y in range(tops[x] + 1, height)})
     water = numbers({(x, 20): "water" for x in range(32, 52) if (x, 20) not in cell})
 
     def layer(number, name, data, **more):
@@ -256,7 +257,7 @@ def write_level():
 
     put("", 3, 12, "start")
     for n, (x, y) in enumerate(((11.5, 10.5), (17.5, 8.5), (22.5, 6.5), (35.5, 8.5), (40.5, 6.5), (46.5, 4.5),
-                                (59.5, 7.5), (57.5, 9.5), (24.5, 17.3), (30, 18.3), (40.9, 18.3), (56, 18.3))):
+                                (59.5, 7.5), (57.5, 9.5), (24.5, 17.3), (30, 18.3), (38.5, 17.3), (56, 18.3))):
         put("Coin", x, y, worth=1 + n // 8)
     for x, y, side in ((9, 12.4, 1), (27.5, 8, 1), (45, 12.4, 1.4), (46, 11, 1)):
         number += 1
