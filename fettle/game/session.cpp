@@ -46,12 +46,15 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
       replayed_(replayed),
       assets_(files_, folder_of(options.game), assets()),
       modules_(options.game, options.modules),
-      visuals_(&assets_) {
+      visuals_(&assets_),
+      interface_(visuals_.media()) {
     make_files();
     read_settings();
     modules_.attach(tree_);
     visuals_.attach(tree_);
     services_ = std::make_unique<app::Services>(tree_, &assets_);
+    interface_.attach(tree_);
+    services_->input.give_first(&interface_);
     services_->view.window = window_state(settings_);
     services_->view.screen = services_->view.window.size;
     tree_.on_handler_error([this](const property::HandlerError& error) {
@@ -208,6 +211,16 @@ void Session::add_modules() {
         report.message = problem;
         report.context = "files";
         tell_error(report);  // the run continues, and a checkerboard is drawn
+    });
+    loop_->add({.name = std::string(interface_.name()),
+                .step = [this](double dt) { interface_.step(dt); },
+                .report = [this] { interface_.report(tree_); },
+                .hash = [this] { return interface_.hash(); }});
+    interface_.on_problem([this](const std::string& problem) {
+        script::ScriptError report;
+        report.message = problem;
+        report.context = "interface";
+        tell_error(report);  // the run continues, and the widget keeps its value
     });
     modules_.on_print([this](std::string_view text) { print(text); });
     loop_->between_frames([this] {

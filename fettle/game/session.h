@@ -9,6 +9,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/recording.h>
 #include <fettle/app/services.h>
+#include <fettle/interface/interface.h>
 #include <fettle/property/storage/assets.h>
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/game_saves.h>
@@ -94,6 +95,7 @@ class Session {
     // Modules must outlive the tree, which calls them when its instances are deleted.
     GameModules modules_;
     visuals::Visuals visuals_;
+    interface::Interface interface_;
     property::Tree tree_;
     std::unique_ptr<app::Services> services_;
     std::unique_ptr<property::Tweaks> tweaks_;

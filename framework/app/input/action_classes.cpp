@@ -46,12 +46,13 @@ double beyond(double value, double dead_zone) {
 double strength_on(const State& s, const State::Gamepad& pad, const ActionSwitch& from) {
     switch (from.kind) {
         case ActionSwitch::Kind::named_button:
-            return pad.named[from.index] ? 1 : 0;
+            return pad.named[from.index] && !pad.taken_named[from.index] ? 1 : 0;
         case ActionSwitch::Kind::raw_button:
-            return pad.buttons[from.index] ? 1 : 0;
+            return pad.buttons[from.index] && !pad.taken_buttons[from.index] ? 1 : 0;
         case ActionSwitch::Kind::trigger:
-            return pad.triggers[from.index];
+            return pad.taken_triggers[from.index] ? 0 : pad.triggers[from.index];
         default: {
+            if (pad.taken_sticks[from.index / 2]) return 0;
             const Vec2& stick = pad.sticks[from.index / 2];
             return beyond(from.sign * stick[static_cast<int>(from.index % 2)], s.dead_zone);
         }
@@ -65,8 +66,10 @@ void each_gamepad(const State& s, int number, Visit visit) {
 }
 
 double strength_of(const State& s, const ActionSwitch& from) {
-    if (from.kind == ActionSwitch::Kind::key) return s.keys[from.index].down ? 1 : 0;
-    if (from.kind == ActionSwitch::Kind::mouse) return s.buttons[from.index].down ? 1 : 0;
+    // What the foreground has is not held for the game.
+    const auto held = [](const State::Switch& each) { return each.down && !each.taken ? 1 : 0; };
+    if (from.kind == ActionSwitch::Kind::key) return held(s.keys[from.index]);
+    if (from.kind == ActionSwitch::Kind::mouse) return held(s.buttons[from.index]);
     double most = 0;
     each_gamepad(s, from.gamepad, [&](const State::Gamepad& pad) {
         most = std::max(most, strength_on(s, pad, from));
@@ -80,6 +83,7 @@ Vec2 direction_of(const State& s, const ActionDirection& from) {
         return {strength_of(s, from.four[1]) - strength_of(s, from.four[0]),
                 strength_of(s, from.four[3]) - strength_of(s, from.four[2])};
     each_gamepad(s, from.gamepad, [&](const State::Gamepad& pad) {
+        if (pad.taken_sticks[from.stick]) return;
         const Vec2& stick = pad.sticks[from.stick];
         const double length = stick.norm();
         if (length <= s.dead_zone) return;

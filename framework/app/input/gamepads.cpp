@@ -50,8 +50,12 @@ double seen(const PadSource& source, double value) {
 
 void Input::State::press_raw(Gamepad& gamepad, std::size_t button, bool down) {
     gamepad.buttons[button] = down;
-    queue(down ? "gamepad_pressed" : "gamepad_released",
-          {number_of(gamepad), gamepad_button_columns[button].name});
+    queue_switch({.kind = Act::Kind::gamepad_button,
+                  .name = gamepad_button_columns[button].name,
+                  .down = down,
+                  .gamepad = number_of(gamepad)},
+                 gamepad.taken_buttons[button], down ? "gamepad_pressed" : "gamepad_released",
+                 {number_of(gamepad), gamepad_button_columns[button].name});
     const auto is_this = [button](const PadSource& source) {
         return source.kind == PadSource::Kind::button && source.index == static_cast<int>(button);
     };
@@ -66,8 +70,13 @@ void Input::State::press_raw(Gamepad& gamepad, std::size_t button, bool down) {
 
 void Input::State::press_named(Gamepad& gamepad, std::size_t button, bool down) {
     gamepad.named[button] = down;
-    queue(down ? "gamepad_pressed" : "gamepad_released",
-          {number_of(gamepad), std::string(gamepad_button_names[button])});
+    const std::string name(gamepad_button_names[button]);
+    queue_switch({.kind = Act::Kind::gamepad_button,
+                  .name = name,
+                  .down = down,
+                  .gamepad = number_of(gamepad)},
+                 gamepad.taken_named[button], down ? "gamepad_pressed" : "gamepad_released",
+                 {number_of(gamepad), name});
     const PadSource& source = gamepad.mapping.buttons[button];
     if (source.kind == PadSource::Kind::button) {
         const auto raw = static_cast<std::size_t>(source.index);

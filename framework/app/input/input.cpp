@@ -67,6 +67,22 @@ void Input::State::queue(std::string_view callback, std::vector<Value> arguments
     calls.push_back({.callback = callback, .arguments = std::move(arguments)});
 }
 
+void Input::State::queue(Act act, bool taken, std::string_view callback,
+                         std::vector<Value> arguments) {
+    calls.push_back({.callback = callback,
+                     .arguments = std::move(arguments),
+                     .act = std::move(act),
+                     .taken = taken});
+}
+
+void Input::State::queue_switch(Act act, bool& taken, std::string_view callback,
+                                std::vector<Value> arguments) {
+    // A release belongs to the one that has the press.
+    const bool had = std::exchange(taken, act.down && takes(act));
+    const bool now = act.down ? taken : had;
+    queue(std::move(act), now, callback, std::move(arguments));
+}
+
 void Input::State::move_mouse(const Vec2& pixels) {
     if (!std::isfinite(pixels.x()) || !std::isfinite(pixels.y()))
         throw std::invalid_argument("it is too far away to be a point of the screen");
@@ -74,32 +90,55 @@ void Input::State::move_mouse(const Vec2& pixels) {
     if (silent) return;
     std::vector<Value> arguments{view.to_world(mouse), mouse};
     // Consecutive moves give one call, because some mice send a thousand events a second.
-    if (!calls.empty() && calls.back().callback == "mouse_moved")
-        calls.back().arguments = std::move(arguments);
-    else
-        queue("mouse_moved", std::move(arguments));
+    Act act{.kind = Act::Kind::pointer, .value = mouse};
+    const bool taken = takes(act);
+    if (!calls.empty() && calls.back().callback == "mouse_moved" && calls.back().taken == taken)
+        calls.pop_back();
+    queue(std::move(act), taken, "mouse_moved", std::move(arguments));
+}
+
+void Input::State::type(const std::string& text) {
+    Act act{.kind = Act::Kind::text, .name = text};
+    const bool taken = takes(act);
+    queue(std::move(act), taken, "text_input", {text});
 }
 
 void Input::State::turn_wheel(double notches) {
     const double delta = notches - wheel;
     wheel = notches;
-    queue("wheel", {delta, view.to_world(mouse)});
+    Act act{.kind = Act::Kind::wheel, .value = {0, delta}};
+    const bool taken = takes(act);
+    queue(std::move(act), taken, "wheel", {delta, view.to_world(mouse)});
 }
 
 void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
     const Vec2 from = gamepad.sticks[stick];
     gamepad.sticks[stick] = to;
+    Act act{.kind = Act::Kind::stick,
+            .name = std::string(gamepad_stick_names[stick]),
+            .gamepad = number_of(gamepad),
+            .value = to};
+    bool& taken = gamepad.taken_sticks[stick];
+    // One that the foreground has is the game's again when it has been let go of.
+    taken = takes(act) || (taken && from.norm() > dead_zone);
     for (const int axis : {0, 1})
         if (to[axis] != from[axis])
-            queue("gamepad_axis",
+            queue(act, taken, "gamepad_axis",
                   {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
     if (stick == hat_stick) press_hat_buttons(gamepad);
     update_actions();
 }
 
 void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
-    gamepad.triggers[trigger] = to;
-    queue("gamepad_axis", {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
+    const double from = std::exchange(gamepad.triggers[trigger], to);
+    Act act{.kind = Act::Kind::trigger,
+            .name = std::string(gamepad_trigger_names[trigger]),
+            .gamepad = number_of(gamepad),
+            .value = {to, 0}};
+    bool& taken = gamepad.taken_triggers[trigger];
+    taken = takes(act) || (taken && from > dead_zone);
+    queue(std::move(act), taken, "gamepad_axis",
+          {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
     update_actions();
 }
 
@@ -131,13 +170,16 @@ void Input::apply(const InputEvent& event) {
     const property::Tree::CauseScope cause(s.tree, property::Writer::module, &window);
     switch (event.kind) {
         case EventKind::key_pressed:
-            if (!event.repeated) set_switch(s.keys_instance, event.name, true);
+            if (!event.repeated)
+                set_switch(s.keys_instance, event.name, true);
+            else
+                repeat_key(event.name);
             break;
         case EventKind::key_released:
             set_switch(s.keys_instance, event.name, false);
             break;
         case EventKind::text:
-            if (!is_control(event.character)) s.queue("text_input", {utf8(event.character)});
+            if (!is_control(event.character)) s.type(utf8(event.character));
             break;
         case EventKind::mouse_pressed:
         case EventKind::mouse_released:
@@ -204,6 +246,25 @@ void Input::point(const InputEvent& event, bool tell) {
     s.silent = false;
 }
 
+/// A key that is held down moves on in menus; the game does not get it.
+void Input::repeat_key(std::string_view name) {
+    State& s = *state_;
+    const bool taken = std::any_of(s.keys.begin(), s.keys.end(), [&](const State::Switch& key) {
+        return key.taken && key.name == name;
+    });
+    if (taken)
+        s.queue({.kind = Act::Kind::key, .name = std::string(name), .down = true, .repeated = true},
+                true, "key_pressed", {});
+}
+
+void Input::give_first(Foreground* foreground) {
+    state_->foreground = foreground;
+}
+
+Foreground* Input::foreground() const {
+    return state_->foreground;
+}
+
 void Input::set_switch(Handle instance, std::string_view name, bool down) {
     // Keys without a name are ignored.
     if (const property::Property* found = state_->tree.find(instance, name);
@@ -247,6 +308,9 @@ bool Input::deliver(script::Runtime& runtime) {
     const std::vector<State::Call> calls = std::exchange(state_->calls, {});
     const auto life = runtime.lifetime();  // a callback may destroy the runtime
     for (const State::Call& call : calls) {
+        if (call.act && state_->foreground != nullptr)
+            state_->foreground->handle(*call.act, call.taken);
+        if (call.taken) continue;
         if (call.event != nullptr && state_->tree.alive(call.instance))
             state_->tree.emit(call.instance, *call.event, {});
         if (!runtime.call(call.callback, call.arguments)) return false;

@@ -4,9 +4,11 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <fettle/app/foreground.h>
 #include <fettle/app/input.h>
 #include <fettle/property/added_rules.h>
 
@@ -34,6 +36,7 @@ struct Input::State {
         State* state = nullptr;
         std::string name{};
         bool down = false;
+        bool taken = false;  // the foreground has its press
     };
     struct Gamepad {
         property::Handle instance{};
@@ -42,6 +45,11 @@ struct Input::State {
         std::array<double, gamepad_trigger_names.size()> triggers{};
         std::array<bool, gamepad_buttons> buttons{};
         std::array<bool, gamepad_button_names.size()> named{};
+        // What the foreground has.
+        std::array<bool, gamepad_stick_names.size()> taken_sticks{};
+        std::array<bool, gamepad_trigger_names.size()> taken_triggers{};
+        std::array<bool, gamepad_buttons> taken_buttons{};
+        std::array<bool, gamepad_button_names.size()> taken_named{};
         std::string mapping_text = "xbox";
         GamepadMapping mapping = parse_gamepad_mapping("xbox");
         bool mapping_given = false;  // by the game or the player, so the device does not choose it
@@ -68,6 +76,9 @@ struct Input::State {
         // For an action: an event of this instance comes first.
         property::Handle instance{};
         const property::Event* event = nullptr;
+        // For input of a device: what the foreground gets, and whether the game does not get it.
+        std::optional<Act> act{};
+        bool taken = false;
     };
     /// A change that one step and one update see.
     struct Edge {
@@ -117,13 +128,22 @@ struct Input::State {
     double wheel_delivered = 0;  // part of `wheel` whose callbacks are delivered in this frame
     std::vector<Call> calls{};
     bool silent = false;  // no callbacks for mouse moves
+    Foreground* foreground = nullptr;
 
     /// Registers the classes and creates the instances.
     void define();
 
     void queue(std::string_view callback, std::vector<property::Value> arguments);
+    /// Queues input that the foreground may take.
+    void queue(Act act, bool taken, std::string_view callback,
+               std::vector<property::Value> arguments);
+    /// The same for what is pressed or released. `taken` is that of the key or button.
+    void queue_switch(Act act, bool& taken, std::string_view callback,
+                      std::vector<property::Value> arguments);
+    bool takes(const Act& act) const { return foreground != nullptr && foreground->takes(act); }
     void move_mouse(const property::Vec2& pixels);
     void turn_wheel(double notches);
+    void type(const std::string& text);
     void move_stick(Gamepad& gamepad, std::size_t stick, const property::Vec2& to);
     void pull_trigger(Gamepad& gamepad, std::size_t trigger, double to);
     /// Releases all buttons and axes of a gamepad that is disconnected.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <fettle/app/foreground.h>
 #include <fettle/app/loop.h>
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
@@ -119,6 +120,7 @@ void Loop::draw(Screen& screen, double seconds) {
     else
         runtime_.draw(painter);
     draw_bars(painter, drawn);
+    if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

@@ -6,6 +6,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include <fettle/app/foreground.h>
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
@@ -209,6 +210,8 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
         barrier();  // edits from the console still take effect
         return false;
     }
+    if (Foreground* const menus = services_.input.foreground())
+        menus->frame(services_.input.mouse(), services_.view.screen, real_dt);
     services_.input.deliver(runtime_);
     watch.lap(watch.phases.input);
     if (stopped()) return false;

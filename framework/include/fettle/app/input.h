@@ -27,6 +27,8 @@ class Runtime;
 
 namespace fettle::app {
 
+class Foreground;
+
 /// All keys, by the names that events and `input.keys` use.
 std::span<const std::string_view> key_names();
 
@@ -40,6 +42,11 @@ class Input {
     ~Input();
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
+
+    /// It gets all input before the game. Not owned: it must outlive this object or be replaced.
+    /// Null: none.
+    void give_first(Foreground* foreground);
+    Foreground* foreground() const;
 
     /// Applies an event for the game.
     void apply(const InputEvent& event);
@@ -76,6 +83,7 @@ class Input {
   private:
     void point(const InputEvent& event, bool tell);
     void set_switch(property::Handle instance, std::string_view name, bool down);
+    void repeat_key(std::string_view name);
     void apply_gamepad(const InputEvent& event);
     std::unique_ptr<State> state_;
 };

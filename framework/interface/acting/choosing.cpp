@@ -1,0 +1,115 @@
+// Values that the player chooses or types.
+
+#include <algorithm>
+#include <cmath>
+
+#include <acting/player.h>
+
+namespace fettle::interface {
+
+using property::Handle;
+using property::Value;
+
+void Player::choose_value(Widget& slider, double value) {
+    const property::Range range = binding_.range(slider);
+    if (const double step = binding_.step(slider); step > 0)
+        value = range.min + step * std::round((value - range.min) / step);
+    value = std::clamp(value, range.min, range.max);
+    if (!std::isfinite(value) || value == slider.value) return;
+    const double before = slider.value;
+    widgets_.set(slider.self, "value", Value(value));
+    binding_.update(slider);
+    if (slider.value != before) widgets_.emit(slider, "changed", {Value(slider.value)});
+}
+
+void Player::nudge(Widget& slider, int direction) {
+    const property::Range range = binding_.range(slider);
+    const double step = binding_.step(slider);
+    choose_value(slider,
+                 slider.value + direction * (step > 0 ? step : 0.05 * (range.max - range.min)));
+}
+
+void Player::switch_over(Widget& toggle) {
+    const bool before = toggle.on;
+    widgets_.set(toggle.self, "value", Value(!before));
+    binding_.update(toggle);
+    if (toggle.on != before) widgets_.emit(toggle, "changed", {Value(toggle.on)});
+}
+
+void Player::select(Widget& list, std::int64_t line) {
+    if (list.selected == line) return;
+    widgets_.set(list.self, "selected", Value(line));
+    binding_.update(list);
+    show_line(list);
+    widgets_.emit(list, "changed", {Value(list.selected)});
+}
+
+/// Scrolls to the chosen line.
+void Player::show_line(Widget& list) {
+    const double line = Layout::line_of(list);
+    const double top =
+        static_cast<double>(list.selected - 1) * (line + Layout::spacing_of(list));
+    const double height = Layout::inside(list).height(), from = Layout::scrolled(list);
+    if (top < from)
+        scroll(list, top - from);
+    else if (top + line > from + height)
+        scroll(list, top + line - from - height);
+}
+
+// --- Text
+
+void Player::set_text(Widget& field, const std::string& text, std::int64_t caret) {
+    const std::string before = field.text;
+    widgets_.set(field.self, "text", Value(text));
+    widgets_.set(field.self, "caret", Value(caret));
+    if (!field.bind.empty()) binding_.update(field);
+    if (field.text != before) widgets_.emit(field, "changed", {Value(field.text)});
+}
+
+void Player::type(Widget& field, const std::string& text) {
+    const std::int64_t length = characters(field.text);
+    if (field.max_length > 0 && length + characters(text) > field.max_length) return;
+    constexpr std::size_t most = 1 << 20;
+    if (field.text.size() + text.size() > most) return;
+    const std::int64_t caret = std::min(field.caret, length);
+    std::string longer = field.text;
+    longer.insert(byte_of(longer, caret), text);
+    set_text(field, longer, caret + characters(text));
+}
+
+/// False for a key that has no meaning in a text.
+bool Player::edit(Widget& field, const std::string& key) {
+    const std::int64_t length = characters(field.text);
+    const std::int64_t caret = std::min(field.caret, length);
+    const auto without = [&](std::int64_t n) {
+        std::string shorter = field.text;
+        const std::size_t from = byte_of(shorter, n), to = byte_of(shorter, n + 1);
+        return shorter.erase(from, to - from);
+    };
+    std::int64_t to = caret;
+    if (key == "left")
+        to = std::max<std::int64_t>(0, caret - 1);
+    else if (key == "right")
+        to = std::min(length, caret + 1);
+    else if (key == "home")
+        to = 0;
+    else if (key == "end")
+        to = length;
+    else if (key == "backspace") {
+        if (caret > 0) set_text(field, without(caret - 1), caret - 1);
+        return true;
+    } else if (key == "delete") {
+        if (caret < length) set_text(field, without(caret), caret);
+        return true;
+    } else if (key == "enter") {
+        widgets_.emit(field, "submitted", {Value(field.text)});
+        return true;
+    } else {
+        // A space is typed as text.
+        return key == "space";
+    }
+    if (to != field.caret) widgets_.set(field.self, "caret", Value(to));
+    return true;
+}
+
+}  // namespace fettle::interface

@@ -1,0 +1,165 @@
+// Which widget has the keyboard.
+
+#include <cmath>
+#include <limits>
+
+#include <acting/player.h>
+
+namespace fettle::interface {
+
+using property::Handle;
+using property::Row;
+using property::Value;
+using property::Vec2;
+
+Widget* Player::above(const Widget& widget) {
+    return widget.parent == Widget::none ? nullptr : &widgets_[widget.parent];
+}
+
+bool Player::inside(const Widget& widget, const Widget& top) {
+    for (const Widget* each = &widget; each != nullptr; each = above(*each))
+        if (each == &top) return true;
+    return false;
+}
+
+bool Player::enabled(const Widget& widget) {
+    for (const Widget* each = &widget; each != nullptr; each = above(*each))
+        if (each->disabled) return false;
+    return true;
+}
+
+Widget* Player::modal() {
+    lay_out();
+    const auto& shown = layout_.shown();
+    for (auto row = shown.rbegin(); row != shown.rend(); ++row)
+        if (Widget& widget = widgets_[*row]; widget.modal && is_container(widget.kind))
+            return &widget;
+    return nullptr;
+}
+
+bool Player::can_focus(const Widget& widget) {
+    return is_active(widget.kind) && widget.focusable && widget.shown && enabled(widget) &&
+           (widget.kind != Kind::list || !widget.items.empty());
+}
+
+Widget* Player::focused() {
+    lay_out();
+    Widget* const widget = widgets_.find(widgets_.board.focus);
+    return widget != nullptr && can_focus(*widget) ? widget : nullptr;
+}
+
+Widget* Player::listening() {
+    lay_out();
+    for (const Row row : layout_.shown())
+        if (Widget& widget = widgets_[row]; widget.listening && enabled(widget)) return &widget;
+    return nullptr;
+}
+
+void Player::focus(Widget* widget, bool shown) {
+    const Handle before = widgets_.board.focus, now = widget ? widget->self : Handle{};
+    const Handle service = widgets_.service();
+    if (!widgets_.tree().alive(service)) return;
+    if (widgets_.board.focus_shown != shown) widgets_.set(service, "focus_shown", Value(shown));
+    if (before == now) return;
+    widgets_.set(service, "focus", Value(now));
+    if (Widget* const field = widgets_.find(before); field && !field->bind.empty())
+        binding_.update(*field);
+    if (widget == nullptr) return;
+    for (Widget* each = above(*widget); each != nullptr; each = above(*each)) {
+        if (each->modal && !(each->last_focus == now))
+            widgets_.set(each->self, "last_focus", Value(now));
+        if (each->kind == Kind::list) {
+            // A list scrolls to it.
+            const Box inner = Layout::inside(*each);
+            const double over = inner.lower.y() - widget->box.lower.y();
+            const double under = widget->box.upper.y() - inner.upper.y();
+            if (over > 0)
+                scroll(*each, -over);
+            else if (under > 0)
+                scroll(*each, under);
+        }
+    }
+}
+
+/// The modal widget in front has the keyboard; a widget that cannot have it loses it.
+void Player::keep_focus() {
+    Widget* const now = focused();
+    Widget* const top = modal();
+    if (top == nullptr) {
+        if (now == nullptr && widgets_.board.focus) focus(nullptr, widgets_.board.focus_shown);
+        return;
+    }
+    if (now != nullptr && inside(*now, *top)) return;
+    Widget* last = widgets_.find(top->last_focus);
+    if (last == nullptr || !can_focus(*last) || !inside(*last, *top)) {
+        const std::vector<Widget*> all = reachable();
+        last = all.empty() ? nullptr : all.front();
+    }
+    if (last != nullptr || widgets_.board.focus) focus(last, widgets_.board.focus_shown);
+}
+
+/// The widgets that can have the keyboard now.
+std::vector<Widget*> Player::reachable() {
+    std::vector<Widget*> all;
+    Widget* const top = modal();
+    Widget* const now = focused();
+    const Widget* root = now;
+    while (root != nullptr && above(*root) != nullptr) root = above(*root);
+    for (const Row row : layout_.shown()) {
+        Widget& widget = widgets_[row];
+        if (!can_focus(widget)) continue;
+        if (top != nullptr ? inside(widget, *top) : root == nullptr || inside(widget, *root))
+            all.push_back(&widget);
+    }
+    return all;
+}
+
+/// `direction`: 1 or -1.
+void Player::next(int direction) {
+    const std::vector<Widget*> all = reachable();
+    if (all.empty()) return;
+    Widget* const now = focused();
+    const auto count = static_cast<int>(all.size());
+    int at = direction > 0 ? -1 : count;
+    for (int i = 0; i < count; ++i)
+        if (all[static_cast<std::size_t>(i)] == now) at = i;
+    focus(all[static_cast<std::size_t>((at + direction + count) % count)], true);
+}
+
+/// The nearest widget in that direction; if there is none, the farthest in the opposite one.
+/// `direction`: one of the four, y down.
+void Player::towards(const Vec2& direction) {
+    Widget* const now = focused();
+    const std::vector<Widget*> all = reachable();
+    if (now == nullptr) {
+        if (!all.empty()) focus(all.front(), true);
+        return;
+    }
+    Widget* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    Widget* opposite = nullptr;
+    double farthest = 0;
+    const int along = direction.x() != 0 ? 0 : 1, across = 1 - along;
+    for (Widget* each : all) {
+        if (each == now) continue;
+        const Vec2 apart = each->box.center() - now->box.center();
+        const double ahead = apart.dot(direction);
+        // Those beside it count less than those in line with it.
+        const double overlap =
+            std::min(each->box.upper[across], now->box.upper[across]) -
+            std::max(each->box.lower[across], now->box.lower[across]);
+        const double aside = overlap > 0 ? 0 : -overlap;
+        if (ahead > 1 && ahead + 3 * aside < least) {
+            least = ahead + 3 * aside;
+            best = each;
+        }
+        if (-ahead > farthest && overlap > 0) {
+            farthest = -ahead;
+            opposite = each;
+        }
+    }
+    if (best == nullptr) best = opposite;
+    focus(best != nullptr ? best : now, true);
+}
+
+}  // namespace fettle::interface

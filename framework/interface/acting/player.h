@@ -1,0 +1,79 @@
+#pragma once
+// What the player does with the widgets: mouse, keys and gamepads.
+
+#include <string>
+#include <string_view>
+
+#include <fettle/app/foreground.h>
+
+#include <binding/binding.h>
+#include <layout/layout.h>
+#include <widgets/widgets.h>
+
+namespace fettle::interface {
+
+class Player {
+  public:
+    Player(Widgets& widgets, Layout& layout, Binding& binding)
+        : widgets_(widgets), layout_(layout), binding_(binding) {}
+
+    bool takes(const app::Act& act);
+    void handle(const app::Act& act, bool taken);
+    void frame(const property::Vec2& mouse, const property::Vec2& screen);
+    void lay_out() { layout_.update(screen_); }
+    /// Whether the mouse is over the widget and nothing covers it.
+    bool hovers(const Widget& widget);
+
+  private:
+    // Where things are.
+    property::Vec2 at(const property::Vec2& pixels) const { return pixels / widgets_.scale; }
+    Widget* under(const property::Vec2& point);
+    Widget* list_under(const property::Vec2& point);
+    Widget* above(const Widget& widget);
+    /// The modal widget in front of the others; null if there is none.
+    Widget* modal();
+    bool inside(const Widget& widget, const Widget& top);
+    bool enabled(const Widget& widget);
+    bool can_focus(const Widget& widget);
+    Widget* focused();
+    Widget* listening();
+
+    // The keyboard.
+    void focus(Widget* widget, bool shown);
+    void keep_focus();
+    std::vector<Widget*> reachable();
+    void next(int direction);
+    void towards(const property::Vec2& direction);
+    bool key(const std::string& name, bool repeated);
+    bool key_of(Widget& widget, const std::string& name);
+    void activate(Widget& widget);
+    void cancel();
+
+    // The mouse.
+    void press(const property::Vec2& point);
+    void release(const property::Vec2& point);
+    void drag(Widget& widget, const property::Vec2& point);
+    void scroll(Widget& list, double pixels);
+
+    // Values.
+    void choose_value(Widget& slider, double value);
+    void nudge(Widget& slider, int direction);
+    void switch_over(Widget& toggle);
+    void select(Widget& list, std::int64_t line);
+    void show_line(Widget& list);
+    bool edit(Widget& field, const std::string& key);
+    void type(Widget& field, const std::string& text);
+    void set_text(Widget& field, const std::string& text, std::int64_t caret);
+    void capture(Widget& button, const app::Act& act);
+    void hold(property::Handle widget);
+
+    Widgets& widgets_;
+    Layout& layout_;
+    Binding& binding_;
+    property::Vec2 mouse_{0, 0}, screen_{1280, 720};  // px
+    bool down_ = false;        // the left button of the mouse
+    bool drags_bar_ = false;   // the bar of the list that is held
+    property::Vec2 stick_{0, 0};
+};
+
+}  // namespace fettle::interface

@@ -1,0 +1,228 @@
+#include <binding/binding.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <fettle/property/exception_text.h>
+
+#include <widgets/classes.h>
+
+namespace fettle::interface {
+
+using property::List;
+using property::Place;
+using property::Property;
+using property::Type;
+using property::Value;
+
+namespace {
+
+/// "left_shift" as a person reads it.
+std::string readable(std::string name) {
+    for (char& c : name)
+        if (c == '_') c = ' ';
+    return name;
+}
+
+/// The names of the keys and buttons of an action.
+std::string keys_text(const Value& target) {
+    if (target.is(Type::text)) return readable(target.text());
+    std::string all;
+    if (target.is(Type::list))
+        for (const Value& each : target.list())
+            if (each.is(Type::text)) all += (all.empty() ? "" : ", ") + readable(each.text());
+    return all;
+}
+
+bool is_of_gamepad(const Value& name) {
+    return name.is(Type::text) && name.text().starts_with("gamepad");
+}
+
+std::int64_t index_in(const List& items, const std::string& text) {
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (items[i].is(Type::text) && items[i].text() == text)
+            return static_cast<std::int64_t>(i) + 1;
+    return 0;
+}
+
+}  // namespace
+
+Place Binding::place_of(const Widget& widget) const {
+    Place place = property::resolve(widgets_.tree(), widget.bind);
+    if (place.property == nullptr)
+        throw std::invalid_argument("\"" + widget.bind + "\" is an instance, not a property");
+    return place;
+}
+
+namespace {
+
+Value read(const property::Tree& tree, const Place& place) {
+    const Value whole = tree.get(place.instance, *place.property);
+    return place.part.empty() ? whole : property::part_of(whole, place.part, "bind");
+}
+
+[[noreturn]] void refuse(const property::Tree& tree, const std::string& what, const Value& target) {
+    throw std::invalid_argument("expected " + what + ", and it is " + tree.text(target));
+}
+
+}  // namespace
+
+void Binding::write(const Place& place, const Value& value) {
+    property::Tree& tree = widgets_.tree();
+    if (place.part.empty()) return tree.set(place.instance, *place.property, value);
+    const Value whole = tree.get(place.instance, *place.property);
+    tree.set(place.instance, *place.property,
+             property::with_part(whole, place.part, value, "bind"));
+}
+
+/// The value of the widget for that of the property.
+Value Binding::shown(const Widget& widget, const Value& target) const {
+    const property::Tree& tree = widgets_.tree();
+    switch (widget.kind) {
+        case Kind::slider:
+        case Kind::progress_bar:
+            if (!target.is_numeric()) refuse(tree, "a number", target);
+            return target.as_double();
+        case Kind::toggle:
+            if (!target.is(Type::boolean)) refuse(tree, "true or false", target);
+            return target;
+        case Kind::button:
+            if (!target.is(Type::text) && !target.is(Type::list))
+                refuse(tree, "the keys of an action", target);
+            return keys_text(target);
+        case Kind::list:
+            if (target.is(Type::text)) return index_in(widget.items, target.text());
+            if (!target.is(Type::integer)) refuse(tree, "a text or an integer", target);
+            return target;
+        case Kind::text_field:
+            if (!target.is(Type::text) && !target.is_numeric())
+                refuse(tree, "a text or a number", target);
+            [[fallthrough]];
+        default:
+            return target.is(Type::text) ? target : Value(tree.text(target));
+    }
+}
+
+/// The value of the property for that of the widget.
+Value Binding::wanted(const Widget& widget, const Place& place, const Value& own) const {
+    const Value target = read(widgets_.tree(), place);
+    if (widget.kind == Kind::slider && target.is(Type::integer))
+        return static_cast<std::int64_t>(std::llround(own.as_double()));
+    if (widget.kind == Kind::list && target.is(Type::text)) {
+        const std::int64_t n = own.integer();
+        if (n < 1 || static_cast<std::size_t>(n) > widget.items.size()) return target;
+        return widget.items[static_cast<std::size_t>(n - 1)];
+    }
+    if (widget.kind != Kind::text_field || target.is(Type::text)) return own;
+    const std::string& text = own.text();
+    double number = 0;
+    const auto end = text.data() + text.size();
+    const auto got = std::from_chars(text.data(), end, number);
+    // What is no number yet may become one.
+    if (got.ec != std::errc() || got.ptr != end || !std::isfinite(number)) return target;
+    if (target.is(Type::integer)) return static_cast<std::int64_t>(std::llround(number));
+    return number;
+}
+
+void Binding::tell(Widget& widget, const std::string& why) {
+    if (widget.problem == why) return;
+    widget.problem = why;
+    if (tell_) tell_(widgets_.tree().path(widget.self) + ".bind: " + why);
+}
+
+void Binding::update(Widget& widget) {
+    if (widget.bind.empty() || !*main_property(widget.kind)) return;
+    property::Tree& tree = widgets_.tree();
+    const property::Handle self = widget.self;
+    const char* const name = main_property(widget.kind);
+    try {
+        const Place place = place_of(widget);
+        if (widget.kind == Kind::list && widget.items.empty() &&
+            !place.property->enumerator_values.empty())
+            tree.set(self, "items", Value(List(place.property->enumerator_values)));
+        const Value target = read(tree, place), own = tree.get(self, name);
+        const bool reads_only = widget.kind == Kind::label || widget.kind == Kind::progress_bar ||
+                                widget.kind == Kind::button;
+        // A number in a field that is being typed in stays as it is typed.
+        const bool typing = widget.kind == Kind::text_field && widgets_.board.focus == self;
+        if (!widget.bound_before || !(target == widget.target_before)) {
+            const Value now = shown(widget, target);
+            if (!(now == own) && !(typing && wanted(widget, place, own) == target))
+                tree.set(self, name, now);
+        } else if (!reads_only && !(own == widget.own_before)) {
+            const Value value = wanted(widget, place, own);
+            if (!(value == target)) write(place, value);
+        }
+        widget.target_before = read(tree, place_of(widget));
+        if (!typing && !reads_only) {
+            // The property may have made something else of the value, such as an integer.
+            const Value now = shown(widget, widget.target_before);
+            if (!(now == tree.get(self, name))) tree.set(self, name, now);
+        }
+        widget.own_before = tree.get(self, name);
+        widget.bound_before = true;
+        widget.problem.clear();
+    } catch (const std::exception& error) {
+        widget.bound_before = false;
+        tell(widget, property::exception_text(error));
+    }
+}
+
+void Binding::update_all() {
+    for (Widget& widget : widgets_)
+        if (widget.self && !widget.bind.empty()) update(widget);
+}
+
+property::Range Binding::range(const Widget& widget) const {
+    property::Range range{0, 1};
+    if (!widget.bind.empty() && !(widget.min && widget.max)) {
+        try {
+            const Place place = place_of(widget);
+            const property::Range& own = place.property->range;
+            if (std::isfinite(own.min) && std::isfinite(own.max) && own.min < own.max) range = own;
+        } catch (const std::exception&) {
+            // `update` tells what is wrong.
+        }
+    }
+    range.min = widget.min.value_or(range.min);
+    range.max = std::max(range.min, widget.max.value_or(std::max(range.min, range.max)));
+    return range;
+}
+
+double Binding::step(const Widget& widget) const {
+    if (widget.bind.empty()) return widget.step;
+    try {
+        if (place_of(widget).property->type == Type::integer) return std::max(1.0, widget.step);
+    } catch (const std::exception&) {
+        // `update` tells what is wrong.
+    }
+    return widget.step;
+}
+
+void Binding::choose(Widget& widget, const std::string& name) {
+    try {
+        const Place place = place_of(widget);
+        const Value target = read(widgets_.tree(), place);
+        Value chosen(name);
+        if (target.is(Type::list)) {
+            List keys;
+            bool placed = false;
+            for (const Value& each : target.list()) {
+                const bool replaced =
+                    each.is(Type::text) && is_of_gamepad(each) == is_of_gamepad(chosen);
+                if (replaced && placed) continue;
+                keys.push_back(replaced ? chosen : each);
+                placed = placed || replaced;
+            }
+            if (!placed) keys.push_back(chosen);
+            chosen = Value(std::move(keys));
+        }
+        write(place, chosen);
+    } catch (const std::exception& error) {
+        tell(widget, property::exception_text(error));
+    }
+    update(widget);
+}
+
+}  // namespace fettle::interface

@@ -1,0 +1,42 @@
+#pragma once
+// Widgets that have the value of a property, and properties that have the value of a widget.
+
+#include <functional>
+#include <string>
+
+#include <fettle/property/path.h>
+
+#include <widgets/widgets.h>
+
+namespace fettle::interface {
+
+class Binding {
+  public:
+    explicit Binding(Widgets& widgets) : widgets_(widgets) {}
+    void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+
+    /// The side that has changed since the last call gives the other one its value; if both have,
+    /// the property does.
+    void update(Widget& widget);
+    void update_all();
+    /// The least and the greatest value of a slider or progress bar.
+    property::Range range(const Widget& widget) const;
+    /// The distance between two values that the player can choose; 0: any.
+    double step(const Widget& widget) const;
+    /// A key or button that the player has chosen for the action that the widget is bound to. It
+    /// takes the place of those on the same kind of device.
+    void choose(Widget& widget, const std::string& name);
+
+  private:
+    property::Place place_of(const Widget& widget) const;
+    property::Value shown(const Widget& widget, const property::Value& target) const;
+    property::Value wanted(const Widget& widget, const property::Place& place,
+                           const property::Value& own) const;
+    void write(const property::Place& place, const property::Value& value);
+    void tell(Widget& widget, const std::string& why);
+
+    Widgets& widgets_;
+    std::function<void(const std::string&)> tell_;
+};
+
+}  // namespace fettle::interface

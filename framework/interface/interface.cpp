@@ -1,0 +1,108 @@
+#include <fettle/interface/interface.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include <fettle/property/ended_class.h>
+
+#include <acting/player.h>
+#include <binding/binding.h>
+#include <drawing/picture.h>
+#include <layout/layout.h>
+#include <widgets/widgets.h>
+
+namespace fettle::interface {
+
+using property::Vec2;
+
+struct Interface::State {
+    explicit State(property::Media& media)
+        : layout(widgets, media),
+          binding(widgets),
+          player(widgets, layout, binding),
+          picture(widgets, layout, binding, player) {
+        widgets.answers = {.lay_out = [this] { player.lay_out(); },
+                           .hovered = [this](property::Row row) {
+                               return player.hovers(widgets[row]);
+                           }};
+    }
+    Widgets widgets;
+    Layout layout;
+    Binding binding;
+    Player player;
+    Picture picture;
+    Vec2 screen{1280, 720};
+    property::Tree* tree = nullptr;
+    std::weak_ptr<const property::Tree*> tree_life;
+};
+
+namespace {
+
+std::function<std::string()>& place() {
+    static std::function<std::string()> where = [] { return std::string("interface"); };
+    return where;
+}
+
+}  // namespace
+
+Interface::Interface(property::Media& media) : state_(std::make_unique<State>(media)) {}
+
+// The tree would go on to read instances whose memory has ended.
+Interface::~Interface() {
+    if (state_->tree_life.expired()) return;
+    state_->widgets.answers = {};
+    for (const char* name : {"Widget", "Theme", "Interface"})
+        property::end_class(*state_->tree, state_->tree->class_named(name));
+}
+
+void Interface::attach(property::Tree& tree) {
+    if (state_->tree != nullptr) throw std::logic_error("the interface is attached to a tree already");
+    state_->tree = &tree;
+    state_->widgets.define(tree);
+    state_->tree_life = tree.lifetime();
+}
+
+void Interface::step(double) {}
+
+void Interface::report(property::Tree&) {
+    state_->binding.update_all();
+}
+
+/// Its values are those of the tree.
+std::uint64_t Interface::hash() const {
+    return 0;
+}
+
+void Interface::on_problem(std::function<void(const std::string&)> tell) {
+    state_->binding.on_problem(std::move(tell));
+}
+
+bool Interface::takes(const app::Act& act) const {
+    return !state_->tree_life.expired() && state_->player.takes(act);
+}
+
+void Interface::handle(const app::Act& act, bool taken) {
+    if (state_->tree_life.expired()) return;
+    const property::Tree::CauseScope cause(*state_->tree, property::Writer::module, &place());
+    state_->player.handle(act, taken);
+}
+
+void Interface::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
+    if (state_->tree_life.expired()) return;
+    const property::Tree::CauseScope cause(*state_->tree, property::Writer::module, &place());
+    state_->screen = screen;
+    state_->player.frame(mouse, screen);
+    state_->picture.advance(seconds);
+}
+
+void Interface::draw(property::Painter& painter) {
+    if (state_->tree_life.expired()) return;
+    state_->player.lay_out();
+    state_->picture.draw(painter, state_->screen);
+}
+
+std::uint64_t Interface::layouts() const {
+    return state_->layout.count();
+}
+
+}  // namespace fettle::interface

@@ -1,0 +1,18 @@
+#pragma once
+// What widgets do with length that is left over.
+
+#include <widgets/widget.h>
+
+namespace fettle::interface {
+
+/// `axis`: 0 for the width, 1 for the height.
+inline bool fills(const Widget& widget, int axis) {
+    return widget.fill == "both" || widget.fill == (axis == 0 ? "width" : "height");
+}
+
+/// The share of the length that is left over; 0: none.
+inline double growth(const Widget& widget, int along) {
+    return widget.grow > 0 ? widget.grow : fills(widget, along) ? 1 : 0;
+}
+
+}  // namespace fettle::interface

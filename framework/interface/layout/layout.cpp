@@ -1,0 +1,174 @@
+#include <layout/layout.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace fettle::interface {
+
+using property::Handle;
+using property::Row;
+using property::Vec2;
+
+namespace {
+
+constexpr int deepest = 100;  // widgets in each other; those below are not shown
+
+/// `z` of the instance and of all above it.
+double height_of(const property::Tree& tree, Handle instance) {
+    static const property::Symbol name("z");
+    double z = 0;
+    for (; instance; instance = tree.parent(instance))
+        if (const property::Property* of = tree.find(instance, name))
+            if (const property::Value value = tree.peek(instance, *of); value.is_numeric())
+                z += value.as_double();
+    return z;
+}
+
+}  // namespace
+
+void Layout::update(const Vec2& screen) {
+    const double scale = widgets_.board.scale > 0 ? widgets_.board.scale
+                                                  : std::clamp(screen.y() / 720, 0.5, 8.0);
+    if (screen != screen_ || scale != scale_) widgets_.stale = true;
+    if (!widgets_.stale) return sort_tops();
+    widgets_.stale = false;
+    screen_ = screen;
+    scale_ = widgets_.scale = scale;
+    ++count_;
+    collect();
+    const Box all{{0, 0}, screen_ / scale_};
+    for (const Row top : tops_) {
+        measure(top, all.width());
+        Widget screen_panel;
+        screen_panel.children = {top};
+        arrange_panel(screen_panel, all, all);
+    }
+    order_.clear();
+    sort_tops();
+}
+
+// --- Which widgets there are
+
+void Layout::collect() {
+    const property::Tree& tree = widgets_.tree();
+    tops_.clear();
+    for (Widget& widget : widgets_) {
+        widget.children.clear();
+        widget.shown = false;
+        widget.look_of = &widgets_.themes.plain;
+    }
+    const Handle fallback = tree.alive(widgets_.service())
+                                ? tree.child(widgets_.service(), "theme")
+                                : Handle{};
+    const Theme& common = fallback && tree.class_of(fallback).is_a(widgets_.themes.of())
+                              ? widgets_.themes[tree.row(fallback)]
+                              : widgets_.themes.plain;
+    for (Widget& widget : widgets_) {
+        if (!widget.self || widgets_.is_widget(tree.parent(widget.self))) continue;
+        Handle above = widget.self;
+        while (tree.parent(above)) above = tree.parent(above);
+        const Row row = tree.row(widget.self);
+        const bool placed = above == tree.root();
+        collect_below(row, Widget::none, theme_of(widget, common), placed && widget.visible, 0);
+        if (placed) tops_.push_back(row);
+    }
+    if (tops_.size() < 2) return;
+    // Rows are used again, so their order is not that of the tree.
+    if (std::exchange(widgets_.moved, false)) {
+        places_.clear();
+        std::size_t n = 0;
+        tree.each_below(tree.root(), [&](Handle each) {
+            if (widgets_.is_widget(each)) places_[tree.row(each)] = n++;
+        });
+    }
+    std::sort(tops_.begin(), tops_.end(),
+              [this](Row a, Row b) { return places_[a] < places_[b]; });
+}
+
+void Layout::collect_below(Row row, Row parent, const Theme& theme, bool shown, int depth) {
+    Widget& widget = widgets_[row];
+    widget.parent = parent;
+    widget.look_of = &theme;
+    widget.shown = shown && depth < deepest;
+    const property::Tree& tree = widgets_.tree();
+    for (Handle child = tree.first_child(widget.self); child; child = tree.next_sibling(child)) {
+        if (!widgets_.is_widget(child)) continue;
+        const Row below = tree.row(child);
+        Widget& one = widgets_[below];
+        if (is_container(widget.kind) && widget.shown && one.visible && depth + 1 < deepest)
+            widget.children.push_back(below);
+        if (depth < 2 * deepest)
+            collect_below(below, row, theme_of(one, theme),
+                          widget.shown && one.visible && is_container(widget.kind), depth + 1);
+    }
+}
+
+const Theme& Layout::theme_of(const Widget& widget, const Theme& above) {
+    const property::Tree& tree = widgets_.tree();
+    if (!widget.theme || !tree.alive(widget.theme) ||
+        !tree.class_of(widget.theme).is_a(widgets_.themes.of()))
+        return above;
+    return widgets_.themes[tree.row(widget.theme)];
+}
+
+/// Later ones are drawn over earlier ones, unless their `z` says otherwise.
+void Layout::sort_tops() {
+    std::vector<double> order;
+    for (const Row top : tops_) order.push_back(height_of(widgets_.tree(), widgets_[top].self));
+    if (order == order_) return;
+    std::vector<std::size_t> by(tops_.size());
+    std::iota(by.begin(), by.end(), 0);
+    std::stable_sort(by.begin(), by.end(),
+                     [&](std::size_t a, std::size_t b) { return order[a] < order[b]; });
+    const std::vector<Row> before = tops_;
+    order_.clear();
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        tops_[i] = before[by[i]];
+        order_.push_back(order[by[i]]);
+    }
+    shown_.clear();
+    const auto add = [this](const auto& self, Row row) -> void {
+        if (!widgets_[row].shown) return;
+        shown_.push_back(row);
+        for (const Row child : widgets_[row].children) self(self, child);
+    };
+    for (const Row top : tops_) add(add, top);
+}
+
+// --- Lengths
+
+double Layout::padding_of(const Widget& widget) {
+    if (widget.padding) return *widget.padding;
+    return widget.kind == Kind::panel ? widget.look_of->padding : widget.kind == Kind::list ? 5 : 0;
+}
+
+double Layout::spacing_of(const Widget& widget) {
+    return widget.spacing.value_or(widget.kind == Kind::list && !widget.items.empty()
+                                       ? 2
+                                       : widget.look_of->spacing);
+}
+
+double Layout::line_of(const Widget& list) {
+    return std::round(Lettering::of(list).line_height() + 10);
+}
+
+Box Layout::inside(const Widget& list) {
+    return list.box.smaller(padding_of(list));
+}
+
+double Layout::scrolled(const Widget& list) {
+    return std::clamp(list.scroll, 0.0, std::max(0.0, list.content - inside(list).height()));
+}
+
+/// Edges lie on whole pixels of the screen, so that they are sharp.
+Box Layout::snapped(const Box& box) const {
+    const auto whole = [this](const Vec2& p) {
+        return Vec2(std::round(p.x() * scale_) / scale_, std::round(p.y() * scale_) / scale_);
+    };
+    const Vec2 lower = whole(box.lower);
+    return {lower, lower.cwiseMax(whole(box.upper))};
+}
+
+}  // namespace fettle::interface

@@ -1,0 +1,131 @@
+// How large a widget is if nothing else decides it.
+
+#include <algorithm>
+#include <cmath>
+
+#include <layout/growing.h>
+#include <layout/layout.h>
+
+namespace fettle::interface {
+
+using property::Row;
+using property::Vec2;
+
+/// `width`: what is there for it.
+Vec2 Layout::measure(Row row, double width) {
+    Widget& widget = widgets_[row];
+    if (widget.size.x() > 0) width = widget.size.x();
+    Vec2 wanted = natural(widget, width);
+    for (const int axis : {0, 1})
+        if (widget.size[axis] > 0) wanted[axis] = widget.size[axis];
+    widget.wanted = wanted.cwiseMax(widget.min_size);
+    return widget.wanted;
+}
+
+Vec2 Layout::natural(Widget& widget, double width) {
+    const Lettering lettering = Lettering::of(widget);
+    const double control = std::round(lettering.line_height() + 2 * measure::button_y);
+    switch (widget.kind) {
+        case Kind::panel:
+            return natural_panel(widget, width);
+        case Kind::row:
+            return natural_line(widget, width, 0);
+        case Kind::column:
+            return natural_line(widget, width, 1);
+        case Kind::list:
+            return natural_list(widget, width);
+        case Kind::button: {
+            const double text = std::ceil(lettering.width(
+                media_, widget.listening ? widget.prompt : widget.text));
+            const double icon = widget.image.empty() ? 0 : control - 2 * measure::button_y;
+            const double gap = icon > 0 && text > 0 ? 8 : 0;
+            return {text + icon + gap + 2 * measure::button_x, control};
+        }
+        case Kind::label:
+            return natural_text(widget, width);
+        case Kind::image: {
+            if (widget.image.empty()) return {0, 0};
+            const property::Picture& picture = media_.picture("Image.image", widget.image);
+            return {static_cast<double>(picture.width()), static_cast<double>(picture.height())};
+        }
+        case Kind::slider:
+            return {measure::control_width, std::max(control, 2 * measure::knob + 4)};
+        case Kind::toggle: {
+            const double text = std::ceil(lettering.width(media_, widget.text));
+            return {measure::switch_width + (text > 0 ? text + 12 : 0), control};
+        }
+        case Kind::text_field:
+            return {measure::control_width, control};
+        case Kind::progress_bar:
+            return {measure::control_width,
+                    widget.text.empty() ? measure::bar : lettering.line_height() + 4};
+    }
+    return {0, 0};
+}
+
+Vec2 Layout::natural_panel(Widget& widget, double width) {
+    const double padding = padding_of(widget);
+    Vec2 most(0, 0);
+    for (const Row child : widget.children)
+        most = most.cwiseMax(measure(child, width - 2 * padding));
+    return most + 2 * Vec2(padding, padding);
+}
+
+/// `along`: 0 for a row, 1 for a column.
+Vec2 Layout::natural_line(Widget& widget, double width, int along) {
+    const double padding = padding_of(widget), spacing = spacing_of(widget);
+    double left = width - 2 * padding;  // of the width, for a row
+    const auto count = static_cast<double>(widget.children.size());
+    if (along == 0 && count > 0) left -= spacing * (count - 1);
+    Vec2 wanted(0, 0);
+    const auto add = [&](Row child, double given) {
+        const Vec2 one = measure(child, given);
+        wanted[along] += one[along];
+        wanted[1 - along] = std::max(wanted[1 - along], one[1 - along]);
+        if (along == 0) left = std::max(0.0, left - one.x());
+    };
+    // In a row, those that grow get what the others leave.
+    double shares = 0;
+    for (const Row child : widget.children) {
+        const double grow = growth(widgets_[child], along);
+        shares += grow;
+        if (grow == 0 || along == 1) add(child, left);
+    }
+    const double rest = left;
+    if (along == 0)
+        for (const Row child : widget.children)
+            if (const double grow = growth(widgets_[child], along); grow > 0)
+                add(child, rest * grow / shares);
+    if (count > 0) wanted[along] += spacing * (count - 1);
+    return wanted + 2 * Vec2(padding, padding);
+}
+
+Vec2 Layout::natural_list(Widget& widget, double width) {
+    const double padding = padding_of(widget), spacing = spacing_of(widget);
+    double height = 0, widest = measure::control_width;
+    if (!widget.items.empty()) {
+        const auto count = static_cast<double>(widget.items.size());
+        height = count * line_of(widget) + (count - 1) * spacing;
+    } else {
+        for (const Row child : widget.children) {
+            const Vec2 one = measure(child, width - 2 * padding - measure::scroll_bar);
+            height += one.y() + (height > 0 ? spacing : 0);
+            widest = std::max(widest, one.x() + 2 * padding + measure::scroll_bar);
+        }
+    }
+    widget.content = height;
+    return {std::min(widest, std::max(width, measure::control_width)),
+            std::min(height + 2 * padding, measure::list_height)};
+}
+
+Vec2 Layout::natural_text(Widget& widget, double width) {
+    const Lettering lettering = Lettering::of(widget);
+    const auto lines =
+        fitted(media_, lettering, widget.text, width, widget.overflow == "wrap");
+    double widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, lettering.width(media_, line));
+    return {std::ceil(widest),
+            std::ceil(lettering.line_height() * static_cast<double>(std::max<std::size_t>(1, lines.size())))};
+}
+
+}  // namespace fettle::interface

@@ -1,0 +1,101 @@
+#pragma once
+// The values of one widget.
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+#include <themes/themes.h>
+
+namespace fettle::interface {
+
+enum class Kind : std::uint8_t {
+    panel,
+    row,
+    column,
+    list,
+    button,
+    label,
+    image,
+    slider,
+    toggle,
+    text_field,
+    progress_bar
+};
+
+/// On the screen, y down: `lower` is the top left corner.
+struct Box {
+    property::Vec2 lower{0, 0}, upper{0, 0};
+    property::Vec2 size() const { return upper - lower; }
+    double width() const { return upper.x() - lower.x(); }
+    double height() const { return upper.y() - lower.y(); }
+    property::Vec2 center() const { return 0.5 * (lower + upper); }
+    bool contains(const property::Vec2& p) const {
+        return p.x() >= lower.x() && p.x() < upper.x() && p.y() >= lower.y() && p.y() < upper.y();
+    }
+    Box smaller(double by) const {
+        return {lower + property::Vec2(by, by), upper - property::Vec2(by, by)};
+    }
+    Box within(const Box& other) const {
+        return {lower.cwiseMax(other.lower), upper.cwiseMin(other.upper)};
+    }
+};
+
+struct Widget {
+    property::Handle self{};
+    Kind kind = Kind::panel;
+
+    // --- Properties
+    std::string anchor = "top_left", fill = "none";
+    property::Vec2 offset{0, 0}, size{0, 0}, min_size{0, 0};
+    double grow = 0, opacity = 1;
+    bool visible = true, disabled = false, focusable = true, modal = false;
+    property::Handle theme{};
+    std::optional<double> padding, spacing, radius, font_size;
+    std::optional<property::Color> color, text_color;
+    std::string align = "stretch", justify = "start", text_align = "left", overflow = "cut";
+    std::string look = "normal", font, text, image, bind, placeholder, prompt = "press a key";
+    property::Color tint{1, 1, 1, 1};
+    double value = 0, step = 0, scroll = 0;
+    std::optional<double> min, max;
+    bool on = false, listening = false;
+    std::int64_t caret = 0, max_length = 0, selected = 0;
+    property::List items{};
+    property::Handle last_focus{};
+
+    // --- Computed by the layout
+    std::vector<property::Row> children{};
+    property::Row parent = none;
+    const Theme* look_of = nullptr;  // its theme
+    property::Vec2 wanted{0, 0};     // size
+    Box box{}, clip{};
+    std::vector<std::string> lines{};  // of its text
+    double content = 0;                // height of what a list shows
+    bool shown = false;                // visible, with all above it
+
+    // --- Of the picture only
+    double hover = 0, press = 0, ring = 0, switched = -1;  // 0 to 1; below 0: not known yet
+    double view_left = 0;                                  // px, what a text field has scrolled
+
+    // --- Of the bound property
+    property::Value own_before{}, target_before{};
+    bool bound_before = false;
+    std::string problem{};  // the last one that was told
+
+    static constexpr property::Row none = std::numeric_limits<property::Row>::max();
+};
+
+inline bool is_container(Kind kind) {
+    return kind <= Kind::list;
+}
+inline bool is_active(Kind kind) {
+    return kind == Kind::button || kind == Kind::slider || kind == Kind::toggle ||
+           kind == Kind::text_field || kind == Kind::list;
+}
+
+}  // namespace fettle::interface

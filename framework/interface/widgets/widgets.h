@@ -1,0 +1,64 @@
+#pragma once
+// The classes of widgets, and the instance `interface`.
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <themes/themes.h>
+#include <widgets/widget.h>
+
+namespace fettle::interface {
+
+/// The values of the instance `interface`.
+struct Board {
+    double scale = 0;
+    property::Handle focus{}, held{};
+    bool focus_shown = true;
+};
+
+class Widgets {
+  public:
+    using Element = Widget;
+    /// Needs of the parts above it, for properties and methods.
+    struct Answers {
+        std::function<void()> lay_out;  // if it is necessary
+        std::function<bool(property::Row)> hovered;
+    };
+
+    void define(property::Tree& tree);
+    property::Tree& tree() const { return *tree_; }
+
+    Widget& operator[](property::Row row) { return rows_[row]; }
+    const Widget& operator[](property::Row row) const { return rows_[row]; }
+    auto begin() { return rows_.begin(); }
+    auto end() { return rows_.end(); }
+    bool is_widget(property::Handle instance) const;
+    /// The widget of that handle; null if there is none.
+    Widget* find(property::Handle instance);
+    void changed(property::Row) { stale = true; }
+    /// Writes a property as the player's input does.
+    void set(property::Handle widget, const char* name, const property::Value& value);
+    void emit(const Widget& widget, const char* event, std::vector<property::Value> values = {});
+
+    property::Handle service() const { return service_; }
+    const property::Class& base() const { return *base_; }
+
+    Themes themes;
+    Board board;
+    bool stale = true;  // the layout
+    bool moved = true;  // widgets were created, moved or deleted since the layout noted their order
+    double scale = 1;   // px of the screen for one of the layout
+    Answers answers;
+
+  private:
+    property::ClassDescriptor base_descriptor();
+    void define_service();
+
+    property::Tree* tree_ = nullptr;
+    const property::Class* base_ = nullptr;
+    property::Handle service_{};
+    Rows<Widget> rows_;
+};
+
+}  // namespace fettle::interface
