@@ -46,6 +46,10 @@ class Arguments {
             fettle_world_destroy(place);
             place = new_world_;
         }
+        bool locked;
+        for (int i = 0; i < 3; ++i)
+            if (fettle_world_locked(worlds_[i], &locked) == FETTLE_STALE)
+                fettle_world_create(nullptr, &worlds_[i]);  // it was destroyed by the call
         remember_ids();
     }
 

@@ -14,20 +14,23 @@
 
 #pragma once
 
+/* In the order of the declarations. */
+/* clang-format off */
 #include <fettle/physics_c/basics.h>
-#include <fettle/physics_c/body.h>
-#include <fettle/physics_c/callbacks.h>
-#include <fettle/physics_c/columns.h>
-#include <fettle/physics_c/contact.h>
-#include <fettle/physics_c/coupling_joints.h>
 #include <fettle/physics_c/definitions.h>
-#include <fettle/physics_c/drawing.h>
-#include <fettle/physics_c/events.h>
-#include <fettle/physics_c/field.h>
-#include <fettle/physics_c/holding_joints.h>
-#include <fettle/physics_c/joint.h>
-#include <fettle/physics_c/query.h>
-#include <fettle/physics_c/shape.h>
-#include <fettle/physics_c/sliding_joints.h>
+#include <fettle/physics_c/contact.h>
 #include <fettle/physics_c/world.h>
 #include <fettle/physics_c/world_settings.h>
+#include <fettle/physics_c/body.h>
+#include <fettle/physics_c/shape.h>
+#include <fettle/physics_c/joint.h>
+#include <fettle/physics_c/holding_joints.h>
+#include <fettle/physics_c/sliding_joints.h>
+#include <fettle/physics_c/coupling_joints.h>
+#include <fettle/physics_c/field.h>
+#include <fettle/physics_c/events.h>
+#include <fettle/physics_c/callbacks.h>
+#include <fettle/physics_c/query.h>
+#include <fettle/physics_c/columns.h>
+#include <fettle/physics_c/drawing.h>
+/* clang-format on */

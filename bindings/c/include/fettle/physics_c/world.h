@@ -132,7 +132,7 @@ fettle_code fettle_world_hash(const fettle_world* world, uint64_t* hash);
 
 /* --- measuring and checking --- */
 
-/** Statistics of the last step. Times are in ms. */
+/** What a step did. Times are in ms. */
 typedef struct fettle_statistics {
     uint64_t steps; /* since the world was created */
     uint32_t bodies;
@@ -156,6 +156,7 @@ typedef struct fettle_statistics {
     float total_ms;
 } fettle_statistics;
 
+/** Statistics of the last step. */
 fettle_code fettle_world_statistics(const fettle_world* world, fettle_statistics* statistics);
 
 /** Heap memory of a world for one purpose. */
