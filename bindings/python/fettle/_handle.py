@@ -1,0 +1,52 @@
+"""What bodies, shapes, joints and fields have in common."""
+
+from ._call import Invalid
+
+slot_mask = (1 << 28) - 1
+
+
+class Handle:
+    """Names an object of a world. It may outlive the object; then its methods raise `Stale`."""
+
+    __slots__ = ("world", "id")
+
+    def __init__(self, world, id):
+        self.world = world
+        self.id = id
+
+    @property
+    def _pointer(self):
+        return self.world._pointer
+
+    @property
+    def slot(self):
+        """Index of the object in the arrays of its world."""
+        return self.id & slot_mask
+
+    def __eq__(self, other):
+        return isinstance(other, Handle) and self.id == other.id and self.world is other.world
+
+    def __hash__(self):
+        return hash(self.id)
+
+    def __repr__(self):
+        return f"<{type(self).__name__} {self.slot}{'' if self.is_valid else ', destroyed'}>"
+
+    def _set_all(self, values):
+        """Sets properties by name."""
+        for name, value in values.items():
+            known = getattr(type(self), name, None)
+            if not isinstance(known, property) or known.fset is None:
+                settable = sorted(n for n in dir(type(self))
+                                  if isinstance(p := getattr(type(self), n), property) and p.fset)
+                raise Invalid(f"{type(self).__name__} has no property {name} to set; there are {', '.join(settable)}")
+            setattr(self, name, value)
+
+
+def id_of(thing, kind):
+    """Id of an object of a kind; None stands for 0."""
+    if thing is None:
+        return 0
+    if not isinstance(thing, kind):
+        raise Invalid(f"expected a {kind.__name__}, got {thing!r}")
+    return thing.id

@@ -1,0 +1,75 @@
+"""Properties of Python from the getters and setters of the interface in C."""
+
+from ._call import Invalid, check, ffi, lib
+from ._values import Pose, aabb, pair, vec2
+
+_convert = {
+    "float": None,
+    "_Bool": None,
+    "int32_t": None,
+    "uint32_t": None,
+    "uint64_t": None,
+    "struct fettle_vec2": vec2,
+    "struct fettle_aabb": aabb,
+    "struct fettle_pose": lambda pose: Pose(vec2(pose.position), pose.angle),
+}
+_whole = {"int32_t": (-(1 << 31), (1 << 31) - 1), "uint32_t": (0, (1 << 32) - 1), "uint64_t": (0, (1 << 64) - 1)}
+
+
+def to_number(ctype, value, name):
+    """A value for an argument in C, or an error that names it."""
+    try:
+        if ctype == "_Bool":
+            return bool(value)
+        if ctype == "float":
+            return float(value)
+        low, high = _whole[ctype]
+        if low <= int(value) <= high:
+            return int(value)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise Invalid(f"{name} = {value!r}: expected a number that fits {ctype.strip('_')}")
+
+
+def _getter(function, out, has_id):
+    convert = _convert[out]
+
+    def get(self):
+        result = ffi.new(out + "*")
+        check(function(self._pointer, self.id, result) if has_id else function(self._pointer, result))
+        return convert(result[0]) if convert else result[0]
+
+    return get
+
+
+def _setter(function, types, has_id, name):
+    def set(self, value):
+        values = pair(value, name) if len(types) == 2 else (to_number(types[0], value, name),)
+        check(function(self._pointer, self.id, *values) if has_id else function(self._pointer, *values))
+
+    return set
+
+
+def bind(prefix, has_id=True):
+    """A decorator: gives a class a property for each function `fettle_PREFIX_NAME` in C that has nothing but a plain result,
+    and lets it be set where there is `fettle_PREFIX_set_NAME`. What the class has already stays."""
+    begin, first = f"fettle_{prefix}_", 2 if has_id else 1
+
+    def decorate(cls):
+        functions = {name: getattr(lib, name) for name in dir(lib) if name.startswith(begin)}
+        for full, function in functions.items():
+            name, types = full[len(begin):], ffi.typeof(function).args
+            if name in cls.__dict__ or name.startswith("set_") or len(types) != first + 1:
+                continue
+            out = types[first]
+            if out.kind != "pointer" or out.item.cname not in _convert or has_id and types[1].cname != "uint64_t":
+                continue
+            setter = None
+            if (set_name := begin + "set_" + name) in functions:
+                values = [value.cname for value in ffi.typeof(functions[set_name]).args[first:]]
+                if all(value in _convert for value in values):
+                    setter = _setter(functions[set_name], values, has_id, name)
+            setattr(cls, name, property(_getter(function, out.item.cname, has_id), setter))
+        return cls
+
+    return decorate

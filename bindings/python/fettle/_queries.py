@@ -1,0 +1,121 @@
+"""Questions about what is where."""
+
+from typing import NamedTuple
+
+from . import geometry as geometries
+from ._call import Invalid, check, definition, ffi, lib, list_of
+from ._callbacks import accept as accept_callback
+from ._properties import to_number
+from ._values import Vec2, pair, to_aabb, vec2
+from .shape import Shape
+
+
+class RayHit(NamedTuple):
+    shape: Shape
+    point: Vec2
+    normal: Vec2
+    fraction: float  # 0 at the start, 1 at the end
+
+
+class PointHit(NamedTuple):
+    shape: Shape
+    point: Vec2
+    normal: Vec2
+    distance: float
+
+
+class Queries:
+    """Part of `World`. `only` of each question: `category`, `mask`, `group` (numbers), `sensors` (whether to find them) and
+    `accept`, a function that gets a shape and says whether it is found."""
+
+    __slots__ = ()
+
+    def _filter(self, only):
+        made = definition("fettle_query_filter")
+        kept = None
+        for name, value in only.items():
+            if name == "accept":
+                made.accept = kept = accept_callback(self, value)
+            elif name in ("category", "mask", "group", "sensors"):
+                ctype = {"group": "int32_t", "sensors": "_Bool"}.get(name, "uint64_t")
+                setattr(made, name, to_number(ctype, value, name))
+            else:
+                raise Invalid(f"a query has no {name}; there are accept, category, group, mask, sensors")
+        return made, kept
+
+    def _shapes(self, call):
+        return [Shape(self, i) for i in list_of("fettle_id", call)]
+
+    def _hit(self, found, hit):
+        if not found[0]:
+            return None
+        return RayHit(Shape(self, hit.shape), vec2(hit.point), vec2(hit.normal), hit.fraction)
+
+    @staticmethod
+    def _pose(pose):
+        if pose is None:
+            return ffi.NULL
+        position, angle = pose
+        made = ffi.new("fettle_pose*")
+        made.position.x, made.position.y = pair(position, "position")
+        made.angle = to_number("float", angle, "angle")
+        return made
+
+    def query_point(self, point, **only):
+        """Shapes that contain a point."""
+        at, (given, kept) = pair(point, "point"), self._filter(only)
+        return self._shapes(lambda *a: lib.fettle_world_query_point(self._pointer, *at, given, *a))
+
+    def query_aabb(self, box, **only):
+        """Shapes that overlap a box: ((left, bottom), (right, top))."""
+        within, (given, kept) = to_aabb(box, "box"), self._filter(only)
+        return self._shapes(lambda *a: lib.fettle_world_query_aabb(self._pointer, within, given, *a))
+
+    def query_overlap(self, shape, pose=None, **only):
+        """Shapes that overlap a shape, or a geometry at a pose: (position, angle)."""
+        given, kept = self._filter(only)
+        if isinstance(shape, Shape):
+            return self._shapes(lambda *a: lib.fettle_world_query_overlap(self._pointer, shape._pointer, shape.id, given, *a))
+        geometry, points = geometries.to_c(shape)
+        at = self._pose(pose)
+        return self._shapes(lambda *a: lib.fettle_world_query_overlap_geometry(self._pointer, geometry, at, given, *a))
+
+    def cast_ray(self, start, end, **only):
+        """The first hit on a ray, or None."""
+        given, kept = self._filter(only)
+        found, hit = ffi.new("bool*"), ffi.new("fettle_ray_hit*")
+        check(lib.fettle_world_cast_ray(self._pointer, *pair(start, "start"), *pair(end, "end"), given, found, hit))
+        return self._hit(found, hit)
+
+    def cast_ray_all(self, start, end, **only):
+        """All hits on a ray, nearest first."""
+        given, kept = self._filter(only)
+        ray = *pair(start, "start"), *pair(end, "end")
+        hits = list_of("fettle_ray_hit", lambda *a: lib.fettle_world_cast_ray_all(self._pointer, *ray, given, *a))
+        return [RayHit(Shape(self, h.shape), vec2(h.point), vec2(h.normal), h.fraction) for h in hits]
+
+    def cast_shape(self, shape, motion, pose=None, **only):
+        """The first hit of a shape, or of a geometry at a pose, along a motion, or None."""
+        given, kept = self._filter(only)
+        found, hit = ffi.new("bool*"), ffi.new("fettle_ray_hit*")
+        way = pair(motion, "motion")
+        if isinstance(shape, Shape):
+            check(lib.fettle_world_cast_shape(self._pointer, shape._pointer, shape.id, *way, given, found, hit))
+        else:
+            geometry, points = geometries.to_c(shape)
+            check(lib.fettle_world_cast_geometry(self._pointer, geometry, self._pose(pose), *way, given, found, hit))
+        return self._hit(found, hit)
+
+    def closest(self, point, reach=float("inf"), **only):
+        """The shape nearest to a point, at most `reach` metres away, or None."""
+        given, kept = self._filter(only)
+        found, hit = ffi.new("bool*"), ffi.new("fettle_point_hit*")
+        check(lib.fettle_world_closest(self._pointer, *pair(point, "point"), to_number("float", reach, "reach"), given, found,
+                                       hit))
+        return PointHit(Shape(self, hit.shape), vec2(hit.point), vec2(hit.normal), hit.distance) if found[0] else None
+
+    def explode(self, point, radius, impulse, **only):
+        """Pushes dynamic bodies away from a point: with `impulse` (N s) there, falling to 0 at `radius` (m)."""
+        given, kept = self._filter(only)
+        check(lib.fettle_world_explode(self._pointer, *pair(point, "point"), to_number("float", radius, "radius"),
+                                       to_number("float", impulse, "impulse"), given))

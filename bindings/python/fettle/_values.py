@@ -1,0 +1,81 @@
+"""Values of the library as values of Python, and the other way round."""
+
+from typing import NamedTuple
+
+from ._call import Invalid, ffi
+
+
+class Vec2(NamedTuple):
+    x: float
+    y: float
+
+
+class Aabb(NamedTuple):
+    """Axis-aligned box, from its lower left to its upper right corner."""
+    min: Vec2
+    max: Vec2
+
+
+class Pose(NamedTuple):
+    position: Vec2
+    angle: float
+
+
+def names_of(enum, prefix):
+    """Names of enumerators by number: FETTLE_BODY_STATIC is "static"."""
+    return {n: name[len(prefix):].lower() for n, name in sorted(ffi.typeof("enum " + enum).elements.items())}
+
+
+body_types = names_of("fettle_body_type", "FETTLE_BODY_")
+shape_types = names_of("fettle_shape_type", "FETTLE_SHAPE_")
+joint_types = names_of("fettle_joint_type", "FETTLE_JOINT_")
+mix_rules = names_of("fettle_mix_rule", "FETTLE_MIX_")
+solvers = names_of("fettle_solver", "FETTLE_SOLVER_")
+
+
+def number_of(names, text, what):
+    """The number of a name."""
+    for number, name in names.items():
+        if name == text:
+            return number
+    raise Invalid(f"{what} = {text!r}: expected one of {', '.join(names.values())}")
+
+
+def pair(value, what="a vector"):
+    """Two numbers of anything with two of them."""
+    try:
+        x, y = value
+        return float(x), float(y)
+    except (TypeError, ValueError):
+        raise Invalid(f"{what}: expected two numbers, got {value!r}") from None
+
+
+def vec2(v):
+    return Vec2(v.x, v.y)
+
+
+def aabb(box):
+    return Aabb(vec2(box.min), vec2(box.max))
+
+
+def to_aabb(box, what):
+    low, high = box
+    made = ffi.new("fettle_aabb*")
+    (made.min.x, made.min.y), (made.max.x, made.max.y) = pair(low, what), pair(high, what)
+    return made
+
+
+def points(values, what="points"):
+    """An array in C, and its length."""
+    try:
+        import numpy
+        array = numpy.ascontiguousarray(values, dtype=numpy.float32)
+    except (TypeError, ValueError):
+        raise Invalid(f"{what}: expected pairs of numbers, got {values!r}") from None
+    if array.size == 0:
+        return ffi.NULL, 0
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise Invalid(f"{what}: expected pairs of numbers, got an array of shape {array.shape}")
+    made = ffi.new("fettle_vec2[]", len(array))
+    ffi.memmove(made, array, array.nbytes)
+    return made, len(array)

@@ -1,0 +1,81 @@
+"""Many copies of one world, for learning."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy
+
+from ._call import Invalid, check, ffi, lib
+from .body import Body
+from .world import World
+
+
+class VectorWorld:
+    """`count` copies of one world. `build(world)` fills the world once and returns the bodies that are observed and pushed.
+
+        def build(world):
+            cart = world.body(position=(0, 1))
+            cart.add(fettle.Box(1, 0.5))
+            return [cart]
+
+        env = fettle.VectorWorld(build, count=256)
+        observation = env.reset()                       # (256, 1, 8)
+        observation = env.step(numpy.zeros((256, 1, 2)))  # forces, N
+
+    An observation has for each copy and each body x, y, angle, angular velocity, velocity x and y, cosine and sine of the angle.
+    It is the same array each time. `threads` share the copies; they change no result.
+    """
+
+    def __init__(self, build, count=256, dt=1 / 60, threads=1, **settings):
+        if count < 1 or threads < 1:
+            raise Invalid(f"count = {count}, threads = {threads}: expected at least 1")
+        self.template = World(**settings)
+        self.bodies = list(build(self.template))
+        if not all(isinstance(body, Body) and body.world is self.template for body in self.bodies):
+            raise Invalid("build: expected a function that returns bodies of the world that it gets")
+        self.dt = dt
+        self.worlds = [self.template.clone() for _ in range(count)]
+        self.observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)
+        self._forces = numpy.zeros((count, len(self.bodies), 2), dtype=numpy.float32)
+        self._worlds = ffi.new("fettle_world*[]", [world._pointer for world in self.worlds])
+        self._ids = ffi.new("fettle_id[]", [body.id for body in self.bodies] * count)
+        self._parts = self._divide(count, threads)
+        self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+
+    @staticmethod
+    def _divide(count, threads):
+        bounds = [count * i // threads for i in range(threads + 1)]
+        return list(zip(bounds, bounds[1:]))
+
+    def _observe(self):
+        states = ffi.cast("fettle_body_state*", self.observation.ctypes.data)
+        check(lib.fettle_worlds_read_states(self._worlds, len(self.worlds), self._ids, len(self.bodies), states))
+        return self.observation
+
+    def reset(self, which=None):
+        """Brings all copies, or those whose numbers or flags `which` has, back to the begin."""
+        chosen = numpy.arange(len(self.worlds))
+        if which is not None:
+            chosen = chosen[numpy.asarray(which)]
+        for i in chosen:
+            check(lib.fettle_world_assign(self.worlds[i]._pointer, self.template._pointer))
+        return self._observe()
+
+    def step(self, forces=None, steps=1):
+        """Makes `steps` steps, each with these forces (N): an array for (copies, bodies, 2). Returns the observation."""
+        if forces is not None:
+            self._forces[...] = forces
+        if self._pool is None:
+            self._step_part((0, len(self.worlds)), forces is not None, steps)
+        else:
+            list(self._pool.map(lambda part: self._step_part(part, forces is not None, steps), self._parts))
+        return self._observe()
+
+    def _step_part(self, part, pushed, steps):
+        begin, end = part
+        worlds, count, bodies = self._worlds + begin, end - begin, len(self.bodies)
+        ids = self._ids + begin * bodies
+        forces = ffi.cast("fettle_vec2*", self._forces.ctypes.data) + begin * bodies
+        for _ in range(steps):
+            if pushed:
+                check(lib.fettle_worlds_apply_forces(worlds, count, ids, bodies, forces))
+            check(lib.fettle_worlds_step(worlds, count, self.dt))

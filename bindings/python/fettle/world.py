@@ -1,0 +1,265 @@
+"""Worlds."""
+
+from . import fields, geometry as geometries, joints
+from ._call import Invalid, Locked, check, definition, ffi, lib, list_of
+from ._callbacks import contact_callback, pair_filter
+from ._columns import Columns
+from ._events import events_of
+from ._handle import id_of
+from ._properties import bind, to_number
+from ._queries import Queries
+from ._values import aabb, joint_types, mix_rules, number_of, pair, solvers, to_aabb
+from .body import Body
+from .shape import Shape, contact_of
+
+
+def _named(name, names):
+    get, put = getattr(lib, f"fettle_world_{name}"), getattr(lib, f"fettle_world_set_{name}")
+
+    def read(self):
+        number = ffi.new("int32_t*")
+        check(get(self._pointer, number))
+        return names[number[0]]
+
+    def write(self, text):
+        check(put(self._pointer, number_of(names, text, name)))
+
+    return property(read, write, doc=f"One of {', '.join(names.values())}.")
+
+
+@bind("world", has_id=False)
+class World(Queries):
+    """A world of rigid bodies. Its settings are properties with the names of fettle/physics_c/world_settings.h, and may be
+    given at creation: `World(gravity=(0, 0), substeps=8)`. `room`: number of bodies for which there is room, so that arrays of
+    it stay valid while they are created. A world belongs to one thread at a time."""
+
+    def __init__(self, room=0, **settings):
+        self._pointer = ffi.NULL
+        made = ffi.new("fettle_world**")
+        check(lib.fettle_world_create(ffi.NULL, made))
+        self._begin(made[0])
+        for body in [self.body() for _ in range(room)]:
+            body.destroy()
+        for name, value in settings.items():
+            known = getattr(World, name, None)
+            if not isinstance(known, property) or known.fset is None:
+                raise Invalid(f"a world has no setting {name}")
+            setattr(self, name, value)
+
+    def _begin(self, pointer):
+        self._pointer = pointer
+        self._columns = Columns(self)
+        self._callbacks = {}
+
+    def __del__(self):
+        if getattr(self, "_pointer", ffi.NULL) != ffi.NULL:
+            lib.fettle_world_destroy(self._pointer)
+
+    def close(self):
+        """Destroys the world now; its objects raise `Stale` from then on."""
+        self._columns.may_move("close")
+        check(lib.fettle_world_destroy(self._pointer))
+
+    friction_mix = _named("friction_mix", mix_rules)
+    restitution_mix = _named("restitution_mix", mix_rules)
+    solver = _named("solver", solvers)
+
+    @property
+    def bounds(self):
+        """Walls that keep dynamic bodies inside, or None."""
+        is_set, box = ffi.new("bool*"), ffi.new("fettle_aabb*")
+        check(lib.fettle_world_bounds(self._pointer, is_set, box))
+        return aabb(box) if is_set[0] else None
+
+    @bounds.setter
+    def bounds(self, box):
+        check(lib.fettle_world_set_bounds(self._pointer, ffi.NULL if box is None else to_aabb(box, "bounds")))
+
+    def step(self, dt):
+        """Advances by `dt` seconds."""
+        check(lib.fettle_world_step(self._pointer, to_number("float", dt, "dt")))
+
+    def wake_all(self):
+        check(lib.fettle_world_wake_all(self._pointer))
+
+    def limit_simd_width(self, most):
+        """Computes at most 4, 8 or 16 values at a time; changes no result."""
+        check(lib.fettle_world_limit_simd_width(self._pointer, to_number("int32_t", most, "most")))
+
+    # --- Objects ---------------------------------------------------------------------------------
+
+    def body(self, type="dynamic", **properties):
+        """A new body: `world.body("static", position=(0, -1))`."""
+        self._columns.may_grow()
+        made = ffi.new("fettle_id*")
+        body_def = definition("fettle_body_def")
+        for name in ("position", "velocity"):
+            if name in properties:
+                vector = getattr(body_def, name)
+                vector.x, vector.y = pair(properties.pop(name), name)
+        check(lib.fettle_world_create_body(self._pointer, body_def, made))
+        body = Body(self, made[0])
+        try:
+            body.type = type
+            body._set_all(properties)
+        except Exception:
+            body.destroy()
+            raise
+        return body
+
+    def shape(self, geometry, **properties):
+        """A new detached shape."""
+        given, kept = geometries.to_c(geometry)
+        made = ffi.new("fettle_id*")
+        check(lib.fettle_world_create_shape(self._pointer, given, Shape._definition(properties), made))
+        return Shape(self, made[0])
+
+    def field(self, force):
+        """A new field: `world.field(fettle.Wind(velocity=(3, 0)))`."""
+        made = ffi.new("fettle_id*")
+        check(lib.fettle_world_create_field(self._pointer, fields.to_c(force), made))
+        return fields.Field(self, made[0])
+
+    def joint(self, type, a=None, b=None, anchor_a=(0, 0), anchor_b=(0, 0), **properties):
+        """A new joint of one of the types of `fettle.joints.classes`: `world.joint("revolute", None, wheel, (0, 2))`. None stands
+        for the world, whose anchors are in world coordinates; the other anchors are in body coordinates."""
+        number_of(joint_types, type, "type")
+        made = ffi.new("fettle_id*")
+        if type == "mouse":
+            joint_def = definition("fettle_mouse_joint_def")
+            joint_def.body = id_of(b, Body)
+            joint_def.target = pair(properties.pop("target", anchor_a), "target")
+            if "anchor" in properties:
+                joint_def.has_anchor = True
+                joint_def.anchor = pair(properties.pop("anchor"), "anchor")
+        else:
+            joint_def = definition("fettle_joint_def")
+            joint_def.body_a, joint_def.body_b = id_of(a, Body), id_of(b, Body)
+            joint_def.anchor_a, joint_def.anchor_b = pair(anchor_a, "anchor_a"), pair(anchor_b, "anchor_b")
+        check(getattr(lib, f"fettle_world_create_{type}_joint")(self._pointer, joint_def, made))
+        joint = joints.classes[type](self, made[0])
+        try:
+            joint._set_all(properties)
+        except Exception:
+            joint.destroy()
+            raise
+        return joint
+
+    def _joint(self, id):
+        return joints.classes[joints.Joint(self, id).type](self, id)
+
+    def clear(self):
+        """Destroys every body, shape, joint and field."""
+        self._columns.may_move("clear")
+        check(lib.fettle_world_clear(self._pointer))
+
+    @property
+    def bodies(self):
+        return [Body(self, i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_bodies(self._pointer, *a))]
+
+    @property
+    def shapes(self):
+        return [Shape(self, i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_shapes(self._pointer, *a))]
+
+    @property
+    def joints(self):
+        return [self._joint(i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_joints(self._pointer, *a))]
+
+    @property
+    def fields(self):
+        return [fields.Field(self, i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_fields(self._pointer, *a))]
+
+    @property
+    def contacts(self):
+        """Touching contacts of the last step."""
+        found = list_of("fettle_contact", lambda *a: lib.fettle_world_contacts(self._pointer, *a))
+        return [contact_of(self, c) for c in found]
+
+    @property
+    def events(self):
+        """Events of the last step and of the edits before it."""
+        return events_of(self)
+
+    # --- Arrays: row `body.slot` belongs to a body; they show every step and cannot be written ------
+
+    @property
+    def states(self):
+        """x, y, angle, angular velocity, velocity x, velocity y, cosine and sine of the angle of every body: float32, 8 columns."""
+        return self._columns.states()
+
+    @property
+    def poses(self):
+        """x, y and angle: 3 columns."""
+        return self._columns.states()[:, 0:3]
+
+    @property
+    def positions(self):
+        return self._columns.states()[:, 0:2]
+
+    @property
+    def velocities(self):
+        return self._columns.states()[:, 4:6]
+
+    @property
+    def previous_poses(self):
+        """x, y and angle before the last step: 3 columns."""
+        return self._columns.previous()
+
+    # --- Snapshots ---------------------------------------------------------------------------------
+
+    def save(self):
+        """The complete state as bytes."""
+        begin, size = ffi.new("void const**"), ffi.new("size_t*")
+        check(lib.fettle_world_save(self._pointer, begin, size))
+        return ffi.buffer(begin[0], size[0])[:]
+
+    def restore(self, state):
+        """Goes back to bytes of `save`, or to the state of another world. Handles that were valid then are valid again."""
+        self._columns.may_move("restore")
+        if isinstance(state, World):
+            check(lib.fettle_world_assign(self._pointer, state._pointer))
+        else:
+            check(lib.fettle_world_restore(self._pointer, ffi.from_buffer(state), len(state)))
+
+    def clone(self):
+        """A copy with the same future; ids are valid in both. It has no callbacks."""
+        made = ffi.new("fettle_world**")
+        check(lib.fettle_world_clone(self._pointer, made))
+        copy = World.__new__(World)
+        copy._begin(made[0])
+        return copy
+
+    # --- Functions that the world calls ------------------------------------------------------------
+
+    def _call_with(self, name, make, function):
+        callback = ffi.NULL if function is None else make(self, function)
+        if self.locked:
+            raise Locked(f"{name}: the world is calling a function")
+        check(getattr(lib, "fettle_world_" + name)(self._pointer, callback, ffi.NULL))
+        self._callbacks[name] = callback  # as long as C may call it
+
+    def set_filter(self, function):
+        """`function(shape_a, shape_b)` says whether two shapes may collide. None: all may."""
+        self._call_with("set_filter", pair_filter, function)
+
+    def set_mixing(self, function):
+        """`function(contact)` may set friction, restitution and surface_speed of a contact."""
+        self._call_with("set_mixing", contact_callback, function)
+
+    def set_before_solve(self, function):
+        """`function(contact)` may also set `enabled` to False for a step."""
+        self._call_with("set_before_solve", contact_callback, function)
+
+    @property
+    def statistics(self):
+        """Numbers and times (ms) of the last step, by name."""
+        told = ffi.new("fettle_statistics*")
+        check(lib.fettle_world_statistics(self._pointer, told))
+        return {name: getattr(told, name) for name, _ in ffi.typeof("fettle_statistics").fields}
+
+    @property
+    def fault(self):
+        """What is inconsistent in the world, or None. Slow; for tests."""
+        text = ffi.new("char const**")
+        check(lib.fettle_world_validate(self._pointer, text))
+        return None if text[0] == ffi.NULL else ffi.string(text[0]).decode()

@@ -1,0 +1,22 @@
+"""pip install bindings/python: with FETTLE_LIBRARY, the path of libfettle_physics_c.so, it is copied into the package;
+otherwise it is looked for where the system looks for libraries."""
+
+import os
+import pathlib
+import shutil
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+
+
+class BuildWithLibrary(build_py):
+    def run(self):
+        super().run()
+        library = os.environ.get("FETTLE_LIBRARY")
+        if library:
+            package = pathlib.Path(self.build_lib) / "fettle"
+            shutil.copy(library, package / "libfettle_physics_c.so")
+
+
+setup(packages=["fettle"], cffi_modules=["build_interface.py:ffi"], cmdclass={"build_py": BuildWithLibrary},
+      has_ext_modules=lambda: bool(os.environ.get("FETTLE_LIBRARY")))

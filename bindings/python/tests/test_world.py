@@ -1,0 +1,246 @@
+"""Tests of the package: python3 -m unittest discover bindings/python/tests"""
+
+import gc
+import math
+import unittest
+
+import numpy
+
+import fettle
+
+
+def a_world(**settings):
+    world = fettle.World(**settings)
+    world.body("static", position=(0, -0.5)).add(fettle.Box(40, 1))
+    return world
+
+
+class Bodies(unittest.TestCase):
+    def test_a_ball_falls_and_rests(self):
+        world = a_world()
+        ball = world.body(position=(0, 3))
+        ball.add(fettle.Circle(0.5), restitution=0)
+        begun = []
+        for _ in range(120):
+            world.step(1 / 60)
+            begun += world.events.contact_begin
+        self.assertAlmostEqual(ball.position.y, 0.5, delta=0.02)
+        self.assertEqual(len(begun), 1)
+        self.assertIn(ball, (begun[0].body_a, begun[0].body_b))
+        self.assertEqual(len(ball.contacts), 1)
+        self.assertTrue(ball.is_touching)
+
+    def test_properties_are_read_and_set(self):
+        world = fettle.World(gravity=(0, 0), substeps=8, solver="sequential", bounds=((-5, -5), (5, 5)))
+        self.assertEqual((world.gravity, world.substeps, world.solver), ((0, 0), 8, "sequential"))
+        self.assertEqual(world.bounds.max, (5, 5))
+        body = world.body("kinematic", position=(1, 2), angle=0.5, locked_x=True, user_data=1 << 63)
+        self.assertEqual((body.type, body.position, body.angle, body.locked_x), ("kinematic", (1, 2), 0.5, True))
+        self.assertEqual(body.user_data, 1 << 63)
+        body.mass = 3
+        self.assertEqual((body.mass, body.mass_override), (3, 3))
+        body.mass = None
+        self.assertIsNone(body.mass_override)
+        shape = body.add(fettle.Box(2, 1), friction=0.25, sensor=True)
+        self.assertEqual((shape.width, shape.friction, shape.sensor, shape.type), (2, 0.25, True, "box"))
+        shape.geometry = fettle.Polygon([(0, 0), (1, 0), (0, 1)])
+        self.assertEqual(len(shape.geometry.points), 3)
+        self.assertEqual(shape.body, body)
+        segment = body.add(fettle.Segment((0, 0), (3, 0)))
+        segment.end = (4, 0)
+        self.assertEqual(segment.end, (4, 0))
+
+    def test_errors_are_exceptions_with_a_message(self):
+        world = fettle.World()
+        body = world.body()
+        with self.assertRaisesRegex(fettle.Invalid, "position"):
+            body.position = (math.nan, 0)
+        with self.assertRaisesRegex(ValueError, "linear_damping = -1"):
+            body.linear_damping = -1
+        with self.assertRaisesRegex(fettle.Invalid, "has no property colour"):
+            world.body(colour=3)
+        with self.assertRaisesRegex(fettle.Invalid, "expected two numbers"):
+            body.velocity = 7
+        with self.assertRaisesRegex(fettle.Invalid, "static, kinematic, dynamic"):
+            body.type = "heavy"
+        with self.assertRaisesRegex(fettle.Invalid, "on one line|one line"):
+            body.add(fettle.Polygon([(0, 0), (1, 1), (2, 2)]))
+        self.assertEqual(world.body_count, 1)
+        body.destroy()
+        with self.assertRaises(fettle.Stale):
+            body.angle
+        other = fettle.World()
+        with self.assertRaises(fettle.Stale):
+            fettle.Body(other, world.body().id).angle
+        world.close()
+        with self.assertRaises(fettle.Stale):
+            world.step(1)
+
+    def test_joints_have_types(self):
+        world = fettle.World(gravity=(0, 0))
+        wheel = world.body(position=(1, 0))
+        wheel.add(fettle.Circle(0.5))
+        joint = world.joint("revolute", None, wheel, (0, 0), (-1, 0), motor_speed=2, max_motor_torque=math.inf)
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertAlmostEqual(joint.angle, 2, delta=0.05)
+        self.assertEqual((wheel.joints, joint.body_a, joint.body_b), ([joint], None, wheel))
+        self.assertIsInstance(world.joints[0], fettle.RevoluteJoint)
+        for name in fettle.joints.classes:
+            other = world.joint(name, None, wheel)
+            self.assertEqual(other.type, name)
+            other.destroy()
+        self.assertFalse(other.is_valid)
+
+    def test_fields_act(self):
+        world = fettle.World(gravity=(0, 0))
+        leaf = world.body()
+        leaf.add(fettle.Box())
+        field = world.field(fettle.Attractor(center=(5, 0), strength=3, falloff=0))
+        for _ in range(30):
+            world.step(1 / 60)
+        self.assertGreater(leaf.position.x, 0.2)
+        self.assertEqual(field.force.strength, 3)
+        self.assertEqual(world.fields, [field])
+
+
+class Queries(unittest.TestCase):
+    def test_what_is_where(self):
+        world = a_world()
+        box = world.body(position=(0, 0.5))
+        shape = box.add(fettle.Box())
+        self.assertEqual(world.query_point((0, 0.5)), [shape])
+        self.assertEqual(len(world.query_aabb(((-1, -1), (1, 1)))), 2)
+        self.assertEqual(world.query_aabb(((-1, -1), (1, 1)), accept=lambda s: s == shape), [shape])
+        hit = world.cast_ray((0, 5), (0, -5))
+        self.assertEqual(hit.shape, shape)
+        self.assertAlmostEqual(hit.point.y, 1, delta=1e-3)
+        self.assertEqual(len(world.cast_ray_all((0, 5), (0, -5))), 2)
+        self.assertIsNone(world.cast_ray((5, 5), (6, 5)))
+        self.assertAlmostEqual(world.cast_shape(fettle.Circle(0.5), (0, -4), ((0, 3), 0)).fraction, 0.375, delta=0.01)
+        self.assertAlmostEqual(world.closest((0, 4)).distance, 3, delta=1e-3)
+        self.assertEqual(len(world.query_overlap(fettle.Circle(2))), 2)
+        self.assertEqual(fettle.convex_hull([(0, 0), (2, 0), (1, 0.1), (1, 2)]), [(0, 0), (2, 0), (1, 2)])
+
+    def test_functions_are_called_and_may_raise(self):
+        world = a_world()
+        ball = world.body(position=(0, 0.5))
+        ball.add(fettle.Circle())
+        world.set_filter(lambda a, b: False)
+        for _ in range(30):
+            world.step(1 / 60)
+        self.assertLess(ball.position.y, -0.5)
+        world.set_filter(None)
+
+        def forbidden(contact):
+            ball.position = (0, 0)
+
+        ball.position = (0, 0.4)
+        world.set_before_solve(forbidden)
+        with self.assertRaises(fettle.Locked):
+            world.step(1 / 60)
+        world.set_before_solve(None)
+        with self.assertRaises(ZeroDivisionError):
+            world.query_point((0, 0.4), accept=lambda s: 1 / 0)
+        self.assertIsNone(world.fault)
+
+
+class Arrays(unittest.TestCase):
+    def test_arrays_show_the_world_itself(self):
+        world = fettle.World(room=4)
+        ball = world.body(position=(1, 5))
+        poses, velocities = world.poses, world.velocities
+        self.assertEqual(list(poses[ball.slot]), [1, 5, 0])
+        world.step(0.5)
+        self.assertEqual(tuple(poses[ball.slot, :2]), ball.position)
+        self.assertEqual(tuple(velocities[ball.slot]), ball.velocity)
+        self.assertEqual(world.previous_poses[ball.slot, 1], 5)
+        with self.assertRaises(ValueError):
+            poses[ball.slot] = 0
+
+    def test_memory_that_is_shown_does_not_move(self):
+        world = fettle.World(room=2)
+        poses = world.poses[1:]
+        first = world.body()
+        world.body()
+        with self.assertRaisesRegex(BufferError, "World.room"):
+            world.body()
+        state = world.save()
+        for call in (lambda: world.restore(state), world.clear, world.close):
+            with self.assertRaises(BufferError):
+                call()
+        first.destroy()
+        world.body()
+        del poses
+        gc.collect()
+        world.body()
+        world.restore(state)
+
+    def test_an_array_outlives_the_names_of_its_world(self):
+        world = fettle.World()
+        world.body(position=(3, 4))
+        positions = world.positions
+        del world
+        gc.collect()
+        self.assertEqual(list(positions[-1]), [3, 4])
+
+
+class Snapshots(unittest.TestCase):
+    def test_the_same_future(self):
+        world = a_world()
+        for i in range(6):
+            world.body(position=(0.1 * i, 1 + i)).add(fettle.Box())
+        state, copy = world.save(), world.clone()
+        for _ in range(60):
+            world.step(1 / 60)
+            copy.step(1 / 60)
+        self.assertEqual(world.hash, copy.hash)
+        end = world.hash
+        world.restore(state)
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertEqual(world.hash, end)
+        with self.assertRaises(fettle.Invalid):
+            world.restore(state[:-1])
+
+
+class Vectors(unittest.TestCase):
+    @staticmethod
+    def build(world):
+        world.body("static", position=(0, -0.5)).add(fettle.Box(40, 1))
+        cart = world.body(position=(0, 0.5))
+        cart.add(fettle.Box(1, 1), friction=0)
+        return [cart]
+
+    def test_each_copy_goes_its_own_way(self):
+        env = fettle.VectorWorld(self.build, count=8)
+        begin = env.reset().copy()
+        forces = numpy.zeros((8, 1, 2))
+        forces[:, 0, 0] = numpy.arange(8)
+        end = env.step(forces, steps=30)
+        self.assertEqual(end.shape, (8, 1, 8))
+        self.assertTrue((numpy.diff(end[:, 0, 0]) > 0).all())
+        self.assertAlmostEqual(end[4, 0, 4], 4 * 0.5, delta=0.01)
+        env.reset([7])
+        self.assertEqual(list(env.observation[7, 0]), list(begin[7, 0]))
+        self.assertGreater(env.observation[6, 0, 0], 0.1)
+        env.reset(env.observation[:, 0, 0] > 0.1)
+        self.assertLess(env.observation[:, 0, 0].max(), 0.2)
+
+    def test_threads_change_no_result(self):
+        one, two = (fettle.VectorWorld(self.build, count=9, threads=t) for t in (1, 2))
+        forces = numpy.random.default_rng(1).normal(size=(9, 1, 2)) * 5
+        for env in (one, two):
+            env.step(forces, steps=50)
+        self.assertTrue((one.observation == two.observation).all())
+
+    def test_wrong_shapes_are_refused(self):
+        with self.assertRaises(fettle.Invalid):
+            fettle.VectorWorld(lambda world: [3])
+        env = fettle.VectorWorld(self.build, count=2)
+        with self.assertRaises(ValueError):
+            env.step(numpy.zeros((3, 1, 2)))
+
+
+if __name__ == "__main__":
+    unittest.main()
