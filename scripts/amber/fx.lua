@@ -20,7 +20,7 @@ function fx.pop(at, text) pops[#pops + 1] = { at = vec(at), text = text, left = 
 local function expire(list, dt)
     for i = #list, 1, -1 do
         list[i].left = list[i].left - dt
-        if list[i].left <= 0 then list[i] = list[#list] list[#list] = nil end
+        if list[i].left <= 0 then table.remove(list, i) end
     end
 end
 
@@ -39,10 +39,9 @@ end
 -- Dusk, and wheels of a clock that turn with the time of the world, backwards with it, too.
 function fx.draw_sky(pen, clock)
     pen.image("art/sky.png", vec(0, 0), 40, 15.2)
-    local tint = color("#2a2149")
-    pen.image("art/wheel.png", vec(6.5, 2.5), 12, nil, clock * 0.22, tint)
-    pen.image("art/wheel.png", vec(-1.9, -2.1), 7.6, nil, -clock * 0.35 + 0.1, tint)
-    pen.image("art/wheel.png", vec(-8.6, 4.4), 8.4, nil, clock * 0.31, tint)
+    for _, wheel in ipairs { { 6.5, 2.5, 12, 0.22 }, { -1.9, -2.1, 7.6, -0.35 }, { -8.6, 4.4, 8.4, 0.31 } } do
+        pen.image("art/wheel.png", vec(wheel[1], wheel[2]), wheel[3], nil, clock * wheel[4], color("#2a2149"))
+    end
     for i = 1, 40 do
         local at = vec((i * 7.31) % 26 - 13, (i * 4.77 + clock * 0.12 * (1 + i % 3)) % 16 - 8)
         pen.circle(at, 0.03 + 0.02 * (i % 3), things.faded(things.cream, 0.10 + 0.08 * math.sin(i + clock)))

@@ -8,7 +8,7 @@ screens.game = run
 local amber_cuts = {}                        -- names of the cut ropes of amber, which no rewind mends
 local clock, ended, fade = 0, 0, 1           -- s of play; s since won or lost; how dark the screen is
 local pointer                                -- where the mouse is, while it is used
-local pushed = vec(0, 0)                     -- the direction that is held
+local ways = { left = vec(-1, 0), right = vec(1, 0), up = vec(0, 1), down = vec(0, -1) }
 
 input.actions.cut = { "mouse.left", "enter", "gamepad.a" }
 input.actions.rewind = { "space", "mouse.right", "left_shift", "gamepad.x", "gamepad.right_trigger" }
@@ -16,6 +16,10 @@ input.actions.restart = { "r", "gamepad.y" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
 input.actions.confirm = { "enter", "space", "gamepad.a" }
 input.actions.back = { "escape", "backspace", "gamepad.b" }
+input.actions.left = { "left", "a", "gamepad.left_x-", "gamepad.pad_x-" }
+input.actions.right = { "right", "d", "gamepad.left_x+", "gamepad.pad_x+" }
+input.actions.up = { "up", "w", "gamepad.left_y+", "gamepad.pad_y+" }
+input.actions.down = { "down", "s", "gamepad.left_y-", "gamepad.pad_y-" }
 
 function run.sparks()
     local n = 0
@@ -108,13 +112,6 @@ function step(dt)
     if (home - at):length() < 0.62 then win() elseif at.y < -8.5 or math.abs(at.x) > 13.5 then finish("lost", "lost", 0.25) end
 end
 
-local function push(x, y)
-    if screens.in_menu() then return screens.move(x, y) end
-    local rope = things.rope_towards(vec(x, y))
-    things.chosen, pointer = rope and rope.name, nil
-    sound.play("tick")
-end
-
 function update(dt, real_dt)
     time.paused = screens.name == "pause" or screens.name == "settings" and screens.back == "pause"
     rewind.update(playing() and input.rewind.held)
@@ -126,18 +123,11 @@ function update(dt, real_dt)
     if screens.name == "home" and ended > 0.9 then screens.open("won") end
     local near = pointer and playing() and things.rope_at(pointer, 0.7)
     if pointer then things.chosen = near and near.name end
-    local way = vec(math.floor(input.move.x * 0.8 + 0.5), math.floor(input.move.y * 0.8 + 0.5))
-    if way ~= pushed and (way.x ~= 0 or way.y ~= 0) then push(way.x, way.y) end
-    pushed = way
 end
 
 -- Dragging the mouse over ropes cuts them, as clicking does.
 function mouse_moved(position)
-    for _, rope in ipairs(input.mouse.left and pointer and world.level:find("Rope") or {}) do
-        local a, b = rope:ends()
-        local along, moved = b - a, position - pointer
-        if along:cross(pointer - a) * along:cross(position - a) < 0 and moved:cross(a - pointer) * moved:cross(b - pointer) < 0 then cut(rope) end
-    end
+    if input.mouse.left and playing() then cut(things.rope_at(position, 0.3)) end
     pointer = vec(position)
     screens.point(position)
 end
@@ -149,7 +139,14 @@ function mouse_pressed(button, position)
 end
 
 function action_pressed(action)
-    if screens.in_menu() then
+    local way = ways[action]
+    if way and playing() then
+        local rope = things.rope_towards(way)
+        things.chosen, pointer = rope and rope.name, nil
+        sound.play("tick")
+    elseif way and not screens.in_level() then
+        screens.move(way.x, way.y)
+    elseif not screens.in_level() then
         if action == "confirm" then screens.confirm() elseif action == "back" then screens.leave() end
     elseif action == "pause" and playing() then
         screens.open("pause")
@@ -173,11 +170,9 @@ function draw_behind(pen) fx.draw_sky(pen, time.now) end
 
 function draw(pen)
     local ball = world.level.ball
-    things.draw_details(pen)
     if screens.in_level() then fx.draw_trail(pen) end
     if screens.name ~= "lost" then things.draw_ball(pen, ball:drawn_position(), ball:drawn_angle(), 2 * ball.circle.radius, fx.squash) end
     fx.draw(pen)
-    if screens.in_level() then screens.draw_play(pen, rewind.past()) end
-    screens.draw(pen)
+    if screens.in_level() then screens.draw_play(pen, rewind.past()) else screens.draw(pen) end
     if fade > 0 then pen.box(vec(0, 0), 40, 16, things.faded(view.background, fade)) end
 end

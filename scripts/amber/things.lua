@@ -8,8 +8,8 @@ local things = {
 local gold, teal, pale, white = things.gold, things.teal, things.pale, color("white")
 local stone = color("#483b70")
 
-function things.faded(c, opacity) return color(c.r, c.g, c.b, opacity) end
-local faded = things.faded
+local function faded(c, opacity) return color(c.r, c.g, c.b, opacity) end
+things.faded = faded
 
 Level = class("Level", Object) { title = "", par = 10.0, doc = { par = "Seconds below which there is a bonus." } }
 Ball = class("Ball", Body) { can_sleep = false }
@@ -44,8 +44,7 @@ function Rope:draw(pen)
         pen.line(last, point, tint, 5)
         last = point
     end
-    pen.circle(a, 0.11, tint)
-    pen.circle(b, 0.11, tint)
+    for _, e in ipairs { a, b } do pen.circle(e, 0.11, tint) end
     pen.circle((a + b) / 2 - vec(0, sag), chosen and 0.26 + 0.04 * math.sin(time.real * 9) or 0.15, chosen and white or tint, things.ink, 2)
 end
 
@@ -56,14 +55,11 @@ function Cable:draw(pen)
 end
 
 function Goal:draw(pen)
-    pen.push(self.position)
-    pen.blend("add")
-    pen.image("art/glow.png", vec(0, 0), 4.4 + 0.5 * math.sin(time.real * 3), nil, nil, gold)
+    pen.image("art/glow.png", self.position, 4.4 + 0.5 * math.sin(time.real * 3), nil, nil, gold)
     for i = 1, 3 do
         local far = (i / 3 + time.real * 0.35) % 1
-        pen.circle(vec(0, 0), 1.8 - far, false, faded(gold, 0.4 * far), 2)
+        pen.circle(self.position, 1.8 - far, false, faded(gold, 0.4 * far), 2)
     end
-    pen.pop()
     pen.image("art/home.png", self.position, 1.7, nil, -time.real * 0.6)
 end
 
@@ -76,46 +72,20 @@ function Spark:draw(pen)
 end
 
 function things.draw_ball(pen, at, angle, size, squash)
-    pen.push(at)
-    pen.blend("add")
-    pen.image("art/glow.png", vec(0, 0), size * 3, nil, nil, faded(gold, 0.7))
-    pen.pop()
-    pen.push(at - vec(0, size * squash * 0.2))
-    pen.image("art/amber.png", vec(0, 0), size * (1 + squash * 0.4), size * (1 - squash * 0.4), angle)
-    pen.image("art/shine.png", vec(0, 0), size)
-    pen.pop()
+    pen.image("art/glow.png", at, size * 3, nil, nil, faded(gold, 0.7))
+    at = at - vec(0, size * squash * 0.2)
+    pen.image("art/amber.png", at, size * (1 + squash * 0.4), size * (1 - squash * 0.4), angle)
+    pen.image("art/shine.png", at, size)
 end
 
-local function light_edge(pen, box)
-    pen.push(box.center, box.angle)
-    pen.line(vec(-box.width / 2, box.height / 2), vec(box.width / 2, box.height / 2), color("#8f80c4"), 3)
-    pen.pop()
-end
-
--- Lines on bodies, so that one sees how they turn, and arrows on belts.
-function things.draw_details(pen)
-    for _, body in ipairs(world.level:find("Body")) do
-        pen.push(body:drawn_position(), body:drawn_angle())
-        for _, box in ipairs(body:children("Box")) do
-            local w, h = box.width - 0.24, box.height - 0.24
-            if not body:is_a(Crate) then
-                light_edge(pen, box)
-            elseif w > 0.05 and h > 0.05 then
-                pen.push(box.center, box.angle)
-                pen.box(vec(0, 0), w, h, false, faded(pale, 0.55), 2)
-                if w < 3 * h and h < 3 * w then pen.line(vec(-w / 2, -h / 2), vec(w / 2, h / 2), faded(pale, 0.35), 2) end
-                pen.pop()
-            end
-        end
-        if body:is_a(Belt) then
-            local box = body.surface
-            local s, count = box.surface_speed > 0 and -0.16 or 0.16, math.floor(box.width / 0.8)
-            for i = 1, count do
-                local x, y = ((i - 0.5) * 0.8 - box.surface_speed * time.now) % (count * 0.8) - count * 0.4, box.height / 2 - 0.25
-                pen.polygon({ vec(x - s, y + 0.16), vec(x + s, y), vec(x - s, y - 0.16), vec(x, y) }, pale)
-            end
-        end
-        pen.pop()
+-- Arrows that run with the belt.
+function Belt:draw(pen)
+    local box = self.surface
+    local speed, count = box.surface_speed, math.floor(box.width / 0.8)
+    for i = 1, count do
+        local at = self.position + vec(((i - 0.5) * 0.8 - speed * time.now) % (count * 0.8) - count * 0.4, box.height / 2 - 0.25)
+        local s = speed > 0 and -0.16 or 0.16
+        pen.polygon({ at + vec(-s, 0.16), at + vec(s, 0), at + vec(-s, -0.16), at }, pale)
     end
 end
 
@@ -133,15 +103,13 @@ end
 
 -- The next rope from the chosen one in a direction.
 function things.rope_towards(way)
-    local ropes = world.level:find("Rope", Rope.holds)
-    local from, best, least
-    for _, rope in ipairs(ropes) do if rope.name == things.chosen then from = rope end end
-    for _, rope in ipairs(from and ropes or {}) do
-        local to = rope:middle() - from:middle()
-        local ahead, far = to:dot(way), to:length()
-        if ahead > 0.3 * far and (not least or far * (2 - ahead / far) < least) then best, least = rope, far * (2 - ahead / far) end
+    local from, best, least = things.chosen and world.level[things.chosen]:middle() or vec(0, 0), nil, math.huge
+    for _, rope in ipairs(world.level:find("Rope", Rope.holds)) do
+        local to = rope:middle() - from
+        local far, ahead = to:length(), to:dot(way)
+        if ahead > 0.3 * far and far - ahead / 2 < least then best, least = rope, far - ahead / 2 end
     end
-    return best or from or ropes[1]
+    return best or things.rope_at(from, math.huge)
 end
 
 return things
