@@ -1,16 +1,10 @@
 -- What the parts of the game share: categories of shapes, the size of an arena, and values that are read often, once a step.
-local common = {
-    HERO = 1, ENEMY = 2, STONE = 4, GEM = 8, SHOT = 16, SOLID = 23,
-    half = vec(36, 27),             -- m, half of the size of an arena
-    hero_at = vec(0, 0), now = 0, count = 0, dt = 1 / 60,
-}
+local common = { HERO = 1, ENEMY = 2, STONE = 4, GEM = 8, SHOT = 16, SOLID = 23, half = vec(36, 27), hero_at = vec(0, 0), now = 0, count = 0 }
 local probe = Circle {}
 
-function common.refresh(dt)
-    common.hero_at, common.now, common.count, common.dt = vec(world.hero.position), time.now, time.step, dt
-end
+function common.refresh() common.hero_at, common.now, common.count = vec(world.hero.position), time.now, time.step end
 
-function common.toward(angle, length) return vec(math.cos(angle), math.sin(angle)) * (length or 1) end
+function common.toward(angle, length) return vec(math.cos(angle), math.sin(angle)) * length end
 
 -- The bodies of these categories that are not farther from a point.
 function common.around(point, radius, mask)
@@ -18,13 +12,13 @@ function common.around(point, radius, mask)
     return world:overlap(probe, mask)
 end
 
-function common.disc(radius, category, mask, sensor)
-    return Circle { radius = radius, category = category, mask = mask, sensor = sensor or false, density = 1, friction = 0, visible = false }
+function common.disc(radius, category, mask, sensor, density)
+    return Circle { radius = radius, category = category, mask = mask, sensor = sensor or false, density = density or 1, friction = 0, visible = false }
 end
 
-function common.look(frames, size, lift)
-    return Sprite { image = "art/sheet.png", columns = 8, rows = 4, animation = frames, frames_per_second = 7, size = vec(size, size),
-                    position = vec(0, lift or 0) }
+function common.look(frames, size, lift, file, columns, rows)
+    return Sprite { image = "art/" .. (file or "sheet") .. ".png", columns = columns or 8, rows = rows or 4, animation = frames,
+        frames_per_second = 7, size = vec(size, size), position = vec(0, lift or 0) }
 end
 
 return common

@@ -1,17 +1,18 @@
 -- Enemies walk to the hero, push each other, and drop gems. Bosses rush, and shoot in rings.
 local common, effects, arenas = require "common", require "effects", require "arenas"
-local tau = 2 * math.pi
-local enemies = {}
+local enemies, tau = {}, 2 * math.pi
 local kinds = {
     shade = { hp = 2, speed = 2.3, damage = 8, worth = 1, radius = 0.36, size = 1.15, frames = "1-4", color = color("#9a7cf0") },
     moth = { hp = 1, speed = 4.1, damage = 5, worth = 1, radius = 0.27, size = 1, frames = "5-8", color = color("#ff8cc8") },
     brute = { hp = 14, speed = 1.7, damage = 16, worth = 5, radius = 0.62, size = 1.9, frames = "9-12", color = color("#ff7a70") },
     spitter = { hp = 4, speed = 2.4, damage = 6, worth = 2, radius = 0.36, size = 1.15, frames = "13-16", color = color("#7af0be") },
 }
+local gem_colors = { color("#5ef2c4"), color("#5ab8ff"), color("#ff9f5a"), color("#ff6fa8") }
 
-Enemy = class("Enemy", Body) {
-    kind = "shade", hp = 1.0, speed = 2.0, damage = 5, worth = 1, turn = 0, charge = 0.0, locked_rotation = true,
-}
+Enemy = class("Enemy", Body) { kind = "", hp = 1.0, speed = 2.0, damage = 5, worth = 1, turn = 0, charge = 0.0, locked_rotation = true }
+Boss = class("Boss", Enemy) { kind = "brute", max_hp = 1.0, speed = 2.2, damage = 22, way = vec(0, 0) }
+Gem = class("Gem", Body) { type = "static", worth = 1, flying = false, z = -50 }
+Orb = class("Orb", Body) { type = "kinematic", z = 5 }
 
 -- A place in the arena that is out of sight.
 local function hidden_place()
@@ -38,45 +39,41 @@ function enemies.come(dt)
         local kind, from, to, first, last = table.unpack(wave)
         if night.clock >= from and night.clock < to then
             local due = (first + (last - first) * (night.clock - from) / (to - from)) * dt
-            while random() < due and night.crowd < arenas[night.arena].cap do
-                enemies.spawn(kind)
-                due = due - 1
+            for _ = 1, math.floor(due + random()) do
+                if night.crowd < arenas[night.arena].cap then enemies.spawn(kind) end
             end
         end
     end
 end
 
-function Enemy:step()
+function Enemy:step(dt)
     local at = self.position
     local to = common.hero_at - at
-    local far = to:length()
-    local want = to * (self.speed / (far + 0.01))
+    local far = to:length() + 0.01
+    local want = to * (self.speed / far)
     if not night.running then                    -- they dance round the light
-        want = (vec(-to.y, to.x) * 0.8 + to * (far > 9 and 0.5 or -0.6)) * (self.speed / (far + 0.01))
+        want = (vec(-to.y, to.x) * 0.8 + to * (far > 9 and 0.5 or -0.6)) * (self.speed / far)
     elseif self.kind == "moth" then
         want = want + vec(-want.y, want.x) * (0.9 * math.sin(common.now * 3 + self.turn))
     elseif self.kind == "spitter" then
-        if far < 6.5 then want = want * -0.6 elseif far < 8 then want = vec(-want.y, want.x) end
-        self.charge = self.charge - common.dt
+        want = far < 6.5 and want * -0.6 or far < 8 and vec(-want.y, want.x) or want
+        self.charge = self.charge - dt
         if self.charge < 0 and far < 11 then
             self.charge = 2.6
             enemies.shoot(at, to * (4.5 / far))
         end
     end
     self.velocity = self.velocity:lerp(want, 0.12)
-    if (common.count + self.turn) % 8 == 0 then
-        local look, left = self.look, to.x < 0
-        if look.flip_x ~= left then look.flip_x = left end
-        self.z = -0.01 * at.y
-        if far > 24 and night.running then self.position = hidden_place() end
-    end
+    if (common.count + self.turn) % 8 ~= 0 then return end
+    self.look.flip_x, self.z = to.x < 0, -0.01 * at.y
+    if far > 24 and night.running then self.position = hidden_place() end
 end
 
 function Enemy:hurt(damage, push)
     if not night.running then return end
     self.hp = self.hp - damage
     effects.number(self.position, damage)
-    if push then self.velocity = self.velocity + push * (0.36 / self.circle.radius) end
+    if push then self.velocity = self.velocity + push * (0.36 / self.circle.radius) ^ 2 end
     if self.hp <= 0 then return self:die() end
     self.look.scale = 1.3
     self.look:tween("scale", 1, 0.15)
@@ -92,9 +89,6 @@ function Enemy:die()
     self:delete()
 end
 
-Gem = class("Gem", Body) { type = "static", worth = 1, flying = false, z = -50 }
-local gem_colors = { color("#5ef2c4"), color("#5ab8ff"), color("#ff9f5a"), color("#ff6fa8") }
-
 -- Worth 0 is a heart. When many gems lie there, one of them takes up the new one.
 function enemies.drop(at, worth)
     local gems = world.gems:children()
@@ -108,43 +102,29 @@ end
 function Gem:step()
     if not self.flying then return end
     local to = common.hero_at - self.position
-    if to:length() > 0.6 then
-        self.velocity = self.velocity:lerp(to:normalized() * 16, 0.2)
-    else
-        world.hero:take(self.worth)
-        self:delete()
-    end
+    self.velocity = self.velocity:lerp(to:normalized() * 16, 0.2)
+    if to:length() > 0.6 then return end
+    world.hero:take(self.worth)
+    self:delete()
 end
 
-function Gem:fly()
-    if self.flying then return end
-    self.flying, self.type = true, "kinematic"
-    self.velocity = (self.position - common.hero_at) * 4
-end
-
-Orb = class("Orb", Body) { type = "kinematic", z = 5 }
-
-function Orb:ready() self:after(6, function(orb) orb:delete() end) end
-
-function Orb:sensor_begin(event)
-    if event.other == world.hero and event.other:hurt(10) then self:delete() end
-end
+function Gem:fly() self.type, self.flying = "kinematic", true end
 
 function enemies.shoot(at, velocity)
     world.shots:add(Orb { position = at, velocity = velocity, common.disc(0.24, common.SHOT, common.HERO, true), look = common.look("27", 1) })
 end
 
-Boss = class("Boss", Enemy) { max_hp = 1.0, way = vec(0, 0) }
+function Orb:ready() self:after(6, function(orb) orb:delete() end) end
+function Orb:sensor_begin(event)
+    if event.other == world.hero and event.other:hurt(10) then self:delete() end
+end
 
 function enemies.boss()
     local arena = arenas[night.arena]
     night.boss, night.crowd = true, night.crowd + 1
-    local boss = world.swarm:add(Boss { kind = "brute", hp = arena.boss_hp + 0.0, max_hp = arena.boss_hp + 0.0, speed = 2.2, damage = 22, worth = 200,
-        position = hidden_place(), common.disc(1.3, common.ENEMY, common.SOLID), look = Sprite { image = "art/bosses.png", columns = 3,
-        animation = tostring(night.arena), size = vec(3.8, 3.8), position = vec(0, 0.3) } }, "boss")
-    boss.circle.density = 8
+    world.swarm:add(Boss { hp = arena.boss_hp, max_hp = arena.boss_hp, position = hidden_place(),
+        common.disc(1.3, common.ENEMY, common.SOLID - common.STONE, false, 8), look = common.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
     sounds.roar:play()
-    view:shake(0.3, 0.8)
     effects.banner(arena.boss, "appears")
 end
 
@@ -155,18 +135,15 @@ function Boss:step(dt)
     self.charge, self.z = now, -0.01 * at.y
     if now < hunt then
         self.velocity = self.velocity:lerp(to:normalized() * self.speed, 0.08)
-        if night.arena == 3 and common.count % 14 == 0 then
-            for i = 1, 3 do enemies.shoot(at, common.toward(common.now * 1.7 + i * tau / 3, 4.2)) end
-        end
+        for i = 1, night.arena == 3 and common.count % 14 == 0 and 3 or 0 do enemies.shoot(at, common.toward(common.now * 1.7 + i * tau / 3, 4.2)) end
     elseif now < hunt + 0.65 then
         self.way, self.velocity, self.look.tint = to:normalized(), self.velocity * 0.85, color("#ff9d8a")
     elseif now < hunt + 1.35 then
         if now - dt < hunt + 0.65 then sounds.roar:play() end
         self.velocity = self.way * (11 + 2 * night.arena)
     else
-        self.charge, self.look.tint = 0.0, color("white")
-        local count = 8 + 4 * night.arena
-        for i = 1, count do enemies.shoot(at, common.toward(i * tau / count, 4)) end
+        self.charge, self.look.tint = 0, color("white")
+        for i = 1, 8 + 4 * night.arena do enemies.shoot(at, common.toward(i * tau / (8 + 4 * night.arena), 4)) end
         for i = 1, night.arena == 2 and 8 or 0 do enemies.spawn("shade", at + common.toward(i * tau / 8, 2.5)) end
         sounds.zap:play { pitch = 0.6 }
     end
@@ -177,10 +154,10 @@ function Boss:die()
     for _ = 1, 24 do enemies.drop(self.position + common.toward(random() * tau, 2.5 * random()), 3 * night.arena) end
     effects.burst(self.position, color("#ffd166"), 60)
     effects.ring(self.position, 9, color("#ffd166"))
-    view:shake(0.6, 1)
+    if settings.shake then view:shake(0.6, 1) end
     sounds.boom:play()
     self:delete()
-    after(0.01, common.cleared)                  -- not while others are still being hurt
+    after(0.01, enemies.cleared)                 -- not while others are still being hurt
 end
 
 return enemies

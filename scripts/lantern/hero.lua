@@ -1,16 +1,7 @@
 -- The keeper of the lantern: walks, dashes, collects, is hurt.
 local common, effects = require "common", require "effects"
 
-Hero = class("Hero", Body) {
-    hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, dash_wait = 0.0, xp = 0, level = 1, way = vec(1, 0), locked_rotation = true,
-}
-
-local function new_hero()
-    local hero = Hero { common.disc(0.36, common.HERO, common.SOLID), look = common.look("17-20", 1.35, 0.2),
-        light = Sprite { image = "art/glow.png", size = vec(17, 17), blend = "add", z = -40 } }
-    hero.circle.density = 30
-    return hero
-end
+Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, wait = 0.0, xp = 0, level = 1, way = vec(1, 0), locked_rotation = true }
 
 function Hero:need() return 4 + 3 * self.level + self.level * self.level // 6 end
 
@@ -22,36 +13,27 @@ local function wanted()
 end
 
 function Hero:step(dt)
-    self.mercy, self.dash, self.dash_wait = math.max(0, self.mercy - dt), math.max(0, self.dash - dt), math.max(0, self.dash_wait - dt)
-    self.z = -0.01 * self.position.y
-    if not night.running then
-        self.velocity = vec(0, 0)
-        return
-    end
-    local way, look = wanted(), self.look
+    local at, way, look = self.position, night.running and wanted() or vec(0, 0), self.look
     local walks = way:length() > 0.05
-    if walks then self.way = way:normalized() end
-    if input.dash.pressed and self.dash_wait == 0 then
-        self.dash, self.dash_wait, self.mercy = 0.18, 1.4, math.max(self.mercy, 0.3)
+    self.mercy, self.dash, self.wait = math.max(0, self.mercy - dt), math.max(0, self.dash - dt), math.max(0, self.wait - dt)
+    self.z, look.animation = -0.01 * at.y, walks and "21-24" or "17-20"
+    if walks then self.way, look.flip_x = way:normalized(), way.x < 0 end
+    if input.dash.pressed and self.wait == 0 and night.running then
+        self.dash, self.wait, self.mercy = 0.18, 1.4, math.max(self.mercy, 0.3)
         sounds.dash:play()
-        effects.ring(self.position, 1.2, color("#ffd98a"))
+        effects.ring(at, 1.2, color("#ffd98a"))
     end
     if self.dash > 0 then
         self.velocity = self.way * 19
-        effects.burst(self.position, color("#ff9f4a"), 1)
+        effects.burst(at, color("#ff9f4a"), 1)
     else
         self.velocity = self.velocity:lerp(way * 5.2 * (1 + 0.08 * arms.level("swift")), 0.3)
     end
-    local frames = walks and "21-24" or "17-20"
-    if look.animation ~= frames then look.animation = frames end
-    if math.abs(way.x) > 0.1 then look.flip_x = way.x < 0 end
     look.tint = self.mercy > 0 and self.dash == 0 and common.count % 8 < 4 and color("#ff8080") or color("white")
     self.hp = math.min(self.max_hp, self.hp + dt * 0.3 * arms.level("heart"))
-    for _, gem in ipairs(common.around(self.position, 1.9 * (1 + 0.4 * arms.level("magnet")), common.GEM)) do gem:fly() end
-    if self.mercy == 0 then
-        local enemy = common.around(self.position, 0.44, common.ENEMY)[1]
-        if enemy then self:hurt(enemy.damage) end
-    end
+    for _, gem in ipairs(common.around(at, 1.9 * (1 + 0.4 * arms.level("magnet")), common.GEM)) do gem:fly() end
+    local enemy = self.mercy == 0 and common.around(at, 0.44, common.ENEMY)[1]
+    if enemy then self:hurt(enemy.damage) end
 end
 
 -- Whether it was hurt.
@@ -61,7 +43,7 @@ function Hero:hurt(damage)
     effects.burst(self.position, color("#ff5a6e"), self.hp > 0 and 14 or 70)
     sounds[self.hp > 0 and "hurt" or "boom"]:play()
     if settings.shake then view:shake(0.25, 0.3) end
-    if self.hp == 0 then common.ended("over") end
+    if self.hp == 0 then night:finish("over") end
     return true
 end
 
@@ -75,14 +57,10 @@ function Hero:take(worth)
     night.streak = common.now - night.streak_at < 0.5 and math.min(night.streak + 1, 14) or 0
     night.streak_at, night.score, self.xp = common.now, night.score + 2 * worth, self.xp + worth
     sounds.gem:play { pitch = 2 ^ (night.streak / 12) }
-    if self.xp < self:need() or night.menu ~= "" or not night.running then return end
+    local offer = self.xp >= self:need() and night.menu == "" and night.running and arms.offer() or {}
+    if #offer == 0 then return end
     self.xp, self.level = self.xp - self:need(), self.level + 1
+    night.choices, night.menu, night.pick = offer, "choose", 1
     sounds.level:play()
     effects.ring(self.position, 4, color("#5ef2c4"))
-    for _, enemy in ipairs(common.around(self.position, 3, common.ENEMY)) do
-        enemy.velocity = (enemy.position - self.position):normalized() * 9
-    end
-    common.level_up()
 end
-
-return new_hero

@@ -1,8 +1,7 @@
 -- What lies over the picture: menus, the choice of a gift, and the bars while one plays. Sizes are those of a screen 800 px high.
-local common, effects, arenas = require "common", require "effects", require "arenas"
+local effects, arenas = require "effects", require "arenas"
 local gold, ink, dim, teal = color("#ffd98a"), color("#f3efff"), color("#a79fc9"), color("#5ef2c4")
-local menu, opened, shown = {}, 0, ""
-local unit, middle = 1, 640
+local menu, opened, shown, unit, middle = {}, 0, "", 1, 640
 
 function menu.open(name)
     night.menu, night.pick = name, 1
@@ -10,59 +9,51 @@ function menu.open(name)
 end
 
 local function opens(label, name) return { label, go = function() menu.open(name) end } end
-local function volume(label, name) return { label,
-    value = function() return math.floor(10 * settings[name] + 0.5) * 10 .. " %" end,
-    go = function(by) settings[name] = math.max(0, math.min(1, math.floor(10 * settings[name] + by + 0.5) / 10)) end } end
-local function switch(label, owner, name) return { label,
-    value = function() return owner[name] and "on" or "off" end, go = function() owner[name] = not owner[name] end } end
+local function setting(label, owner, name) return { label,
+    value = function() return owner[name] == true and "on" or not owner[name] and "off" or math.floor(100 * owner[name] + 0.5) .. " %" end,
+    go = function(by) owner[name] = type(owner[name]) == "number" and math.max(0, math.min(1, owner[name] + 0.1 * by)) or owner[name] == false end } end
 local back = { "Back", go = function() menu.open(night.running and "pause" or "title") end }
-local start = { "Light the lantern", go = function() menu.begin() end }
-
+local start = { "Light the lantern", go = function() night:begin() end }
 local menus = {
     title = { y = 500, start, opens("Settings", "settings"), opens("High scores", "scores"), { "Quit", go = function() quit() end },
         { "Arena", value = function() return arenas[night.first].name end,
           go = function(by) night.first = (night.first - 1 + by) % (store.unlocked or 1) + 1 end } },
-    settings = { y = 320, head = "Settings", volume("Sounds", "effects"), volume("Music", "music"), switch("Shaking", settings, "shake"),
-        switch("Full screen", view.window, "fullscreen"), back },
+    settings = { y = 320, head = "Settings", setting("Sounds", settings, "effects"), setting("Music", settings, "music"),
+        setting("Shaking", settings, "shake"), setting("Full screen", view.window, "fullscreen"), back },
     scores = { y = 700, head = "High scores", back },
-    pause = { y = 360, head = "Pause", opens("Go on", ""), opens("Settings", "settings"),
-        { "Give up", go = function() menu.open("") common.ended("over") end } },
-    over = { y = 650, head = "The light went out", start, opens("Title", "title") },
-    win = { y = 650, head = "Morning came", start, opens("Title", "title") },
-    choose = { y = 440, head = "The light grows" },
+    pause = { y = 360, head = "Pause", opens("Go on", ""), opens("Settings", "settings"), { "Give up", go = function() night:finish("over") end } },
+    over = { y = 660, head = "The light went out", start, opens("Title", "title") },
+    win = { y = 660, head = "Morning came", start, opens("Title", "title") },
+    choose = { y = 300, head = "The light grows" },
 }
 
 local function items()
     if night.menu ~= "choose" then return menus[night.menu] or {} end
-    local cards = {}
-    for i, name in ipairs(night.choices) do
-        cards[i] = { name, go = function() menu.open("") arms.take(name) end }
-    end
-    return cards
+    local gifts = {}
+    for i, name in ipairs(night.choices) do gifts[i] = { name, go = function() menu.open("") arms.take(name) end } end
+    return gifts
 end
 
--- Middle, width and height of an item.
-local function place_of(i, count)
-    if night.menu == "choose" then return middle + (i - (count + 1) / 2) * 290, menus.choose.y, 260, 330 end
-    return middle, menus[night.menu].y + 50 * (i - 1), 460, 46
+-- Height, and its distance from the upper edge.
+local function place_of(i)
+    local height = night.menu == "choose" and 130 or 48
+    return menus[night.menu].y + (height + 4) * (i - 1), height
 end
 
-local function item_at(point)
-    local all = items()
-    for i in ipairs(all) do
-        local x, y, width, height = place_of(i, #all)
-        if math.abs(point.x / unit - x) < width / 2 and math.abs(point.y / unit - y) < height / 2 then return i end
+function mouse_moved(_, point)
+    for i in ipairs(items()) do
+        local y, height = place_of(i)
+        if math.abs(point.x / unit - middle) < 280 and math.abs(point.y / unit - y) < height / 2 then night.pick = i return true end
     end
 end
 
-local function go(item, by)
-    if time.real - opened > (night.menu == "choose" and 0.4 or 0.15) then item.go(by) sounds.blip:play() end
+local function go(by)
+    if time.real - opened < (night.menu == "choose" and 0.4 or 0.15) then return end
+    items()[night.pick].go(by)
+    sounds.blip:play()
 end
-
-function mouse_moved(_, point) night.pick = item_at(point) or night.pick end
 function mouse_pressed(button, _, point)
-    night.pick = item_at(point) or night.pick
-    if button == "left" and item_at(point) then go(items()[night.pick], 1) end
+    if button == "left" and mouse_moved(nil, point) then go(1) end
 end
 
 local function pressed(name) return input[name].pressed and 1 or 0 end
@@ -71,14 +62,12 @@ local function pressed(name) return input[name].pressed and 1 or 0 end
 function menu.update(real_dt)
     unit, middle = view.screen.y / 800, view.screen.x / view.screen.y * 400
     if night.menu ~= shown then opened, shown = time.real, night.menu end
-    local all, cards = items(), night.menu == "choose"
-    if #all > 0 then
-        local across, down = pressed "menu_right" - pressed "menu_left", pressed "menu_down" - pressed "menu_up"
-        night.pick = (night.pick - 1 + (cards and across or down)) % #all + 1
-        if across ~= 0 and all[night.pick].value then go(all[night.pick], across) end
-        if input.accept.pressed then go(all[night.pick], 1)
-        elseif input.pause.pressed and night.menu == "pause" then menu.open("")
-        elseif input.back.pressed and (night.menu == "settings" or night.menu == "scores") then back.go() end
+    if night.menu ~= "" then
+        local across, all = pressed "menu_right" - pressed "menu_left", items()
+        night.pick = (night.pick - 1 + pressed "menu_down" - pressed "menu_up") % #all + 1
+        if across ~= 0 and all[night.pick].value then go(across) elseif input.accept.pressed then go(1)
+        elseif input.back.pressed and all[#all] == back then go(back.go())
+        elseif input.pause.pressed and night.menu == "pause" then menu.open("") end
     elseif input.pause.pressed and night.running then menu.open("pause") end
     local open = night.running and night.menu ~= ""
     time.scale = math.max(0, math.min(1, time.scale + (open and -5 or 3) * real_dt))
@@ -93,53 +82,44 @@ local function image(pen, name, x, y, width, height, tint)
     pen.image("art/" .. name .. ".png", vec(x, y) * unit, width * unit, height * unit, 0, tint)
 end
 
-local function draw_card(pen, x, y, name, chosen)
-    local level, gift = arms.level(name), arms.all[name]
-    if chosen then
-        y = y - 10 * math.abs(math.sin(3 * time.real))
-        image(pen, "glow", x, y, 500, 540, "#ffb35a70")
-    end
-    box(pen, x, y, 260, 330, "#120f26f0", chosen and gold or "#4a4080", 2 * unit)
-    image(pen, "icon_" .. name, x, y - 84, 110, 110)
-    text(pen, x, y + 4, gift.name, 28, chosen and gold or ink)
-    text(pen, x, y + 66, gift.text, 19, dim, "middle", "sans")
-    text(pen, x, y + 130, level == 0 and "new!" or "level " .. level + 1, 19, level == 0 and teal or gold)
+local function draw_item(pen, item, y, height, chosen)
+    local gift = night.menu == "choose" and arms.all[item[1]]
+    if chosen then image(pen, "glow", middle, y, gift and 900 or 600, height * 2.2, "#ffb35a70") end
+    if not gift then return text(pen, middle, y, item[1] .. (item.value and "   ‹ " .. item.value() .. " ›" or ""), 28, chosen and gold or ink) end
+    local level = arms.level(item[1])
+    box(pen, middle, y, 560, height, "#120f26f0", chosen and gold or "#4a4080", 2 * unit)
+    image(pen, "icon_" .. item[1], middle - 214, y, 104, 104)
+    text(pen, middle - 145, y - 26, gift.name, 28, chosen and gold or ink, "left")
+    text(pen, middle - 145, y + 18, gift.text, 20, dim, "left", "sans")
+    text(pen, middle + 262, y - 26, level == 0 and "new!" or "level " .. level + 1, 20, level == 0 and teal or gold, "right")
 end
 
 local function draw_menu(pen)
-    local all, head = items(), menus[night.menu].head
-    if head then
-        box(pen, middle, 400, 4000, 800, "#070414b0")
-        text(pen, middle, 120, head, 64, night.menu == "over" and color("#ff7a80") or gold)
-    else
+    local ended = night.menu == "over" or night.menu == "win"
+    if night.menu == "title" then
         image(pen, "glow", middle, 190, 1000, 420, "#ff9a4a55")
         text(pen, middle, 178 + 6 * math.sin(1.5 * time.real), "LANTERN", 132, gold)
         text(pen, middle, 280, "Keep the light until morning. A thousand come to put it out.", 24, ink, "middle", "sans")
         text(pen, middle, 770, "W A S D, arrows, stick or held mouse button: walk        Space, A or right mouse button: dash", 18, dim, "middle", "sans")
+    else
+        box(pen, middle, 400, 4000, 800, "#070414b0")
+        text(pen, middle, 120, menus[night.menu].head, 64, gold)
     end
-    if night.menu == "over" or night.menu == "win" then
-        text(pen, middle, 200, night.score .. " points     " .. night.kills .. " foes     " .. arenas[night.arena].name, 26)
-    end
-    for i, row in ipairs((night.menu == "over" or night.menu == "win" or night.menu == "scores") and store.scores or {}) do
-        local y, tint = 230 + 44 * i, i == night.rank and gold or ink
+    if ended then text(pen, middle, 200, night.score .. " points     " .. night.kills .. " foes     " .. arenas[night.arena].name, 26) end
+    for i, row in ipairs((ended or night.menu == "scores") and store.scores or {}) do
+        local y, tint = 220 + 46 * i, i == night.rank and gold or ink
         text(pen, middle - 60, y, i .. ".    " .. row.score, 26, tint, "right")
         text(pen, middle, y, (row.won and "morning" or arenas[row.arena].name) .. ",  " .. row.kills .. " foes", 22, dim, "left", "sans")
     end
-    for i, item in ipairs(all) do
-        local x, y, width, height = place_of(i, #all)
-        local chosen = i == night.pick
-        if night.menu == "choose" then draw_card(pen, x, y, item[1], chosen)
-        else
-            if chosen then image(pen, "glow", x, y, width * 1.3, height * 2.2, "#ffb35a60") end
-            text(pen, x, y, item[1] .. (item.value and "   ‹ " .. item.value() .. " ›" or ""), chosen and 30 or 27, chosen and gold or ink)
-        end
+    for i, item in ipairs(items()) do
+        local y, height = place_of(i)
+        draw_item(pen, item, y, height, i == night.pick)
     end
 end
 
 local function bar(pen, x, y, width, height, part, tint)
     box(pen, x, y, width + 4, height + 4, "#0a0718d0")
-    part = math.max(0, math.min(1, part))
-    box(pen, x - width * (1 - part) / 2, y, width * part, height, tint)
+    box(pen, x - width * (1 - part) / 2, y, width * math.min(1, part), height, tint)
 end
 
 local function draw_bars(pen)
@@ -151,12 +131,9 @@ local function draw_bars(pen)
     text(pen, 2 * middle - 20, 42, night.score, 32, gold, "right")
     text(pen, 2 * middle - 20, 74, night.kills .. " foes", 18, dim, "right")
     for _, name in ipairs(arms.order) do
-        local level = arms.level(name)
-        if level > 0 then
-            local x = 40 + 56 * place
-            box(pen, x, 752, 50, 50, "#120f26e0", "#4a4080", 2 * unit)
-            image(pen, "icon_" .. name, x, 752, 44, 44)
-            for i = 1, level do box(pen, x + 9 * i - 4.5 * (level + 1), 784, 6, 6, gold) end
+        if arms.level(name) > 0 then
+            image(pen, "icon_" .. name, 40 + 56 * place, 752, 46, 46)
+            for i = 1, arms.level(name) do box(pen, 13 + 56 * place + 9 * i, 784, 6, 6, gold) end
             place = place + 1
         end
     end
@@ -164,7 +141,7 @@ local function draw_bars(pen)
         text(pen, middle, 36, arena.boss, 22, color("#ff9d8a"))
         bar(pen, middle, 60, 520, 16, world.swarm.boss.hp / world.swarm.boss.max_hp, "#ff5a6e")
     elseif not night.boss then
-        local left = math.ceil(math.max(0, arena.length - night.clock))
+        local left = math.ceil(arena.length - night.clock)
         text(pen, middle, 44, string.format("%d:%02d", left // 60, left % 60), 38)
         text(pen, middle, 76, arena.boss .. " comes", 16, dim)
     end
@@ -174,7 +151,7 @@ function menu.draw(pen)
     pen.screen(function()
         image(pen, "dark", middle, 400, 2.5 * middle, 1160, arenas[night.arena].ink)
         if night.running then draw_bars(pen) end
-        effects.draw_banner(pen, vec(middle, 240) * unit, unit)
+        effects.draw_banner(pen, vec(middle, 200) * unit, unit)
         if night.menu ~= "" then draw_menu(pen) end
         box(pen, middle, 400, 2 * middle, 800, color(0.02, 0.01, 0.05, night.curtain))
     end)

@@ -1,68 +1,52 @@
 -- Weapons and gifts. A weapon fires by itself; its function returns the seconds until it fires again.
 local common, effects = require "common", require "effects"
-arms = {}
+arms = { order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" } }
 
 function arms.level(name) return world.arms[name].level end
-local function might() return 1 + 0.16 * arms.level("might") end
+
+local function hurt(enemy, damage, from, push)
+    enemy:hurt(damage * (1 + 0.16 * arms.level("might")), (enemy.position - from):normalized() * push)
+end
 
 local function hurt_all(at, radius, damage, push)
-    for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do
-        enemy:hurt(damage * might(), (enemy.position - at):normalized() * push)
-    end
+    for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do hurt(enemy, damage, at, push) end
 end
 
 -- Up to `count` enemies nearby, by chance.
 local function some(radius, count)
     local near, chosen = common.around(common.hero_at, radius, common.ENEMY), {}
-    for i = 1, math.min(count, #near) do
-        local j = random(i, #near)
-        near[i], near[j] = near[j], near[i]
-        chosen[i] = near[i]
-    end
+    for i = 1, math.min(count, #near) do chosen[i] = table.remove(near, random(#near)) end
     return chosen
 end
 
--- Sparks and fireflies hurt what they meet.
-Spark = class("Spark", Body) { type = "kinematic", pierce = 0, z = 4 }
-Firefly = class("Firefly", Body) { type = "kinematic", z = 6 }
-
-function Spark:ready() self:after(0.9, function(spark) spark:delete() end) end
+-- A spark, or a firefly, which hurts any number of enemies.
+Spark = class("Spark", Body) { type = "kinematic", damage = 1.0, pierce = 0, z = 4 }
 
 function Spark:sensor_begin(event)
     if not self:alive() or not event.other:alive() then return end
-    local way, last = vec(self.velocity), self.pierce == 0
-    if last then self:delete() else self.pierce = self.pierce - 1 end
-    event.other:hurt((1 + 0.45 * arms.level("sparks")) * might(), way * 0.25)
-end
-
-function Firefly:sensor_begin(event)
-    local enemy = event.other
-    if not enemy:alive() then return end
-    enemy:hurt((0.8 + 0.6 * arms.level("orbit")) * might(), (enemy.position - common.hero_at):normalized() * 6)
+    hurt(event.other, self.damage, common.hero_at, 4)
+    if self.pierce == 0 then self:delete() else self.pierce = self.pierce - 1 end
 end
 
 arms.all = {
     sparks = { name = "Sparks", text = "Bolts of light fly\nto the nearest foe", fire = function(level)
         local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
-        if not near then return 0.1 end
-        for i = 1, count do
+        for i = 1, near and count or 0 do
             local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
-            world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2,
-                common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) })
+            world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2, damage = 1 + 0.45 * level,
+                common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) }):after(0.9, function(spark) spark:delete() end)
         end
-        sounds.shot:play { pitch = 0.95 + 0.1 * random() }
-        return 0.62 - 0.06 * level
+        if near then sounds.shot:play { pitch = 0.95 + 0.1 * random() } end
+        return near and 0.62 - 0.06 * level or 0.1
     end },
     orbit = { name = "Fireflies", text = "Flames circle\naround you", fire = function(level)
-        local flies, count = world.lights:children(), level + 1
-        for _ = #flies + 1, count do
-            local fly = Firefly { position = common.hero_at, common.disc(0.42, common.SHOT, common.ENEMY, true), look = common.look("", 1.3) }
-            fly.look.image, fly.look.columns, fly.look.rows, fly.look.blend = "art/flame.png", 4, 1, "add"
-            world.lights:add(fly)
+        for _ = #world.lights:children(), level do
+            world.lights:add(Spark { position = common.hero_at, pierce = 1000000000, common.disc(0.42, common.SHOT, common.ENEMY, true),
+                look = common.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
         end
-        for i, fly in ipairs(flies) do
-            local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / count, 2 + 0.2 * level)
-            fly.velocity = (at - fly.position) / common.dt
+        for i, fly in ipairs(world.lights:children()) do
+            local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / (level + 1), 2 + 0.2 * level)
+            fly.velocity, fly.damage = (at - fly.position) / time.dt, 0.8 + 0.6 * level
         end
         return 0
     end },
@@ -77,12 +61,11 @@ arms.all = {
         for _, enemy in ipairs(struck) do
             local at = vec(enemy.position)
             effects.lightning(from, at)
-            enemy:hurt((2 + level) * might())
+            hurt(enemy, 2 + level, from, 1)
             from = at
         end
-        if #struck == 0 then return 0.1 end
-        sounds.zap:play { pitch = 0.9 + 0.2 * random() }
-        return 1.7 - 0.17 * level
+        if #struck > 0 then sounds.zap:play { pitch = 0.9 + 0.2 * random() } end
+        return #struck > 0 and 1.7 - 0.17 * level or 0.1
     end },
     comet = { name = "Comets", text = "Stars fall on\nthe crowd", fire = function(level)
         for _, enemy in ipairs(some(10, 1 + level // 2)) do
@@ -93,7 +76,6 @@ arms.all = {
                 effects.ring(at, radius, color("#8ad0ff"))
                 effects.burst(at, color("#8ad0ff"), 12)
                 sounds.boom:play { volume = 0.5, pitch = 1.3 }
-                if settings.shake then view:shake(0.08, 0.2) end
             end)
         end
         return 2.5 - 0.22 * level
@@ -104,7 +86,6 @@ arms.all = {
     heart = { name = "Warm Heart", text = "+20 health, and\nslow healing" },
     magnet = { name = "Lodestone", text = "Gems come from\nfarther away" },
 }
-arms.order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" }
 
 -- What the hero has: a level from 0 to 5, and the seconds until it fires again.
 Arm = class("Arm", Object) { level = 0, wait = 0.5 }

@@ -10,7 +10,7 @@ local function best_way()
     local at = world.hero.position
     local threats = {}
     for _, body in ipairs(world:overlap_box(at - vec(7, 7), at + vec(7, 7), ENEMY | SHOT)) do
-        if not body:is_a(Spark) and not body:is_a(Firefly) then
+        if not body:is_a(Spark) then
             threats[#threats + 1] = { body.position, body.velocity, body:is_a(Boss) and 8 or body:is_a(Orb) and 3 or 1 }
         end
     end
@@ -66,7 +66,7 @@ local function choose(t)
         if rank(name) < rank(night.choices[best]) then best = i end
     end
     while night.pick ~= best do
-        t:tap("right")
+        t:tap("down")
         t:steps(2)
     end
     t:tap("enter")
@@ -80,7 +80,7 @@ local function play(t, ends)
         else
             local way, cost = best_way()
             hold(keys[way])
-            if cost > 6 and world.hero.dash_wait == 0 then t:tap("space") end
+            if cost > 6 and world.hero.wait == 0 then t:tap("space") end
             t:steps(4)
             if REPORT and time.step % 600 < 4 then
                 print(string.format("%6.1f arena %d clock %5.1f hp %5.1f level %d crowd %d kills %d gems %d score %d", time.now, night.arena, night.clock, world.hero.hp,
