@@ -3,19 +3,14 @@ local common = { HERO = 1, ENEMY = 2, STONE = 4, GEM = 8, SHOT = 16, SOLID = 23,
 local probe = Circle {}
 
 function common.refresh() common.hero_at, common.now, common.count = vec(world.hero.position), time.now, time.step end
-
-function common.toward(angle, length) return vec(math.cos(angle), math.sin(angle)) * length end
-
--- The bodies of these categories that are not farther from a point.
-function common.around(point, radius, mask)
+function common.toward(angle, length) return vec(length, 0):rotated(angle) end
+function common.around(point, radius, mask)      -- the bodies of these categories that are not farther from a point
     probe.center, probe.radius = point, radius
     return world:overlap(probe, mask)
 end
-
 function common.disc(radius, category, mask, sensor, density)
     return Circle { radius = radius, category = category, mask = mask, sensor = sensor or false, density = density or 1, friction = 0, visible = false }
 end
-
 function common.look(frames, size, lift, file, columns, rows)
     return Sprite { image = "art/" .. (file or "sheet") .. ".png", columns = columns or 8, rows = rows or 4, animation = frames,
         frames_per_second = 7, size = vec(size, size), position = vec(0, lift or 0) }

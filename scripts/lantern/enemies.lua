@@ -95,7 +95,7 @@ function enemies.drop(at, worth)
     local old = worth > 0 and #gems > 300 and gems[random(#gems)]
     if old and old.worth > 0 then old.worth = old.worth + worth return end
     local gem = world.gems:add(Gem { position = at, worth = worth, common.disc(0.3, common.GEM, common.HERO, true),
-        look = common.look(worth == 0 and "28" or "25", worth == 0 and 0.8 or 0.42 + 0.05 * math.min(worth, 6)) })
+        look = common.look(worth == 0 and "28" or "25", worth == 0 and 0.8 or 0.55 + 0.05 * math.min(worth, 6)) })
     if worth > 0 then gem.look.tint = gem_colors[worth < 2 and 1 or worth < 5 and 2 or worth < 20 and 3 or 4] end
 end
 

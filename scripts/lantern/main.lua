@@ -119,11 +119,12 @@ end
 function update(dt, real_dt)
     audio.buses.effects.volume, audio.buses.music.volume = settings.effects, settings.music
     menu.update(real_dt)
-    effects.update(dt, real_dt)
+    effects.update(dt)
 end
 
 function draw(pen)
     pen.box(vec(0, 0), 2 * common.half.x, 2 * common.half.y, false, arenas[night.arena].edge, 4)
-    effects.draw(pen)
+    effects.draw(pen, 1)
+    effects.draw(pen, 2)
     menu.draw(pen)
 end

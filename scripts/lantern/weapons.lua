@@ -3,17 +3,13 @@ local common, effects = require "common", require "effects"
 arms = { order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" } }
 
 function arms.level(name) return world.arms[name].level end
-
 local function hurt(enemy, damage, from, push)
     enemy:hurt(damage * (1 + 0.16 * arms.level("might")), (enemy.position - from):normalized() * push)
 end
-
 local function hurt_all(at, radius, damage, push)
     for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do hurt(enemy, damage, at, push) end
 end
-
--- Up to `count` enemies nearby, by chance.
-local function some(radius, count)
+local function some(radius, count)                 -- up to so many enemies nearby, by chance
     local near, chosen = common.around(common.hero_at, radius, common.ENEMY), {}
     for i = 1, math.min(count, #near) do chosen[i] = table.remove(near, random(#near)) end
     return chosen
@@ -29,7 +25,7 @@ function Spark:sensor_begin(event)
 end
 
 arms.all = {
-    sparks = { name = "Sparks", text = "Bolts of light fly\nto the nearest foe", fire = function(level)
+    sparks = { name = "Sparks", text = "Bolts of light fly to the nearest foe", fire = function(level)
         local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
         for i = 1, near and count or 0 do
             local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
@@ -39,7 +35,7 @@ arms.all = {
         if near then sounds.shot:play { pitch = 0.95 + 0.1 * random() } end
         return near and 0.62 - 0.06 * level or 0.1
     end },
-    orbit = { name = "Fireflies", text = "Flames circle\naround you", fire = function(level)
+    orbit = { name = "Fireflies", text = "Flames circle around you", fire = function(level)
         for _ = #world.lights:children(), level do
             world.lights:add(Spark { position = common.hero_at, pierce = 1000000000, common.disc(0.42, common.SHOT, common.ENEMY, true),
                 look = common.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
@@ -50,13 +46,13 @@ arms.all = {
         end
         return 0
     end },
-    nova = { name = "Flare", text = "A ring of light\npushes all away", fire = function(level)
+    nova = { name = "Flare", text = "A ring of light pushes all away", fire = function(level)
         hurt_all(common.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
         effects.ring(common.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
         sounds.nova:play()
         return 3 - 0.25 * level
     end },
-    storm = { name = "Storm", text = "Lightning leaps\nfrom foe to foe", fire = function(level)
+    storm = { name = "Storm", text = "Lightning leaps from foe to foe", fire = function(level)
         local from, struck = common.hero_at, some(8.5, 1 + 2 * level)
         for _, enemy in ipairs(struck) do
             local at = vec(enemy.position)
@@ -67,7 +63,7 @@ arms.all = {
         if #struck > 0 then sounds.zap:play { pitch = 0.9 + 0.2 * random() } end
         return #struck > 0 and 1.7 - 0.17 * level or 0.1
     end },
-    comet = { name = "Comets", text = "Stars fall on\nthe crowd", fire = function(level)
+    comet = { name = "Comets", text = "Stars fall on the crowd", fire = function(level)
         for _, enemy in ipairs(some(10, 1 + level // 2)) do
             local at, radius = vec(enemy.position), 1.7 + 0.25 * level
             effects.comet(at)
@@ -80,11 +76,11 @@ arms.all = {
         end
         return 2.5 - 0.22 * level
     end },
-    might = { name = "Bright Oil", text = "All damage\n+16 %" },
-    haste = { name = "Quick Wick", text = "Weapons fire\n9 % faster" },
-    swift = { name = "Light Boots", text = "You walk\n8 % faster" },
-    heart = { name = "Warm Heart", text = "+20 health, and\nslow healing" },
-    magnet = { name = "Lodestone", text = "Gems come from\nfarther away" },
+    might = { name = "Bright Oil", text = "All damage +16 %" },
+    haste = { name = "Quick Wick", text = "Weapons fire 9 % faster" },
+    swift = { name = "Light Boots", text = "You walk 8 % faster" },
+    heart = { name = "Warm Heart", text = "+20 health, and slow healing" },
+    magnet = { name = "Lodestone", text = "Gems come from farther away" },
 }
 
 -- What the hero has: a level from 0 to 5, and the seconds until it fires again.
