@@ -3,7 +3,7 @@
 return {
     { name = "Moth Meadow", goal = "Hold out until the owl comes", boss = "The Great Owl", boss_hp = 170, ground = "art/meadow.png",
       ink = color("#071420"), glow = color("#ffcf8a38"), edge = color("#3f7f7a"), length = 70, cap = 260, toughness = 1, tempo = 9, root = 0,
-      waves = { { "shade", 0, 70, 2.2, 5 }, { "moth", 18, 70, 0.8, 3 }, { "brute", 42, 70, 0.15, 0.5 }, { "shade", 70, 250, 1.5, 30 } } },
+      waves = { { "shade", 0, 70, 1.9, 5 }, { "moth", 18, 70, 0.8, 3 }, { "brute", 42, 70, 0.15, 0.5 }, { "shade", 70, 250, 1.5, 30 } } },
     { name = "Stone Garden", goal = "A stag guards these graves", boss = "The White Stag", boss_hp = 480, ground = "art/graves.png",
       ink = color("#0c0a1e"), glow = color("#ffd9a034"), edge = color("#7a74b8"), length = 75, cap = 520, toughness = 2, tempo = 8, root = 3,
       waves = { { "shade", 0, 75, 4, 9 }, { "spitter", 8, 75, 0.3, 1.2 }, { "moth", 25, 75, 2, 8 }, { "brute", 30, 75, 0.4, 1.8 },

@@ -14,8 +14,7 @@ Boss = class("Boss", Enemy) { kind = "brute", max_hp = 1.0, speed = 2.2, damage 
 Gem = class("Gem", Body) { type = "static", worth = 1, flying = false, z = -50 }
 Orb = class("Orb", Body) { type = "kinematic", z = 5 }
 
--- A place in the arena that is out of sight.
-local function hidden_place()
+local function hidden_place()                    -- in the arena, and out of sight
     for _ = 1, 30 do
         local at = common.hero_at + common.toward(random() * tau, view.width * (0.56 + 0.12 * random()))
         if math.abs(at.x) < common.half.x - 1 and math.abs(at.y) < common.half.y - 1 then return at end
@@ -33,15 +32,12 @@ function enemies.spawn(name, at)
     enemy.look.frame = random(4)
 end
 
--- Spawns what is due in this step.
-function enemies.come(dt)
+function enemies.come(dt)                        -- those who are due in this step
     for _, wave in ipairs(arenas[night.arena].waves) do
         local kind, from, to, first, last = table.unpack(wave)
-        if night.clock >= from and night.clock < to then
-            local due = (first + (last - first) * (night.clock - from) / (to - from)) * dt
-            for _ = 1, math.floor(due + random()) do
-                if night.crowd < arenas[night.arena].cap then enemies.spawn(kind) end
-            end
+        local due = (first + (last - first) * (night.clock - from) / (to - from)) * dt
+        for _ = 1, night.clock >= from and night.clock < to and math.floor(due + random()) or 0 do
+            if night.crowd < arenas[night.arena].cap then enemies.spawn(kind) end
         end
     end
 end
@@ -73,9 +69,8 @@ function Enemy:hurt(damage, push)
     if not night.running then return end
     self.hp = self.hp - damage
     effects.number(self.position, damage)
-    if push then self.velocity = self.velocity + push * (0.36 / self.circle.radius) ^ 2 end
     if self.hp <= 0 then return self:die() end
-    self.look.scale = 1.3
+    self.velocity, self.look.scale = self.velocity + push * (0.36 / self.circle.radius) ^ 2, 1.3
     self.look:tween("scale", 1, 0.15)
     sounds.hit:play { pitch = 0.9 + 0.2 * random() }
 end
@@ -84,8 +79,7 @@ function Enemy:die()
     night.crowd, night.kills, night.score = night.crowd - 1, night.kills + 1, night.score + 10 * self.worth * night.arena
     effects.burst(self.position, kinds[self.kind].color, 4 + self.worth)
     sounds.pop:play { pitch = 0.8 + 0.4 * random() }
-    local heart = random() < 0.012 and world.hero.hp < 0.7 * world.hero.max_hp
-    enemies.drop(self.position, heart and 0 or self.worth)
+    enemies.drop(self.position, random() < 0.012 and world.hero.hp < 0.7 * world.hero.max_hp and 0 or self.worth)
     self:delete()
 end
 
@@ -99,6 +93,7 @@ function enemies.drop(at, worth)
     if worth > 0 then gem.look.tint = gem_colors[worth < 2 and 1 or worth < 5 and 2 or worth < 20 and 3 or 4] end
 end
 
+function Gem:fly() self.type, self.flying = "kinematic", true end
 function Gem:step()
     if not self.flying then return end
     local to = common.hero_at - self.position
@@ -108,16 +103,11 @@ function Gem:step()
     self:delete()
 end
 
-function Gem:fly() self.type, self.flying = "kinematic", true end
-
 function enemies.shoot(at, velocity)
     world.shots:add(Orb { position = at, velocity = velocity, common.disc(0.24, common.SHOT, common.HERO, true), look = common.look("27", 1) })
 end
-
 function Orb:ready() self:after(6, function(orb) orb:delete() end) end
-function Orb:sensor_begin(event)
-    if event.other == world.hero and event.other:hurt(10) then self:delete() end
-end
+function Orb:sensor_begin(event) return event.other == world.hero and event.other:hurt(10) and self:delete() end
 
 function enemies.boss()
     local arena = arenas[night.arena]
@@ -130,8 +120,7 @@ end
 
 -- It hunts, aims, rushes, and then shoots a ring; `charge` is the time since it began to hunt.
 function Boss:step(dt)
-    local at, now, hunt = self.position, self.charge + dt, self.hp < 0.5 * self.max_hp and 1.6 or 2.4
-    local to = common.hero_at - at
+    local at, now, hunt, to = self.position, self.charge + dt, self.hp < 0.5 * self.max_hp and 1.6 or 2.4, common.hero_at - self.position
     self.charge, self.z = now, -0.01 * at.y
     if now < hunt then
         self.velocity = self.velocity:lerp(to:normalized() * self.speed, 0.08)
@@ -145,7 +134,6 @@ function Boss:step(dt)
         self.charge, self.look.tint = 0, color("white")
         for i = 1, 8 + 4 * night.arena do enemies.shoot(at, common.toward(i * tau / (8 + 4 * night.arena), 4)) end
         for i = 1, night.arena == 2 and 8 or 0 do enemies.spawn("shade", at + common.toward(i * tau / 8, 2.5)) end
-        sounds.zap:play { pitch = 0.6 }
     end
 end
 

@@ -5,11 +5,9 @@ Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0
 
 function Hero:need() return 4 + 3 * self.level + self.level * self.level // 6 end
 
--- Where the player wants to go: keys or a stick, or the pointer while its left button is held.
-local function wanted()
+local function wanted()                          -- keys or a stick, or to the pointer while its left button is held
     local way, to = input.move, input.mouse.world - common.hero_at
-    if way:length() > 0.05 then return way end
-    return input.mouse.left and to:length() > 0.3 and to:normalized() or vec(0, 0)
+    return way:length() > 0.05 and way or input.mouse.left and to:length() > 0.3 and to:normalized() or vec(0, 0)
 end
 
 function Hero:step(dt)
@@ -23,12 +21,8 @@ function Hero:step(dt)
         sounds.dash:play()
         effects.ring(at, 1.2, color("#ffd98a"))
     end
-    if self.dash > 0 then
-        self.velocity = self.way * 19
-        effects.burst(at, color("#ff9f4a"), 1)
-    else
-        self.velocity = self.velocity:lerp(way * 5.2 * (1 + 0.08 * arms.level("swift")), 0.3)
-    end
+    self.velocity = self.dash > 0 and self.way * 19 or self.velocity:lerp(way * 5.2 * (1 + 0.08 * arms.level("swift")), 0.3)
+    if self.dash > 0 then effects.burst(at, color("#ff9f4a"), 1) end
     look.tint = self.mercy > 0 and self.dash == 0 and common.count % 8 < 4 and color("#ff8080") or color("white")
     self.hp = math.min(self.max_hp, self.hp + dt * 0.3 * arms.level("heart"))
     for _, gem in ipairs(common.around(at, 1.9 * (1 + 0.4 * arms.level("magnet")), common.GEM)) do gem:fly() end
@@ -36,8 +30,7 @@ function Hero:step(dt)
     if enemy then self:hurt(enemy.damage) end
 end
 
--- Whether it was hurt.
-function Hero:hurt(damage)
+function Hero:hurt(damage)                       -- returns whether it was hurt
     if self.mercy > 0 or not night.running or night.menu ~= "" then return false end
     self.hp, self.mercy = math.max(0, self.hp - damage), 0.55
     effects.burst(self.position, color("#ff5a6e"), self.hp > 0 and 14 or 70)
@@ -47,13 +40,8 @@ function Hero:hurt(damage)
     return true
 end
 
--- A gem, or a heart, which is worth 0.
-function Hero:take(worth)
-    if worth == 0 then
-        self.hp = math.min(self.max_hp, self.hp + 25)
-        sounds.heal:play()
-        return effects.ring(self.position, 2, color("#ff8aa0"))
-    end
+function Hero:take(worth)                        -- a gem, or a heart, which is worth 0
+    if worth == 0 then self.hp = math.min(self.max_hp, self.hp + 25) return sounds.heal:play() end
     night.streak = common.now - night.streak_at < 0.5 and math.min(night.streak + 1, 14) or 0
     night.streak_at, night.score, self.xp = common.now, night.score + 2 * worth, self.xp + worth
     sounds.gem:play { pitch = 2 ^ (night.streak / 12) }

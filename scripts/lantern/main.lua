@@ -3,14 +3,13 @@ Night = class("Night", Object) {
     running = false, menu = "title", pick = 1, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false, rest = 0.0,
     streak = 0, streak_at = 0.0, rank = 0, curtain = 0.0, choices = { "" },
 }
-game.night = Night {}
-game.settings = Object { effects = 0.8, music = 0.5, shake = true }
+game.night, game.settings = Night {}, Object { effects = 0.8, music = 0.5, shake = true }
 for name, value in pairs(store.settings or {}) do settings[name] = value end
 
 local common, effects, arenas, enemies = require "common", require "effects", require "arenas", require "enemies"
 require "hero"
 require "weapons"
-local play_music, menu = require "sounds", require "menus"
+local play_music, menu = require "music", require "menus"
 
 for name, keys in pairs {
     dash = { "space", "left_shift", "mouse.right", "gamepad.a", "gamepad.right_trigger" }, accept = { "enter", "space", "gamepad.a" },
@@ -30,8 +29,7 @@ function Night:enter(index)
     for _, name in ipairs { "stones", "gems", "swarm", "shots", "lights" } do world[name]:children():delete() end
     self.arena, self.clock, self.crowd, self.boss, self.rest, self.curtain = index, 0, 0, false, 0, 1
     self:tween("curtain", 0, 0.7)
-    world.ground.sprite.image, world.hero.light.tint = arena.ground, arena.glow
-    world.hero.position, view.center = vec(0, 0), vec(0, 0)
+    world.ground.sprite.image, world.hero.light.tint, world.hero.position, view.center = arena.ground, arena.glow, vec(0, 0), vec(0, 0)
     common.refresh()
     for _ = 1, 44 do
         local at, size = vec(random(-1.0, 1.0) * common.half.x, random(-1.0, 1.0) * common.half.y) * 0.95, random(1.8, 3.0)
@@ -59,8 +57,7 @@ function Night:begin()
     for _ = 1, 8 * (self.first - 1) do arms.take(arms.offer()[1]) end      -- who begins later begins with gifts
 end
 
--- The run is over: "over" or "win". Keeps the eight best scores.
-function Night:finish(how)
+function Night:finish(how)                       -- "over" or "win"; keeps the eight best scores
     local rows = {}
     self.running, self.rank, self.menu = false, 1, ""
     for i, row in ipairs(store.scores or {}) do
@@ -73,8 +70,7 @@ function Night:finish(how)
     after(1.4, function() menu.open(how) end)
 end
 
--- The boss is beaten: its swarm goes, and all gems come.
-function enemies.cleared()
+function enemies.cleared()                       -- the boss is beaten: its swarm goes, and all gems come
     for _, enemy in ipairs(world.swarm:children()) do
         effects.burst(enemy.position, color("#ffd98a"), 1)
         if random() < 0.3 then enemies.drop(enemy.position, enemy.worth) end
@@ -94,12 +90,12 @@ function Night:step(dt)
         if self.clock >= arenas[self.arena].length and not self.boss then enemies.boss() end
     elseif self.rest > dt then
         self.rest = self.rest - dt
-    elseif self.arena == #arenas then
-        self.score = self.score + 50 * math.floor(world.hero.hp)
-        self:finish("win")
-    else
+    elseif self.arena < #arenas then
         world.hero.hp = math.min(world.hero.max_hp, world.hero.hp + 40)
         self:enter(self.arena + 1)
+    else
+        self.score = self.score + 50 * math.floor(world.hero.hp)
+        self:finish("win")
     end
 end
 
@@ -108,7 +104,6 @@ function start()
     reset()
     effects.banner("", "")
     for i = 1, 50 do enemies.spawn(({ "shade", "shade", "moth", "spitter", "brute" })[i % 5 + 1], common.toward(i * 2.4, 9 + i % 5)) end
-    settings:watch(function() store.settings = { effects = settings.effects, music = settings.music, shake = settings.shake } end)
 end
 
 function step()

@@ -10,7 +10,10 @@ end
 local function opens(label, name) return { label, go = function() menu.open(name) end } end
 local function setting(label, owner, name) return { label,
     value = function() return owner[name] == true and "on" or not owner[name] and "off" or math.floor(100 * owner[name] + 0.5) .. " %" end,
-    go = function(by) owner[name] = type(owner[name]) == "number" and math.max(0, math.min(1, owner[name] + 0.1 * by)) or owner[name] == false end } end
+    go = function(by)
+        owner[name] = type(owner[name]) == "number" and math.max(0, math.min(1, owner[name] + 0.1 * by)) or owner[name] == false
+        store.settings = { effects = settings.effects, music = settings.music, shake = settings.shake }
+    end } end
 local back = { "Back", go = function() menu.open(night.running and "pause" or "title") end }
 local start = { "Light the lantern", go = function() night:begin() end }
 local menus = {

@@ -9,7 +9,7 @@ end
 local function hurt_all(at, radius, damage, push)
     for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do hurt(enemy, damage, at, push) end
 end
-local function some(radius, count)                 -- up to so many enemies nearby, by chance
+local function some(radius, count)               -- up to so many enemies nearby, by chance
     local near, chosen = common.around(common.hero_at, radius, common.ENEMY), {}
     for i = 1, math.min(count, #near) do chosen[i] = table.remove(near, random(#near)) end
     return chosen
@@ -24,58 +24,68 @@ function Spark:sensor_begin(event)
     if self.pierce == 0 then self:delete() else self.pierce = self.pierce - 1 end
 end
 
+local function sparks(level)
+    local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
+    if not near then return 0.1 end
+    for i = 1, count do
+        local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
+        world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2, damage = 1 + 0.45 * level,
+            common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) }):after(0.9, function(spark) spark:delete() end)
+    end
+    sounds.shot:play { pitch = 0.95 + 0.1 * random() }
+    return 0.62 - 0.06 * level
+end
+
+local function orbit(level)
+    for _ = #world.lights:children(), level do
+        world.lights:add(Spark { position = common.hero_at, pierce = 1000000000, common.disc(0.42, common.SHOT, common.ENEMY, true),
+            look = common.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
+    end
+    for i, fly in ipairs(world.lights:children()) do
+        local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / (level + 1), 2 + 0.2 * level)
+        fly.velocity, fly.damage = (at - fly.position) / time.dt, 0.8 + 0.6 * level
+    end
+    return 0
+end
+
+local function nova(level)
+    hurt_all(common.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
+    effects.ring(common.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
+    sounds.nova:play()
+    return 3 - 0.25 * level
+end
+
+local function storm(level)
+    local from, struck = common.hero_at, some(8.5, 1 + 2 * level)
+    for _, enemy in ipairs(struck) do
+        local at = vec(enemy.position)
+        effects.lightning(from, at)
+        hurt(enemy, 2 + level, from, 1)
+        from = at
+    end
+    if #struck > 0 then sounds.zap:play { pitch = 0.9 + 0.2 * random() } end
+    return #struck > 0 and 1.7 - 0.17 * level or 0.1
+end
+
+local function comet(level)
+    for _, enemy in ipairs(some(10, 1 + level // 2)) do
+        local at, radius = vec(enemy.position), 1.7 + 0.25 * level
+        effects.comet(at)
+        after(0.55, function()
+            hurt_all(at, radius, 3 + 2 * level, 7)
+            effects.ring(at, radius, color("#8ad0ff"))
+            sounds.boom:play { volume = 0.5, pitch = 1.3 }
+        end)
+    end
+    return 2.5 - 0.22 * level
+end
+
 arms.all = {
-    sparks = { name = "Sparks", text = "Bolts of light fly to the nearest foe", fire = function(level)
-        local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
-        for i = 1, near and count or 0 do
-            local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
-            world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2, damage = 1 + 0.45 * level,
-                common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) }):after(0.9, function(spark) spark:delete() end)
-        end
-        if near then sounds.shot:play { pitch = 0.95 + 0.1 * random() } end
-        return near and 0.62 - 0.06 * level or 0.1
-    end },
-    orbit = { name = "Fireflies", text = "Flames circle around you", fire = function(level)
-        for _ = #world.lights:children(), level do
-            world.lights:add(Spark { position = common.hero_at, pierce = 1000000000, common.disc(0.42, common.SHOT, common.ENEMY, true),
-                look = common.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
-        end
-        for i, fly in ipairs(world.lights:children()) do
-            local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / (level + 1), 2 + 0.2 * level)
-            fly.velocity, fly.damage = (at - fly.position) / time.dt, 0.8 + 0.6 * level
-        end
-        return 0
-    end },
-    nova = { name = "Flare", text = "A ring of light pushes all away", fire = function(level)
-        hurt_all(common.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
-        effects.ring(common.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
-        sounds.nova:play()
-        return 3 - 0.25 * level
-    end },
-    storm = { name = "Storm", text = "Lightning leaps from foe to foe", fire = function(level)
-        local from, struck = common.hero_at, some(8.5, 1 + 2 * level)
-        for _, enemy in ipairs(struck) do
-            local at = vec(enemy.position)
-            effects.lightning(from, at)
-            hurt(enemy, 2 + level, from, 1)
-            from = at
-        end
-        if #struck > 0 then sounds.zap:play { pitch = 0.9 + 0.2 * random() } end
-        return #struck > 0 and 1.7 - 0.17 * level or 0.1
-    end },
-    comet = { name = "Comets", text = "Stars fall on the crowd", fire = function(level)
-        for _, enemy in ipairs(some(10, 1 + level // 2)) do
-            local at, radius = vec(enemy.position), 1.7 + 0.25 * level
-            effects.comet(at)
-            after(0.55, function()
-                hurt_all(at, radius, 3 + 2 * level, 7)
-                effects.ring(at, radius, color("#8ad0ff"))
-                effects.burst(at, color("#8ad0ff"), 12)
-                sounds.boom:play { volume = 0.5, pitch = 1.3 }
-            end)
-        end
-        return 2.5 - 0.22 * level
-    end },
+    sparks = { name = "Sparks", text = "Bolts of light fly to the nearest foe", fire = sparks },
+    orbit = { name = "Fireflies", text = "Flames circle around you", fire = orbit },
+    nova = { name = "Flare", text = "A ring of light pushes all away", fire = nova },
+    storm = { name = "Storm", text = "Lightning leaps from foe to foe", fire = storm },
+    comet = { name = "Comets", text = "Stars fall on the crowd", fire = comet },
     might = { name = "Bright Oil", text = "All damage +16 %" },
     haste = { name = "Quick Wick", text = "Weapons fire 9 % faster" },
     swift = { name = "Light Boots", text = "You walk 8 % faster" },
@@ -93,12 +103,9 @@ function Arm:step(dt)
     if self.wait <= 0 then self.wait = fire(self.level) * (1 - 0.09 * arms.level("haste")) end
 end
 
--- Three names of what can still grow, by chance.
-function arms.offer()
+function arms.offer()                            -- up to three names of what can still grow, by chance
     local can = {}
-    for _, name in ipairs(arms.order) do
-        if arms.level(name) < 5 then can[#can + 1] = name end
-    end
+    for _, name in ipairs(arms.order) do can[#can + 1] = arms.level(name) < 5 and name or nil end
     while #can > 3 do table.remove(can, random(#can)) end
     return can
 end
