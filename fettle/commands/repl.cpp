@@ -158,14 +158,14 @@ class Repl {
     }
 
     std::vector<LineEditor::Candidate> candidates(std::string_view line, std::size_t cursor) {
-        const std::size_t before = pending_.empty() ? 0 : pending_.size() + 1;
+        const std::size_t earlier = pending_.empty() ? 0 : pending_.size() + 1;
         const std::string all =
             pending_.empty() ? std::string(line) : pending_ + "\n" + std::string(line);
         std::vector<LineEditor::Candidate> found;
-        for (script::Completion& c : session_.runtime().complete(all, before + cursor))
-            if (c.replace_from >= before)
+        for (script::Completion& c : session_.runtime().complete(all, earlier + cursor))
+            if (c.replace_from >= earlier)
                 found.push_back({std::move(c.text), std::move(c.label), std::move(c.detail),
-                                 c.replace_from - before});
+                                 c.replace_from - earlier});
         return found;
     }
 

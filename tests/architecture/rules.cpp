@@ -76,7 +76,7 @@ const std::vector<Part>& parts() {
          {"fettle"},
          {"property", "storage", "physics", "module", "physics_module", "visuals", "script", "app",
           "console"},
-         {"Eigen", "JSON", "CLI11", "POSIX"}},
+         {"Eigen", "JSON", "CLI11", "libedit", "POSIX"}},
     };
     return table;
 }
@@ -103,6 +103,7 @@ const std::vector<Library>& libraries() {
         {"pugixml", std::regex("pugixml\\.hpp"), std::regex("fettle_pugixml|pugixml::.*")},
         {"zlib", std::regex("zlib\\.h"), std::regex("fettle_zlib|ZLIB::.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
+        {"libedit", std::regex("histedit\\.h"), std::regex("fettle_libedit")},
         {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
          std::regex("dl")},
         {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // from the compiler
