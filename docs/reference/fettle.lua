@@ -457,6 +457,7 @@ Object = {}
 ---@field audio Audio Everything that is heard.
 ---@field console Console The in-game console and inspector.
 ---@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
+---@field interface Interface What all widgets have in common.
 ---@field time Time Simulation time: how fast it passes, and how far it is.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
@@ -1772,8 +1773,10 @@ Show = {}
 
 ---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 ---@class GameWindow : Object
+---@field cursor "arrow"|"hand"|"text"|"cross"|"move"|"size_horizontal"|"size_vertical"|"wait"|"help"|"not_allowed" Form of the pointer of the mouse over the window. · "arrow", "hand", "text", "cross", "move", "size_horizontal", "size_vertical", "wait", "help", "not_allowed" · default "arrow" · not saved
 ---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
 ---@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
+---@field grab_mouse boolean Whether the pointer of the mouse is kept inside the window while the window has the keyboard. · true or false · default false · not saved
 ---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
 ---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
 ---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
@@ -2200,6 +2203,406 @@ function fettle_Action:on(event, handler) end
 ---@overload fun(members?: table): Action
 Action = {}
 
+---Colors, font and distances of widgets. A widget has that of its property `theme`, else that of the widget above it, else interface.theme.
+---@class Theme : Object
+---@field accent color What is chosen or switched on, and the most important button. · 0 to 1 · default color("#2f6fed")
+---@field border color Line around panels and fields. · 0 to 1 · default color("#ffffff21")
+---@field control color Buttons, and the tracks of sliders. · 0 to 1 · default color("#323b4d")
+---@field field color Background of text fields and lists. · 0 to 1 · default color("#12161e")
+---@field focus color Ring around the widget that has the keyboard. · 0 to 1 · default color("#90c1ff")
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. · any text · default "sans"
+---@field font_size number Size of texts. · px · 1 to 1000 · default 17
+---@field muted color Text of less importance, such as a placeholder. · 0 to 1 · default color("#aab6c9")
+---@field on_accent color Text on the color `accent`. · 0 to 1 · default color("#ffffff")
+---@field padding number Distance between the edge of a panel and what is in it. · px · 0 to 1000 · default 22
+---@field panel color Background of panels. · 0 to 1 · default color("#1c222ef7")
+---@field radius number Radius of corners. · px · 0 to 1000 · default 9
+---@field shade color What is behind a modal widget is covered by it. · 0 to 1 · default color("#05070b99")
+---@field spacing number Distance between the widgets of a row, a column or a list. · px · 0 to 1000 · default 10
+---@field text color Text. · 0 to 1 · default color("#f1f4f9")
+local fettle_Theme = {}
+
+---Colors, font and distances of widgets. A widget has that of its property `theme`, else that of the widget above it, else interface.theme.
+---@class Class.Theme : Class
+---@overload fun(members?: table): Theme
+Theme = {}
+
+---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
+---@class Widget : Object
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" Which point of the panel, or of the screen, it is at, with its own point of that name. Rows, columns and lists place their widgets themselves. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "top_left"
+---@field disabled boolean Whether it is pale and does nothing, with everything below it. · true or false · default false
+---@field fill "none"|"width"|"height"|"both" Whether it takes all the width or height that there is. · "none", "width", "height", "both" · default "none"
+---@field focused boolean Whether it has the keyboard. · true or false · read-only, simulated
+---@field grow number Its share of the length that is left over in a row or column; 0: none. · 0 to 1000000 · default 0
+---@field held boolean Whether the player holds it down. · true or false · read-only, simulated
+---@field hovered boolean Whether the mouse is over it. · true or false · read-only, simulated
+---@field min_size vec The least width and height. · px · 0 to 100000 · default vec(0, 0)
+---@field offset vec By how much it is moved from its place, y down. · px · -100000 to 100000 · default vec(0, 0)
+---@field opacity number Multiplies the opacity of it and of everything below it. · 0 to 1 · default 1
+---@field screen_position vec Where its top left corner is on the screen. · px · any finite vec · read-only, simulated
+---@field screen_size vec Its width and height on the screen. · px · any finite vec · read-only, simulated
+---@field size vec Width and height; 0: as large as what is in it needs. · px · 0 to 100000 · default vec(0, 0)
+---@field theme Theme? Colors, font and distances of it and of everything below it; nil: those of the widget above it, at the top those of interface.theme. · any Theme · default nil
+---@field visible boolean Whether it is drawn and takes up room, with everything below it. · true or false · default true
+local fettle_Widget = {}
+
+---Gives it the keyboard.
+function fettle_Widget:focus() end
+
+---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
+---@class Class.Widget : Class
+Widget = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Panel.cancelled
+---@field instance Panel To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A box with a background. Each of its widgets is at its own anchor, so it mostly holds one column or row.
+---@class Panel : Widget
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" Which point of the panel, or of the screen, it is at, with its own point of that name. Rows, columns and lists place their widgets themselves. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "center"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. What is behind it is covered by a shade. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Panel = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Panel, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Panel, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Panel, event: "cancelled", handler: fun(record: Panel.cancelled)): Connection
+function fettle_Panel:on(event, handler) end
+
+---A box with a background. Each of its widgets is at its own anchor, so it mostly holds one column or row.
+---@class Class.Panel : Class
+---@overload fun(members?: table): Panel
+Panel = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Row.cancelled
+---@field instance Row To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Widgets side by side.
+---@class Row : Widget
+---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "center"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. What is behind it is covered by a shade. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Row = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Row, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Row, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Row, event: "cancelled", handler: fun(record: Row.cancelled)): Connection
+function fettle_Row:on(event, handler) end
+
+---Widgets side by side.
+---@class Class.Row : Class
+---@overload fun(members?: table): Row
+Row = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Column.cancelled
+---@field instance Column To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Widgets below each other.
+---@class Column : Widget
+---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "stretch"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. What is behind it is covered by a shade. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Column = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Column, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Column, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Column, event: "cancelled", handler: fun(record: Column.cancelled)): Connection
+function fettle_Column:on(event, handler) end
+
+---Widgets below each other.
+---@class Class.Column : Class
+---@overload fun(members?: table): Column
+Column = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class List.cancelled
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has chosen another line.
+---@class List.changed
+---@field selected integer Number of the line.
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed return on a line, or clicked on the chosen one.
+---@class List.submitted
+---@field selected integer Number of the line.
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Lines of text to choose from, or widgets below each other; it scrolls if there is no room for all.
+---@class List : Widget
+---@field bind string Path of a property that is the chosen line: a text, or its number. Without items, its lines are the values that the property can have. · any text · default ""
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field items string[] Its lines. If there are none, it shows the widgets below it. · any length · default {}
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. What is behind it is covered by a shade. · true or false · default false
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field scroll number How far down it is scrolled. · px · 0 to 1000000000 · default 0
+---@field selected integer Number of the chosen line, from 1; 0: none. · 0 to 1000000000 · default 0
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_List = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: List, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: List, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: List, event: "cancelled", handler: fun(record: List.cancelled)): Connection
+---@overload fun(self: List, event: "changed", handler: fun(record: List.changed)): Connection
+---@overload fun(self: List, event: "submitted", handler: fun(record: List.submitted)): Connection
+function fettle_List:on(event, handler) end
+
+---Lines of text to choose from, or widgets below each other; it scrolls if there is no room for all.
+---@class Class.List : Class
+---@overload fun(members?: table): List
+List = {}
+
+---It was listening, and the player has pressed a key or button.
+---@class Button.captured
+---@field name string As in input.actions: "space", "mouse.left", "gamepad.a".
+---@field instance Button To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed and released it.
+---@class Button.pressed
+---@field instance Button To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Something to press: with the mouse, return or space, or A on the gamepad.
+---@class Button : Widget
+---@field bind string Path of the keys of an action, such as input.actions.jump: the button shows them, and after a press the player chooses another one. · any text · default ""
+---@field color color? Its background; nil: that of its look. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field image string A picture before its text: a file in the game's folder. · any text · default ""
+---@field listening boolean Whether it waits for a key or button of any device. The next one is told by the event `captured` and does nothing else; escape ends it. · true or false · default false
+---@field look "normal"|"accent"|"quiet" accent: it stands out. quiet: only its text is seen. · "normal", "accent", "quiet" · default "normal"
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field prompt string What is written on it while it is listening. · any text · default "press a key"
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field text string What is written on it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_Button = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Button, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Button, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Button, event: "pressed", handler: fun(record: Button.pressed)): Connection
+---@overload fun(self: Button, event: "captured", handler: fun(record: Button.captured)): Connection
+function fettle_Button:on(event, handler) end
+
+---Something to press: with the mouse, return or space, or A on the gamepad.
+---@class Class.Button : Class
+---@overload fun(members?: table): Button
+Button = {}
+
+---A text.
+---@class Label : Widget
+---@field bind string Path of a property; the text is its value. · any text · default ""
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "wrap"
+---@field text string What is written; it may have several lines. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_Label = {}
+
+---A text.
+---@class Class.Label : Class
+---@overload fun(members?: table): Label
+Label = {}
+
+---A picture, as large as fits without being distorted.
+---@class Image : Widget
+---@field image string A file in the game's folder. · any text · default ""
+---@field tint color Multiplies the picture's colors. · 0 to 1 · default color("#ffffff")
+local fettle_Image = {}
+
+---A picture, as large as fits without being distorted.
+---@class Class.Image : Class
+---@overload fun(members?: table): Image
+Image = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class Slider.changed
+---@field value number The new value.
+---@field instance Slider To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A number to choose with the mouse, the arrow keys or the gamepad.
+---@class Slider : Widget
+---@field bind string Path of a property that is the number, such as audio.volume; both always have the same value. · any text · default ""
+---@field color color? The part up to the value; nil: accent. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field step number The player chooses multiples of it, counted from the least value; 0: any number. Integers have a step of 1 at least. · 0 to 1000000000000 · default 0
+---@field value number The number. · -1000000000000 to 1000000000000 · default 0
+local fettle_Slider = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Slider, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Slider, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Slider, event: "changed", handler: fun(record: Slider.changed)): Connection
+function fettle_Slider:on(event, handler) end
+
+---A number to choose with the mouse, the arrow keys or the gamepad.
+---@class Class.Slider : Class
+---@overload fun(members?: table): Slider
+Slider = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class Toggle.changed
+---@field value boolean The new value.
+---@field instance Toggle To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A switch with a text.
+---@class Toggle : Widget
+---@field bind string Path of a boolean property; both always have the same value. · any text · default ""
+---@field color color? What it has if on; nil: accent. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field text string What is written beside it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+---@field value boolean Whether it is on. · true or false · default false
+local fettle_Toggle = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Toggle, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Toggle, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Toggle, event: "changed", handler: fun(record: Toggle.changed)): Connection
+function fettle_Toggle:on(event, handler) end
+
+---A switch with a text.
+---@class Class.Toggle : Class
+---@overload fun(members?: table): Toggle
+Toggle = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class TextField.changed
+---@field value string The new value.
+---@field instance TextField To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed return.
+---@class TextField.submitted
+---@field text string What is in it.
+---@field instance TextField To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A line of text to type.
+---@class TextField : Widget
+---@field bind string Path of a text or number; a number is set by return, or when the field loses the keyboard. · any text · default ""
+---@field caret integer Number of characters before the place where typed ones appear. · 0 to 1000000000 · default 0
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1000000 · default 0
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field placeholder string Shown while it is empty. · any text · default ""
+---@field text string What is in it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_TextField = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: TextField, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: TextField, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: TextField, event: "changed", handler: fun(record: TextField.changed)): Connection
+---@overload fun(self: TextField, event: "submitted", handler: fun(record: TextField.submitted)): Connection
+function fettle_TextField:on(event, handler) end
+
+---A line of text to type.
+---@class Class.TextField : Class
+---@overload fun(members?: table): TextField
+TextField = {}
+
+---How far something is.
+---@class ProgressBar : Widget
+---@field bind string Path of a property that is the value. · any text · default ""
+---@field color color? The full part; nil: accent. · 0 to 1 · default nil · may be nil
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field text string Written on it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+---@field value number Between min and max. · -1000000000000 to 1000000000000 · default 0
+local fettle_ProgressBar = {}
+
+---How far something is.
+---@class Class.ProgressBar : Class
+---@overload fun(members?: table): ProgressBar
+ProgressBar = {}
+
+---What all widgets have in common.
+---@class Interface : Object
+---@field focus Widget? The widget that has the keyboard; nil: none. · any Widget · default nil
+---@field focus_shown boolean Whether that widget has a ring: after a key or a gamepad's button, not after a click. · true or false · default true
+---@field held Widget? The widget that the player holds down; nil: none. · any Widget · default nil
+---@field scale number Pixels of the screen for one of the layout; 0: such that the screen is 720 high. · 0 to 16 · default 0
+local fettle_Interface = {}
+
+---What all widgets have in common.
+---@class Class.Interface : Class
+Interface = {}
+
 ---It has reached its end; it is deleted at the next step.
 ---@class Tween.finished
 ---@field instance Tween To whom it happened.
@@ -2335,6 +2738,10 @@ console = nil
 ---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@type Input
 input = nil
+
+---What all widgets have in common.
+---@type Interface
+interface = nil
 
 ---Simulation time: how fast it passes, and how far it is.
 ---@type Time

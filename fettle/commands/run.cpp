@@ -168,6 +168,7 @@ class WindowRun {
         scripts_.reset();
         session_.reset();
         window().release_textures();
+        window().report_gamepads();
         session_ = std::make_unique<Session>(
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });

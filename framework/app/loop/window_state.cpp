@@ -80,7 +80,21 @@ void define_window(property::Tree& tree, property::Handle view_instance, View& v
                  [](View& v) { return &v.window.vsync; }),
              window_switch(view, "cursor_visible", true,
                            "Whether the pointer of the mouse is seen over the window.",
-                           [](View& v) { return &v.window.cursor_visible; })}});
+                           [](View& v) { return &v.window.cursor_visible; }),
+             {.name = "cursor",
+              .type = Type::text,
+              .default_value = "arrow",
+              .doc = "Form of the pointer of the mouse over the window.",
+              .binding =
+                  column(view, Native::enumeration, 0,
+                         [](View& v) { return reinterpret_cast<std::uint8_t*>(&v.window.cursor); }),
+              .transient = true,
+              .enumerators = {"arrow", "hand", "text", "cross", "move", "size_horizontal",
+                              "size_vertical", "wait", "help", "not_allowed"}},
+             window_switch(view, "grab_mouse", false,
+                           "Whether the pointer of the mouse is kept inside the window while the "
+                           "window has the keyboard.",
+                           [](View& v) { return &v.window.grab_mouse; })}});
     tree.create(window_class, view_instance, "window");
 }
 

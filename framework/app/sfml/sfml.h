@@ -3,6 +3,7 @@
 // that are the same in both versions.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <streambuf>
 #include <string>
@@ -15,6 +16,7 @@
 #include <SFML/Window.hpp>
 
 #include <fettle/app/event.h>
+#include <fettle/app/window_state.h>
 
 namespace fettle::app::sfml {
 
@@ -38,6 +40,10 @@ void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
 /// Maker and product of a gamepad, "054c:0ce6".
 std::string device_of(unsigned gamepad);
 
+/// A pointer of the system; null if it has none of this form. sfml_events.cpp defines this
+/// function.
+std::unique_ptr<sf::Cursor> system_cursor(Cursor form);
+
 /// True if OpenAL has opened a sound device. sfml_audio.cpp defines this function.
 bool openal_device_opened();
 
@@ -49,6 +55,10 @@ inline constexpr bool plays_on_openal = false;
 /// opens it.
 inline bool audio_device_opened() {
     return sf::PlaybackDevice::getDevice().has_value();
+}
+inline std::unique_ptr<sf::Cursor> load_cursor(sf::Cursor::Type type) {
+    std::optional<sf::Cursor> cursor = sf::Cursor::createFromSystem(type);
+    return cursor ? std::make_unique<sf::Cursor>(std::move(*cursor)) : nullptr;
 }
 class StereoStream : public sf::SoundStream {
   protected:
@@ -215,6 +225,10 @@ inline bool poll(sf::RenderWindow& window, InputEvent& out) {
 inline constexpr bool plays_on_openal = true;
 inline bool audio_device_opened() {
     return openal_device_opened();
+}
+inline std::unique_ptr<sf::Cursor> load_cursor(sf::Cursor::Type type) {
+    auto cursor = std::make_unique<sf::Cursor>();
+    return cursor->loadFromSystem(type) ? std::move(cursor) : nullptr;
 }
 class StereoStream : public sf::SoundStream {
   protected:

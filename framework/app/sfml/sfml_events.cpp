@@ -91,6 +91,14 @@ std::string device_of(unsigned gamepad) {
     return text;
 }
 
+std::unique_ptr<sf::Cursor> system_cursor(Cursor form) {
+    using Type = sf::Cursor::Type;
+    constexpr std::array types = {
+        Type::Arrow,          Type::Hand,         Type::Text, Type::Cross, Type::SizeAll,
+        Type::SizeHorizontal, Type::SizeVertical, Type::Wait, Type::Help,  Type::NotAllowed};
+    return load_cursor(types[static_cast<std::size_t>(form)]);
+}
+
 void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position) {
     const float value = position / 100;
     const auto is = [&](const char* name, float delta) {

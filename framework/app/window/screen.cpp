@@ -158,6 +158,7 @@ class SfmlWindow : public Window {
     Clipboard& clipboard() override { return clipboard_; }
 
     bool poll(InputEvent& event) override {
+        if (poll_gamepads(event)) return true;
         if (!sfml::poll(window_, event)) return poll_size(event);
         if (event.kind == EventKind::key_pressed)
             event.repeated = !down_.insert(event.name).second;
@@ -187,6 +188,8 @@ class SfmlWindow : public Window {
         if (state.vsync != before.vsync) window_.setVerticalSyncEnabled(state.vsync);
         if (state.cursor_visible != before.cursor_visible)
             window_.setMouseCursorVisible(state.cursor_visible);
+        if (state.cursor != before.cursor) show_cursor();
+        if (state.grab_mouse != before.grab_mouse) window_.setMouseCursorGrabbed(state.grab_mouse);
     }
     bool set_icon(const std::string& bytes) override {
         const sfml::NoMessages quiet;
@@ -196,6 +199,7 @@ class SfmlWindow : public Window {
         sfml::set_icon(window_, *icon_);
         return true;
     }
+    void report_gamepads() override { next_gamepad_ = 0; }
 
   private:
     /// Opens the window, or opens it again: a change of its frame needs that.
@@ -216,8 +220,30 @@ class SfmlWindow : public Window {
         window_.setMouseCursorVisible(state_.cursor_visible);
         window_.setKeyRepeatEnabled(true);  // for the console; the game gets only the first press
         if (icon_) sfml::set_icon(window_, *icon_);
+        if (state_.cursor != Cursor::arrow) show_cursor();
+        window_.setMouseCursorGrabbed(state_.grab_mouse);
         told_ = state_.fullscreen ? property::Vec2(0, 0) : state_.size;
         reopened_ = true;
+    }
+    /// The library reports gamepads only that are plugged in while the window is open.
+    bool poll_gamepads(InputEvent& event) {
+        while (next_gamepad_ < sf::Joystick::Count) {
+            const unsigned gamepad = next_gamepad_++;
+            if (!sf::Joystick::isConnected(gamepad)) continue;
+            event = {};
+            event.kind = EventKind::gamepad_connected;
+            event.gamepad = static_cast<int>(gamepad) + 1;
+            event.name = sfml::device_of(gamepad);
+            return true;
+        }
+        return false;
+    }
+    void show_cursor() {
+        // The window uses the cursor until it gets another one.
+        if (std::unique_ptr<sf::Cursor> cursor = sfml::system_cursor(state_.cursor)) {
+            window_.setMouseCursor(*cursor);
+            cursor_ = std::move(cursor);
+        }
     }
     /// A window that was opened again tells its size, since the system may not.
     bool poll_size(InputEvent& event) {
@@ -240,7 +266,9 @@ class SfmlWindow : public Window {
     WindowState state_;
     property::Vec2 told_{0, 0};  // px, the size that the game knows
     bool reopened_ = false;
+    unsigned next_gamepad_ = 0;  // to be reported
     std::unique_ptr<sf::Image> icon_;
+    std::unique_ptr<sf::Cursor> cursor_;
     sf::RenderWindow window_;
     std::unique_ptr<Canvas> canvas_;
     std::unique_ptr<sf::Texture> frame_;

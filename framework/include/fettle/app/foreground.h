@@ -28,9 +28,9 @@ struct Act {
     Kind kind = Kind::key;
     std::string name{};
     bool down = false;
-    bool repeated = false;         // a key that is held down
-    int gamepad = 0;               // from 1
-    property::Vec2 value{0, 0};    // of a mouse: px from the top left corner
+    bool repeated = false;       // a key that is held down
+    int gamepad = 0;             // from 1
+    property::Vec2 value{0, 0};  // of a mouse: px from the top left corner
 };
 
 class Foreground {

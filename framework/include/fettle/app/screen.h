@@ -62,6 +62,9 @@ class Window : public Screen {
     virtual void follow(const WindowState& state) = 0;
     /// Shows an image, the content of a file, in the task bar. False if it is no image.
     virtual bool set_icon(const std::string& image) = 0;
+    /// Lets `poll` report the gamepads that are plugged in, for a game that starts now. A window
+    /// that was just opened does so by itself.
+    virtual void report_gamepads() = 0;
 };
 
 /// The pixels of an image file. Throws std::runtime_error that names file and reason.

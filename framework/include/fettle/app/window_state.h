@@ -2,6 +2,7 @@
 // The window of a game: its title, size and mode. Seen in the tree as `view.window`. The window
 // follows these values; a headless run has them without a window.
 
+#include <cstdint>
 #include <string>
 
 #include <fettle/app/export.h>
@@ -13,6 +14,20 @@ namespace fettle::app {
 
 struct View;
 
+/// Form of the mouse pointer. The names of the enumerators are those of `view.window.cursor`.
+enum class Cursor : std::uint8_t {
+    arrow,
+    hand,
+    text,
+    cross,
+    move,
+    size_horizontal,
+    size_vertical,
+    wait,
+    help,
+    not_allowed
+};
+
 struct WindowState {
     std::string title = "Fettle";
     property::Vec2 size{1280, 800};  // px, while it is not fullscreen
@@ -20,6 +35,8 @@ struct WindowState {
     bool resizable = true;
     bool vsync = true;  // frames wait for the screen
     bool cursor_visible = true;
+    Cursor cursor = Cursor::arrow;
+    bool grab_mouse = false;  // the pointer stays in the window
 };
 
 /// Adds the window of the view to the tree, below `view`. The view must outlive all use by the
