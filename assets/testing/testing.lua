@@ -218,10 +218,23 @@ function t:tap(key)
     coroutine.yield()
 end
 
-function t:move_mouse(position) set_input(game.input.mouse, "world", position) end
+-- A point of the world, or a widget, of which the middle is meant.
+local function point_at(target, level)
+    local ok, middle = pcall(function() return target.screen_position + 0.5 * target.screen_size end)
+    local ok_set, why = pcall(function()
+        if ok then
+            game.input.mouse.screen = middle
+        else
+            game.input.mouse.world = target
+        end
+    end)
+    if not ok_set then error((string.gsub(tostring(why), "^[%w_/.-]+%.lua:%d+: ", "")), level + 1) end
+end
+
+function t:move_mouse(position) point_at(position, 2) end
 
 function t:click(position, button)
-    set_input(game.input.mouse, "world", position)
+    point_at(position, 2)
     set_input(game.input.mouse, button or "left", true)
     coroutine.yield()
     set_input(game.input.mouse, button or "left", false)

@@ -68,6 +68,10 @@ const std::vector<Part>& parts() {
          {"framework/app", "framework/include/fettle/app"},
          {"script", "property", "storage"},
          {"Eigen", "SFML", "Zstandard", "POSIX"}},
+        {"interface",
+         {"framework/interface", "framework/include/fettle/interface"},
+         {"app", "module", "property"},
+         {"Eigen"}},
         {"console",
          {"console", "console/include/fettle/console"},
          {"app", "script", "property", "storage"},
@@ -75,7 +79,7 @@ const std::vector<Part>& parts() {
         {"fettle",
          {"fettle"},
          {"property", "storage", "physics", "module", "physics_module", "visuals", "script", "app",
-          "console"},
+          "interface", "console"},
          {"Eigen", "JSON", "CLI11", "libedit", "POSIX"}},
     };
     return table;

@@ -60,6 +60,31 @@ void draw_bars(property::Painter& painter, const View& view) {
     painter.end_screen();
 }
 
+/// Draws what covers the screen during a change of the scene, which scripts begin with go_to_scene.
+void draw_transition(property::Painter& painter, const property::Tree& tree, const Vec2& screen) {
+    const property::Handle now = tree.child(tree.root(), "transition");
+    if (!now || tree.class_of(now).name() != "Transition") return;
+    const double progress = tree.get(now, "progress").as_double();
+    const std::string& kind = tree.get(now, "kind").text();
+    Color color = tree.get(now, "color").color();
+    const double covered = progress < 0.5 ? 2 * progress : 2 - 2 * progress;
+    Vec2 from(0, 0), to = screen;
+    painter.begin_screen();
+    if (kind == "iris") {
+        // A ring, the hole of which closes.
+        const double all = 0.5 * screen.norm() + 2;
+        const auto thick = static_cast<float>(all * covered);
+        painter.circle(0.5 * screen, all, {{0, 0, 0, 0}, color, std::max(1.0f, thick)});
+    } else {
+        if (kind == "fade") color.a *= static_cast<float>(covered);
+        if (kind == "wipe" && progress < 0.5) to.x() *= covered;
+        if (kind == "wipe" && progress >= 0.5) from.x() = screen.x() * (1 - covered);
+        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        painter.polygon(corners, 0, {.fill = color, .border = {0, 0, 0, 0}});
+    }
+    painter.end_screen();
+}
+
 /// Draws the frame rate and a bar for each phase of a frame at the top right.
 void draw_timings(Surface& surface, const Clock& clock) {
     struct Row {
@@ -121,6 +146,7 @@ void Loop::draw(Screen& screen, double seconds) {
         runtime_.draw(painter);
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
+    draw_transition(painter, tree_, view.screen);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

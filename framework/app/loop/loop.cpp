@@ -215,6 +215,7 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     services_.input.deliver(runtime_);
     watch.lap(watch.phases.input);
     if (stopped()) return false;
+    runtime_.advance(real_dt);
     barrier();
     watch.lap(watch.phases.handlers);
     if (stopped() || closing_) return false;  // no other callback follows closing()

@@ -18,10 +18,10 @@ using property::Value;
 
 namespace {
 
-/// "left_shift" as a person reads it.
+/// "left_shift" and "gamepad.a" as a person reads them.
 std::string readable(std::string name) {
     for (char& c : name)
-        if (c == '_') c = ' ';
+        if (c == '_' || c == '.') c = ' ';
     return name;
 }
 

@@ -127,6 +127,7 @@ void Picture::draw_progress(const Widget& widget) {
 void Picture::draw_list(const Widget& widget) {
     const Theme& theme = *widget.look_of;
     const Box inner = Layout::inside(widget);
+    if (inner.width() <= 0 || inner.height() <= 0) return;
     const double from = Layout::scrolled(widget), line = Layout::line_of(widget);
     const bool scrolls = widget.content > inner.height() + 0.5;
     painter_->push({});

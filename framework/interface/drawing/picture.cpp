@@ -15,6 +15,16 @@ using property::TextAlign;
 using property::Transform;
 using property::Vec2;
 
+namespace {
+
+bool has_background(const Widget& widget) {
+    if (!is_container(widget.kind)) return false;
+    if (widget.color) return widget.color->a > 0;
+    return widget.kind == Kind::panel || widget.kind == Kind::list;
+}
+
+}  // namespace
+
 // --- Soft changes
 
 void Picture::advance(double seconds) {
@@ -49,7 +59,7 @@ void Picture::draw(property::Painter& painter, const Vec2& screen) {
     painter.push(Transform::scaled(Vec2(widgets_.scale, widgets_.scale)));
     const Widget* shaded = nullptr;
     for (const Row row : layout_.shown())
-        if (widgets_[row].modal && is_container(widgets_[row].kind)) shaded = &widgets_[row];
+        if (widgets_[row].modal && has_background(widgets_[row])) shaded = &widgets_[row];
     for (const Row row : layout_.shown()) {
         Widget& widget = widgets_[row];
         if (&widget == shaded) draw_shade(*widget.look_of, screen / widgets_.scale);

@@ -126,7 +126,7 @@ Properties container_properties(Widgets& widgets) {
             widgets,
             {.name = "modal",
              .doc = "While it is visible, it gets all keys, buttons and clicks: nothing reaches the "
-                    "game or other widgets. What is behind it is covered by a shade."}),
+                    "game or other widgets. If it has a background, a shade covers what is behind it."}),
         field<&Widget::last_focus>(widgets, {.name = "last_focus",
                                              .doc = "The widget in it that had the keyboard last.",
                                              .hidden = true,

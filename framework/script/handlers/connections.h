@@ -24,6 +24,8 @@ class Connections {
     void keep(property::Connection connection);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
+    /// The number of the next connection.
+    std::uint64_t next_number() const { return next_id_; }
     /// Ends all connections, before a game is loaded.
     void clear();
 

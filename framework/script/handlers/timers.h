@@ -35,6 +35,8 @@ class Timers {
     void wait(lua_State* L, double due);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
+    /// The number of the next timer.
+    std::uint64_t next_number() const { return next_id_; }
     bool waiting(lua_State* thread) const { return waiting_.contains(thread); }
     /// Runs all timers that are due, in order of time, then of creation. Returns false if one
     /// raised an error.

@@ -11,6 +11,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/sandbox.h>
+#include <library/scene_files.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
@@ -29,25 +30,11 @@ property::Assets assets_of(const Machine& machine) {
 }
 
 int load(lua_State* L) {
-    Machine& machine = machine_of(L);
     const std::string file = check_text(L, 1, "scene.load: needs a file name");
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "scene.load");
     const std::string name =
         lua_isnoneornil(L, 3) ? "" : check_text(L, 3, "scene.load: needs a name");
-    const fs::path named = assets_of(machine).find("scene.load", file, endings);
-    const std::string text = machine.sources.files.read(named);
-    // A canonical path, because a later run with tweaks of this run may start in another folder.
-    const fs::path path = fs::weakly_canonical(named);
-    std::vector<std::string> warnings;
-    std::vector<property::SceneInstance> instances;
-    const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
-                                                    &warnings, &instances);
-    if (property::Tweaks* tweaks = machine.options.tweaks) {
-        tweaks->scene_loaded(path, instances, !name.empty());
-        tweaks->placed(loaded);
-    }
-    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
-    push_instance(L, loaded);
+    push_instance(L, load_scene_file(machine_of(L), "scene.load", file, parent, name));
     return 1;
 }
 
@@ -66,6 +53,46 @@ int save(lua_State* L) {
 }
 
 }  // namespace
+
+Handle load_scene_file(Machine& machine, const char* what, const std::string& file, Handle parent,
+                       const std::string& name) {
+    const fs::path named = assets_of(machine).find(what, file, endings);
+    const std::string text = machine.sources.files.read(named);
+    // A canonical path, because a later run with tweaks of this run may start in another folder.
+    const fs::path path = fs::weakly_canonical(named);
+    std::vector<std::string> warnings;
+    std::vector<property::SceneInstance> instances;
+    const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
+                                                    &warnings, &instances);
+    if (property::Tweaks* tweaks = machine.options.tweaks) {
+        tweaks->scene_loaded(path, instances, !name.empty());
+        tweaks->placed(loaded);
+    }
+    for (const std::string& warning : warnings) print_line(machine, "warning: " + warning);
+    return loaded;
+}
+
+std::string scene_file_named(Machine& machine, const std::string& name) {
+    for (const std::string& file : {"scenes/" + name + ".json", name + ".json", name}) {
+        if (!file.ends_with(".json") || file == "game.json") continue;
+        try {
+            return assets_of(machine).find("go_to_scene", file, endings).empty() ? "" : file;
+        } catch (const Error&) {
+            continue;  // there is no such file
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> scene_file_names(Machine& machine) {
+    std::vector<std::string> names;
+    for (std::string name : assets_of(machine).names(endings)) {
+        if (name == "game.json" || name == "modules.json" || name.ends_with(".tweaks.json")) continue;
+        if (name.starts_with("scenes/")) name.erase(0, 7);
+        names.push_back(name.substr(0, name.size() - endings[0].size()));
+    }
+    return names;
+}
 
 void open_scenes(lua_State* L) {
     lua_newtable(L);

@@ -1,6 +1,7 @@
 #pragma once
 // The global variables of the game and the console. The numbers are references in Lua's registry.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct Environment {
     int last_result = 0;
     std::vector<std::string> assigned;  // globals assigned by the game and the console
     std::vector<std::string> stated;    // variables that are properties of `game`
+    /// Numbers of the timers and connections that `enter` of the scene made.
+    struct Made {
+        std::uint64_t first_timer = 0, end_timer = 0, first_connection = 0, end_connection = 0;
+    } made_by_scene{};
     property::Handle it;                // the selected instance
 };
 

@@ -7,6 +7,7 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 
+#include <handlers/connections.h>
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <lua/guard.h>
@@ -196,6 +197,12 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
         lua_replace(L, 3);
         if (key == "props") {
             set_props(L, machine, now);
+            continue;
+        }
+        // pressed = function() ... end: a handler of the event.
+        if (of.event(key) != nullptr && lua_isfunction(L, 3)) {
+            machine.connections.push(L, connect_event(L, machine, now.made, of, key, false));
+            lua_pop(L, 1);
             continue;
         }
         refuse_unknown(machine, of, key);

@@ -13,6 +13,7 @@
 #include <library/pen.h>
 #include <library/random.h>
 #include <library/sandbox.h>
+#include <library/scene_changes.h>
 #include <library/time_functions.h>
 #include <lua/arena.h>
 #include <lua/environment.h>
@@ -65,6 +66,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_class_function(L);
     open_require(L);
     open_scenes(L);
+    open_scene_changes(L);
     open_formulas(L);
     open_history(L);
     open_tweaks(L);

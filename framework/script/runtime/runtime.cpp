@@ -16,6 +16,7 @@
 #include <handlers/timers.h>
 #include <library/host_functions.h>
 #include <library/pen.h>
+#include <library/scene_changes.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
 #include <lua/environment.h>
@@ -133,6 +134,7 @@ void forget_game(Machine& machine) {
     lua_pop(L, 1);
     machine.globals.assigned.clear();
     machine.globals.stated.clear();
+    machine.globals.made_by_scene = {};
 }
 
 bool run_chunk(Machine& machine, const std::string& text, const std::string& name,
@@ -284,6 +286,12 @@ bool Runtime::draw(property::Painter& painter) {
     ok &= classes.ok();
     ok &= call_with_pen(machine, "draw");
     return ok;
+}
+
+void Runtime::advance(double seconds) {
+    Machine& machine = live();
+    const Life::Use use(machine.life);
+    advance_transition(machine, seconds);
 }
 
 bool Runtime::step(double now, double dt) {

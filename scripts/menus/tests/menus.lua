@@ -1,0 +1,33 @@
+test("a player goes through the menus", function(t)
+    t:steps(2)
+    local menu = game.scene.menu
+    t:click(menu.settings)
+    t:steps(1)
+    -- The jump key is chosen again.
+    local keys = settings.column:children()[6]
+    t:click(keys.button)
+    t:tap("j")
+    expect(input.actions.jump[1]):is("j")
+    t:tap("escape")
+    expect(game:has("settings")):falsy()
+    t:click(menu.play)
+    t:wait_until(function() return game.scene:is_a(Level) end, 2)
+    t:wait(0.5)
+    expect(game.scene.number):is(1)
+    t:click(game.scene.display.pause)
+    expect(time.paused):truthy()
+    t:tap("escape")
+    expect(time.paused):falsy()
+    t:tap("j")
+    expect(game.scene.hero.velocity.y):above(3)
+end)
+
+test("a level ends with what it owns", function(t)
+    go_to_scene("Level", { args = { number = 2 } })
+    t:steps(2)
+    local old = game.scene.hero
+    expect(game.scene.number):is(2)
+    go_to_scene("Title")
+    t:steps(2)
+    expect(old:alive()):falsy()
+end)

@@ -1,0 +1,307 @@
+// What the player does, by simulated input.
+
+#include "screen.h"
+
+namespace acting_test {
+
+using namespace fettle::interface::test;
+
+namespace {
+
+constexpr const char* menu = R"(
+    input.actions.jump = { "space", "mouse.left", "gamepad.a" }
+    function key_pressed(key) print("key", key) end
+    function mouse_pressed(button) print("mouse", button) end
+    function mouse_released(button) print("mouse up", button) end
+    function wheel() print("wheel") end
+    function text_input(text) print("text", text) end
+    function gamepad_pressed(_, button) print("pad", button) end
+    function action_pressed(action) print("action", action) end
+    game.menu = Panel { modal = true, Column {
+        Button { name = "a", text = "a", pressed = function() print("a!") end },
+        Button { name = "b", text = "b", pressed = function() print("b!") end },
+        Toggle { name = "t", text = "t", changed = function(e) print("t", e.value) end },
+        Slider { name = "s", min = 0, max = 10, changed = function(e) print("s", e.value) end },
+        TextField { name = "f", submitted = function(e) print("f", e.text) end },
+    }, cancelled = function() print("cancelled") end })";
+
+struct Menu : Screen {
+    Menu() : Screen(menu) {}
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Menu, "a click presses a button and the game does not get it") {
+    click("menu.column.a");
+    CHECK(heard() == "a!");
+    click("menu.column.b");
+    CHECK(heard() == "b!");
+    // Pressed on one, released over another: nothing.
+    point(middle("menu.column.a"));
+    set("input.mouse.left", true);
+    turn();
+    CHECK(get("menu.column.a.held").boolean());
+    point(middle("menu.column.b"));
+    set("input.mouse.left", false);
+    turn();
+    CHECK(heard().empty());
+    CHECK_FALSE(get("menu.column.a.held").boolean());
+    CHECK(get("menu.column.b.hovered").boolean());
+    // A modal menu gets clicks beside it, too.
+    click(Vec2(5, 5));
+    CHECK(heard().empty());
+    CHECK_FALSE(get("input.jump.held").boolean());
+}
+
+TEST_CASE_METHOD(Menu, "without a modal widget the game gets what no widget takes") {
+    set("menu.modal", Value(false));
+    turn();
+    set("interface.focus", Value());
+    click(Vec2(5, 5));
+    CHECK(heard() == "mouse\tleft action\tjump mouse up\tleft");
+    click("menu.column.a");
+    CHECK(heard() == "a!");
+    tap("space");
+    CHECK(heard() == "key\tspace action\tjump");
+    // A click on a text field gives it the keyboard, one beside it takes it away.
+    click("menu.column.f");
+    heard();
+    tap("space");
+    tap("q");
+    CHECK(heard().empty());
+    click(Vec2(5, 5));
+    heard();
+    tap("q");
+    CHECK(heard() == "key\tq");
+    set("menu.visible", Value(false));
+    click("menu.column.a");
+    CHECK(heard().find("mouse\tleft") == 0);
+}
+
+TEST_CASE_METHOD(Menu, "a key that the menu got stays its own until it is released") {
+    set("input.keys.space", true);
+    turn();
+    CHECK(heard() == "a!");
+    run("menu:delete()");
+    turn();
+    CHECK_FALSE(get("input.jump.held").boolean());
+    set("input.keys.space", false);
+    turn();
+    CHECK(heard().empty());
+    set("input.keys.space", true);
+    turn();
+    CHECK(heard() == "key\tspace action\tjump");
+    CHECK(get("input.jump.held").boolean());
+}
+
+TEST_CASE_METHOD(Menu, "keys and the gamepad go through the menu") {
+    CHECK(focus() == "menu.column.a");
+    tap("down");
+    CHECK(focus() == "menu.column.b");
+    tap("enter");
+    CHECK(heard() == "b!");
+    tap("tab");
+    CHECK(focus() == "menu.column.t");
+    tap("space");
+    CHECK(heard() == "t\ttrue");
+    CHECK(get("menu.column.t.value").boolean());
+    set("input.gamepad_1.dpad_down", true);
+    turn();
+    set("input.gamepad_1.dpad_down", false);
+    turn();
+    CHECK(focus() == "menu.column.s");
+    set("input.gamepad_1.left", Value(Vec2(1, 0)));
+    turn();
+    CHECK(heard() == "s\t0.5");
+    CHECK(get("input.move").vec2() == Vec2(0, 0));
+    set("input.gamepad_1.left", Value(Vec2(0, 0)));
+    set("input.keys.left_shift", true);
+    tap("tab");
+    CHECK(focus() == "menu.column.t");
+    set("input.keys.left_shift", false);
+    tap("up");
+    tap("up");
+    tap("up");
+    CHECK(focus() == "menu.column.f");
+    tap("escape");
+    set("input.gamepad_1.b", true);
+    turn();
+    CHECK(heard() == "cancelled cancelled");
+}
+
+TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
+    set("menu.column.a.disabled", true);
+    turn();
+    CHECK(focus() == "menu.column.b");
+    click("menu.column.a");
+    CHECK(heard().empty());
+    set("menu.column.b.visible", false);
+    turn();
+    CHECK(focus() == "menu.column.t");
+    set("menu.column.disabled", true);
+    turn();
+    CHECK(focus().empty());
+    click("menu.column.t");
+    CHECK_FALSE(get("menu.column.t.value").boolean());
+}
+
+TEST_CASE_METHOD(Menu, "a slider follows the mouse and the arrow keys") {
+    const Vec2 corner = get("menu.column.s.screen_position").vec2();
+    const Vec2 size = get("menu.column.s.screen_size").vec2();
+    point(corner + Vec2(0.5 * size.x(), 0.5 * size.y()));
+    set("input.mouse.left", true);
+    turn();
+    CHECK(get("menu.column.s.value").number() == Approx(5));
+    point(corner + Vec2(size.x() + 500, -100));
+    turn();
+    CHECK(get("menu.column.s.value").number() == 10);
+    set("input.mouse.left", false);
+    turn();
+    point(corner);
+    turn();
+    CHECK(get("menu.column.s.value").number() == 10);
+    set("menu.column.s.step", Value(3.0));
+    tap("left");
+    CHECK(get("menu.column.s.value").number() == 6);
+    heard();
+    set("menu.column.s.value", Value(2.0));  // by a script: no event
+    turn();
+    CHECK(heard().empty());
+}
+
+TEST_CASE_METHOD(Menu, "text is typed at the caret") {
+    click("menu.column.f");
+    type(U"héllo");
+    CHECK(get("menu.column.f.text").text() == "héllo");
+    tap("home");
+    tap("right");
+    tap("delete");
+    type(U"e");
+    CHECK(get("menu.column.f.text").text() == "hello");
+    tap("end");
+    tap("backspace");
+    CHECK(get("menu.column.f.text").text() == "hell");
+    CHECK(get("menu.column.f.caret").integer() == 4);
+    set("menu.column.f.max_length", Value(5));
+    type(U" you");
+    CHECK(get("menu.column.f.text").text() == "hell ");
+    tap("enter");
+    CHECK(heard() == "f\thell ");
+    // A caret behind the end, and in a shorter text, is one at the end.
+    set("menu.column.f.caret", Value(1000));
+    tap("backspace");
+    CHECK(get("menu.column.f.text").text() == "hell");
+}
+
+TEST_CASE("a list scrolls and its lines are chosen") {
+    Screen s(R"(
+        local items = {}
+        for i = 1, 40 do items[i] = "line " .. i end
+        game.l = List { items = items, size = vec(200, 150), changed = function(e) print("c", e.selected) end,
+            submitted = function(e) print("s", e.selected) end }
+        function wheel() print("wheel") end)");
+    s.click(s.get("l.screen_position").vec2() + Vec2(50, 50));
+    CHECK(s.heard() == "c\t2");
+    s.click(s.get("l.screen_position").vec2() + Vec2(50, 50));
+    CHECK(s.heard() == "s\t2");
+    s.set("input.mouse.wheel", Value(-2.0));
+    s.turn();
+    CHECK(s.heard().empty());
+    const double scrolled = s.get("l.scroll").number();
+    CHECK(scrolled > 50);
+    s.set("input.mouse.wheel", Value(-1000.0));
+    s.turn();
+    const double end = s.get("l.scroll").number();
+    CHECK(end < 40 * 40);
+    s.run("l:focus()");
+    s.tap("end");
+    CHECK(s.get("l.selected").integer() == 40);
+    s.tap("home");
+    CHECK(s.get("l.scroll").number() == 0);
+    s.point(Vec2(1000, 700));
+    s.set("input.mouse.wheel", Value(1.0));
+    s.turn();
+    CHECK(s.heard().find("wheel") != std::string::npos);
+    // Widgets in a list scroll, too, and the one with the keyboard is shown.
+    s.run(R"(game.m = List { modal = true, size = vec(200, 100) }
+        for i = 1, 10 do m:add(Button { text = "b" .. i, pressed = function() print("b" .. i) end }) end)");
+    s.turn();
+    s.heard();
+    for (int i = 0; i < 9; ++i) s.tap("tab");
+    CHECK(s.get("m.scroll").number() > 200);
+    s.click("m.button_10");
+    CHECK(s.heard() == "b10");
+    CHECK(s.draw().drawn > 0);
+}
+
+TEST_CASE("a button listens for a key and binds an action") {
+    Screen s(R"(
+        input.actions.jump = { "space", "gamepad.a" }
+        game.m = Panel { modal = true, Column {
+            Button { name = "jump", bind = "input.actions.jump" },
+            Button { name = "any", text = "any", captured = function(e) print("got", e.name) end } } })");
+    s.turn();
+    CHECK(s.get("m.column.jump.text").text() == "space, gamepad.a");
+    s.tap("enter");
+    CHECK(s.get("m.column.jump.listening").boolean());
+    s.tap("escape");
+    CHECK_FALSE(s.get("m.column.jump.listening").boolean());
+    s.tap("enter");
+    s.tap("left_shift");
+    CHECK(s.get("m.column.jump.text").text() == "left shift, gamepad.a");
+    s.tap("enter");
+    s.set("input.gamepad_1.left_shoulder", true);
+    s.turn();
+    CHECK(s.tree.text(s.get("input.actions.jump")) == "{\"left_shift\", \"gamepad.left_shoulder\"}");
+    s.set("m.column.any.listening", true);
+    s.set("input.mouse.right", true);
+    s.turn();
+    CHECK(s.heard() == "got\tmouse.right");
+}
+
+TEST_CASE("the menu in front has the keyboard and gives it back") {
+    Screen s(R"(game.m = Panel { modal = true, Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } })");
+    s.tap("down");
+    CHECK(s.focus() == "m.column.b");
+    s.run(R"(game.n = Panel { modal = true, Button { text = "c" } })");
+    s.turn();
+    CHECK(s.focus() == "n.button");
+    s.tap("down");
+    CHECK(s.focus() == "n.button");
+    s.run("n:delete()");
+    s.turn();
+    CHECK(s.focus() == "m.column.b");
+    s.run("m:delete()");
+    s.turn();
+    CHECK(s.focus().empty());
+}
+
+TEST_CASE_METHOD(Menu, "what the player did is state") {
+    set("time.rewind_limit", Value(60.0));
+    click("menu.column.f");
+    type(U"abc");
+    const Snapshot then = tree.snapshot();
+    type(U"def");
+    tap("tab");
+    set("menu.column.s.value", Value(7.0));
+    tree.restore(then);
+    turn();
+    CHECK(get("menu.column.f.text").text() == "abc");
+    CHECK(get("menu.column.f.caret").integer() == 3);
+    CHECK(focus() == "menu.column.f");
+    CHECK(get("menu.column.s.value").number() == 0);
+    // A snapshot of a moment in which a slider was dragged does not go on with it.
+    point(middle("menu.column.s"));
+    set("input.mouse.left", true);
+    turn();
+    const Snapshot dragged = tree.snapshot();
+    set("input.mouse.left", false);
+    turn();
+    tree.restore(dragged);
+    turn();
+    point(Vec2(1200, 300));
+    turn();
+    CHECK(get("menu.column.s.value").number() == Approx(5));
+}
+
+}  // namespace acting_test

@@ -1,0 +1,136 @@
+// Where widgets are.
+
+#include "screen.h"
+
+namespace layout_test {
+
+using namespace fettle::interface::test;
+
+namespace {
+
+struct Placed : Screen {
+    using Screen::Screen;
+    Vec2 at(const std::string& path) const { return get(path + ".screen_position").vec2(); }
+    Vec2 size(const std::string& path) const { return get(path + ".screen_size").vec2(); }
+};
+
+}  // namespace
+
+TEST_CASE("a widget is at its anchor and follows the size of the screen") {
+    Placed s("game.a = Panel { anchor = 'bottom_right', size = vec(200, 100), offset = vec(-10, -20) }");
+    CHECK(s.at("a") == Vec2(1070, 600));
+    CHECK(s.size("a") == Vec2(200, 100));
+    s.set("a.anchor", Value("center"));
+    CHECK(s.at("a") == Vec2(530, 290));
+    s.services.view.screen = {1920, 1080};
+    s.turn();
+    CHECK(s.size("a") == Vec2(300, 150));  // the screen is 720 high for the layout
+    CHECK(s.at("a") == Vec2(795, 435));
+    s.set("interface.scale", Value(2.0));
+    CHECK(s.size("a") == Vec2(400, 200));
+    s.set("a.fill", Value("width"));
+    CHECK(s.size("a").x() > 1900);
+}
+
+TEST_CASE("columns and rows place their widgets after each other") {
+    Placed s(R"(game.p = Panel { padding = 20, anchor = "top_left", Column { spacing = 8, size = vec(300, 0),
+        Panel { size = vec(100, 30) }, Panel { size = vec(0, 40), min_size = vec(50, 50) },
+        Row { spacing = 10, Panel { size = vec(60, 20) }, Panel { grow = 2, size = vec(0, 20) }, Panel { grow = 1, size = vec(0, 20) } } } })");
+    CHECK(s.at("p.column.panel") == Vec2(20, 20));
+    CHECK(s.size("p.column.panel") == Vec2(100, 30));
+    CHECK(s.at("p.column.panel_2") == Vec2(20, 58));
+    CHECK(s.size("p.column.panel_2") == Vec2(300, 50));
+    CHECK(s.at("p.column.row") == Vec2(20, 116));
+    // A panel has its padding on both sides; what is left over goes to those that grow.
+    const double second = s.size("p.column.row.panel_2").x(), third = s.size("p.column.row.panel_3").x();
+    CHECK(s.at("p.column.row.panel_3").x() + third == 320);
+    CHECK(second > third);
+    CHECK(60 + 10 + second + 10 + third == 300);
+    CHECK(s.size("p").x() == 340);
+    s.set("p.column.panel.visible", Value(false));
+    CHECK(s.at("p.column.panel_2") == Vec2(20, 20));
+    s.set("p.column.align", Value("end"));
+    CHECK(s.at("p.column.panel_2").x() + s.size("p.column.panel_2").x() == 320);
+    s.set("p.column.size", Value(Vec2(300, 400)));
+    s.set("p.column.justify", Value("end"));
+    CHECK(s.at("p.column.row").y() + s.size("p.column.row").y() == 420);
+}
+
+TEST_CASE("text that is too long wraps or is cut") {
+    Placed s(R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");
+    const double wrapped = s.size("l").y();
+    s.set("l.overflow", Value("cut"));
+    const double cut = s.size("l").y();
+    CHECK(wrapped >= 2 * cut - 1);
+    const int few = s.draw().letters;
+    CHECK(few > 5);
+    s.set("l.size", Value(Vec2(900, 0)));
+    CHECK(s.draw().letters > few);
+    s.set("l.text", Value(std::string(5000, 'w')));
+    s.set("l.overflow", Value("wrap"));
+    CHECK(s.draw().letters < 200);
+    s.set("l.text", Value("one\n\nthree"));
+    CHECK(s.size("l").y() > 2.5 * cut);
+}
+
+TEST_CASE("nothing is laid out unless something changed") {
+    Placed s(R"(game.p = Panel { Column { Label { text = "a" }, Button { text = "b" } } })");
+    s.draw();
+    const auto before = s.interface.layouts();
+    for (int i = 0; i < 10; ++i) {
+        s.set("view.center", Value(Vec2(i, 0)));
+        s.tree.create(s.tree.object_class(), s.tree.root());
+        s.turn();
+        s.draw();
+    }
+    CHECK(s.interface.layouts() == before);
+    s.set("p.column.label.text", Value("a"));  // the same
+    s.draw();
+    CHECK(s.interface.layouts() == before);
+    s.set("p.column.label.text", Value("longer"));
+    s.draw();
+    CHECK(s.interface.layouts() == before + 1);
+    s.set("interface.theme.font_size", Value(30.0));
+    s.draw();
+    CHECK(s.interface.layouts() == before + 2);
+}
+
+TEST_CASE("a theme holds for everything below the widget that has it") {
+    Placed s(R"(
+        game.big = Theme { font_size = 40 }
+        game.p = Panel { Column { Label { text = "a" }, Row { Label { text = "a" } } } })");
+    const double small = s.size("p.column.row.label").y();
+    s.run("p.column.row.theme = big");
+    CHECK(s.size("p.column.row.label").y() > 2 * small);
+    CHECK(s.size("p.column.label").y() == small);
+    s.set("big.font_size", Value(20.0));
+    CHECK(s.size("p.column.row.label").y() < 2 * small);
+    s.run("game.big = nil");
+    CHECK(s.size("p.column.row.label").y() == small);
+    s.set("interface.theme.font_size", Value(34.0));
+    CHECK(s.size("p.column.row.label").y() > 1.8 * small);
+}
+
+TEST_CASE("widgets in each other a thousand deep do no harm") {
+    Placed s(R"(local inner = Panel { padding = 1 }
+        for i = 1, 300 do inner = Panel { padding = 1, inner } end
+        game.p = inner)");
+    s.draw();
+    s.turn();
+    CHECK(s.errors.empty());
+}
+
+TEST_CASE("later widgets and those with a higher z are in front") {
+    Placed s(R"(
+        game.a = Button { text = "a", size = vec(200, 100) }
+        game.b = Button { text = "b", size = vec(200, 100) }
+        game.a:on("pressed", function() print("a") end)
+        game.b:on("pressed", function() print("b") end))");
+    s.click(Vec2(20, 20));
+    CHECK(s.heard() == "b");
+    s.set("a.z", Value(1.0));
+    s.click(Vec2(20, 20));
+    CHECK(s.heard() == "a");
+}
+
+}  // namespace layout_test
