@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <vector>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -18,8 +20,11 @@ constexpr std::array<const char*, 4> font_folders = {
     "/usr/share/fonts/dejavu-sans-mono-fonts"};
 
 std::string font_file(const char* name) {
-    for (const char* folder : font_folders) {
-        std::filesystem::path file = std::filesystem::path(folder) / name;
+    // A packaged game brings its fonts along.
+    std::vector<std::filesystem::path> all(font_folders.begin(), font_folders.end());
+    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
+    for (const std::filesystem::path& folder : all) {
+        std::filesystem::path file = folder / name;
         std::error_code error;
         if (std::filesystem::is_regular_file(file, error)) return file.string();
     }

@@ -92,6 +92,11 @@ Visuals::~Visuals() {
         property::end_class(*state_->tree, state_->tree->class_named(name));
 }
 
+void Visuals::renew(const std::string& name) {
+    state_->images.renew(name);
+    if (state_->fonts.renew(name)) state_->texts.forget_layouts();
+}
+
 void Visuals::attach(property::Tree& tree) {
     if (state_->tree != nullptr) throw std::logic_error("visuals are attached to a tree already");
     state_->tree = &tree;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <vector>
 
 namespace fettle::app {
 
@@ -88,9 +90,12 @@ void Atlas::load_fonts() {
         "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
         "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
         "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
+    // A packaged game brings its fonts along.
+    std::vector<std::filesystem::path> all(std::begin(folders), std::end(folders));
+    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
     for (std::size_t i = 0; i < files.size(); ++i) {
-        for (const char* folder : folders) {
-            const std::filesystem::path file = std::filesystem::path(folder) / files[i];
+        for (const std::filesystem::path& folder : all) {
+            const std::filesystem::path file = folder / files[i];
             std::error_code ignored;
             if (!std::filesystem::is_regular_file(file, ignored)) continue;
             auto font = std::make_unique<sf::Font>();

@@ -234,9 +234,12 @@ bool ErrorScreen::handle(const InputEvent& event) {
 }
 
 void ErrorScreen::draw(Surface& surface, double) {
-    if (!visible()) return;
     const float width = surface.width(), height = surface.height();
     const float low = height - (actions_.covered_below ? actions_.covered_below() : 0);
+    if (!visible()) {
+        if (over_) draw_over(surface, low);
+        return;
+    }
     if (!running_ && actions_.looks_back && actions_.looks_back()) return draw_strip(surface, low);
     fill(surface, 0, 0, width, height, {18, 20, 26, 238});
     fill(surface, 0, 0, 5, height, running_ ? amber : red);
@@ -272,6 +275,29 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
                  : "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  "
                    "scroll";
     surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
+}
+
+/// Draws the error of changed files at the lower edge.
+void ErrorScreen::draw_over(Surface& surface, float bottom) const {
+    const script::ScriptError& e = *over_;
+    std::vector<Line> lines = {
+        {.text = "The files have an error; the game goes on as it was", .size = 14, .color = pale},
+        {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
+    if (!e.source_line.empty()) add_source(lines, e);
+    float needed = 24;
+    for (const Line& line : lines) needed += line.above + 1.32f * line.size;
+    const float top = std::max(0.0f, bottom - needed);
+    fill(surface, 0, top, surface.width(), bottom - top, {18, 20, 26, 232});
+    fill(surface, 0, top, 5, bottom - top, red);
+    const float room = std::max(100.0f, surface.width() - 2 * margin);
+    float y = top + 12;
+    for (const Line& line : lines) {
+        y += line.above;
+        const std::string_view text = line.text;
+        surface.text(margin, y, text.substr(0, fitting(surface, text, room, line.size, line.face)),
+                     line.size, line.color, line.face);
+        y += 1.32f * line.size;
+    }
 }
 
 /// Draws the first line of the error and the keys; the game stays visible above.

@@ -42,6 +42,13 @@ Audio::Audio(Tree& tree, const View& view, const Clock& clock, property::Assets*
 
 Audio::~Audio() = default;
 
+void Audio::renew(const std::string& name) {
+    const std::shared_ptr<const SoundFile> sound = state_->files.renew(name);
+    if (sound == nullptr) return;
+    for (State::Source& source : state_->sources)
+        if (source.file == name) source.sound = sound;
+}
+
 void Audio::step(double dt) {
     for (const Handle voice : state_->by_age())
         if (state_->tree.alive(voice)) state_->pass(voice, dt);

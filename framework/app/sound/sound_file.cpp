@@ -143,13 +143,24 @@ void SoundReader::load(std::uint64_t index) {
 
 std::shared_ptr<const SoundFile> SoundFiles::get(const std::string& what, const std::string& name) {
     if (const auto found = files_.find(name); found != files_.end()) return found->second;
+    auto file = read(what, name);
+    files_.emplace(name, file);
+    return file;
+}
+
+std::shared_ptr<const SoundFile> SoundFiles::renew(const std::string& name) {
+    const auto found = files_.find(name);
+    if (found == files_.end()) return nullptr;
+    return found->second = read("sound", name);
+}
+
+std::shared_ptr<const SoundFile> SoundFiles::read(const std::string& what,
+                                                  const std::string& name) const {
     if (assets_ == nullptr)
         throw property::Error(property::ErrorKind::rejected,
                               what + ": this game has no files, so none can be played");
     try {
-        auto file = std::make_shared<const SoundFile>(assets_->read(what, name, sound_endings));
-        files_.emplace(name, file);
-        return file;
+        return std::make_shared<const SoundFile>(assets_->read(what, name, sound_endings));
     } catch (const std::invalid_argument& problem) {
         throw property::Error(property::ErrorKind::rejected,
                               what + ": \"" + name + "\" cannot be played: " + problem.what());

@@ -79,7 +79,13 @@ class SoundFiles {
     /// nearest name for a missing file.
     std::shared_ptr<const SoundFile> get(const std::string& what, const std::string& name);
 
+    /// Reads the file again if it is in use, and returns it; null if it is not. Throws as `get`,
+    /// and then the old one stays.
+    std::shared_ptr<const SoundFile> renew(const std::string& name);
+
   private:
+    std::shared_ptr<const SoundFile> read(const std::string& what, const std::string& name) const;
+
     property::Assets* assets_;
     std::map<std::string, std::shared_ptr<const SoundFile>> files_;
 };

@@ -102,6 +102,10 @@ Property::Shortcut shortcut_to(const Property& property) {
 
 }  // namespace
 
+Property::Shortcut ClassRegistry::shortcut_of(const Property& property) {
+    return shortcut_to(property);
+}
+
 Class* ClassRegistry::find(std::string_view name) const {
     const auto found = by_name_.find(std::string(name));
     return found == by_name_.end() ? nullptr : found->second;

@@ -16,6 +16,8 @@ class ClassRegistry {
     /// Throws Error(bad_name, unknown_name, wrong_type).
     Class& define(ClassDescriptor descriptor);
     Class* find(std::string_view name) const;
+    /// Replaces the properties of a class that a script has defined; see redefinition.h.
+    void redefine(Class& of, std::vector<Property> wanted);
     Class& operator[](std::uint32_t id) { return *classes_[id]; }
     const Class& operator[](std::uint32_t id) const { return *classes_[id]; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
@@ -40,6 +42,11 @@ class ClassRegistry {
   private:
     void inherit(Class& made);
     void add_property(Class& made, Property property);
+    static Property::Shortcut shortcut_of(const Property& property);
+    std::vector<Class*> with_derived(const Class& of);
+    void retire(Class& of, Property& property);
+    void add_late(Class& of, Property property);
+    void redeclare(Class& of, Property property);
     static void pair_events(Class& made);
     static void order_initial(Class& made);
     void check_default(const Class& made, Property& property) const;

@@ -116,6 +116,19 @@ StoredColumns::StoredColumns(const Class& of) : class_(&of) {
     for (const Property* property : of.stored_) columns_.push_back(column_for(*property));
 }
 
+void StoredColumns::extend() {
+    while (columns_.size() < class_->stored_.size()) {
+        const Property& property = *class_->stored_[columns_.size()];
+        Column& column = columns_.emplace_back(column_for(property));
+        std::visit(
+            [this](auto& values) {
+                if constexpr (!is_sparse<decltype(values)>) values.resize(rows_);
+            },
+            column);
+        for (std::uint32_t row = 0; row < rows_; ++row) set(property, row, property.default_value);
+    }
+}
+
 std::uint32_t StoredColumns::add() {
     std::uint32_t row;
     if (free_.empty()) {

@@ -20,6 +20,8 @@ class StoredColumns {
   public:
     explicit StoredColumns(const Class& of);
 
+    /// Adds columns of default values for properties that the class got after it was made.
+    void extend();
     /// Adds a row of default values and returns its index.
     std::uint32_t add();
     void remove(std::uint32_t row);

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <optional>
 
 #include <fettle/script/runtime.h>
 
@@ -99,6 +100,8 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     if (!machine.life.in_tree) return false;
     const Life::Use use(machine.life);
     const Watchdog::Call call(machine.watchdog);
+    std::optional<Budget::Scope> limited;
+    if (const auto limits = machine.budget.of_call()) limited.emplace(machine.budget, *limits);
     lua_State* L = machine.lua.main;
     lua_State* outer = machine.lua.running;
     machine.lua.running = L;
@@ -131,6 +134,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     lua_settop(L, top);
     // Report where the script was stopped, even if it changed the error.
     if (stopped) tell_where_stopped(machine, *machine.errors.caught);
+    limited.reset();
     machine.errors.thread_error.reset();
     machine.errors.caught->context = context.text(machine);
     if (report_error) {

@@ -71,6 +71,7 @@ Connections::~Connections() {
 void Connections::clear() {
     for (auto& [id, connection] : connections_) connection.stop();
     connections_.clear();
+    noted_.clear();
 }
 
 std::uint64_t Connections::insert(Connection connection) {
@@ -83,7 +84,28 @@ std::uint64_t Connections::insert(Connection connection) {
 }
 
 void Connections::push(lua_State* L, Connection connection) {
-    push_connection(L, Source::tree, insert(std::move(connection)));
+    const std::uint64_t id = insert(std::move(connection));
+    note({.id = id, .instance = {}});
+    push_connection(L, Source::tree, id);
+}
+
+void Connections::push(lua_State* L, property::Handle instance,
+                       const std::function<Connection(property::Handle)>& connect) {
+    const std::uint64_t id = insert(connect(instance));
+    note({.id = id, .instance = instance, .connect = connect});
+    push_connection(L, Source::tree, id);
+}
+
+std::vector<Connections::Noted> Connections::end_noting() {
+    noting_ = false;
+    return std::exchange(noted_, {});
+}
+
+void Connections::connect_again(const Noted& noted, property::Handle instance) {
+    const auto found = connections_.find(noted.id);
+    if (found == connections_.end()) return;  // the script has stopped it
+    found->second.stop();
+    found->second = noted.connect(instance);
 }
 
 void Connections::keep(Connection connection) {

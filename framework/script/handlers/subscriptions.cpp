@@ -10,6 +10,7 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/declarations.h>
 #include <values/records.h>
 #include <values/values.h>
 
@@ -137,19 +138,28 @@ const Event& event_of(const Class& of, const std::string& name) {
 
 }  // namespace
 
-// The handler function is at the top of the stack.
-Connection connect_event(lua_State* L, Machine& machine, Handle instance, const Class& of,
-                         const std::string& name, bool whole_class) {
+namespace {
+
+/// Connects the handler at the top of the stack to an event of an instance, or of all instances of
+/// a class.
+Connector event_connector(lua_State* L, Machine& machine, const Class& of, const std::string& name,
+                          bool whole_class) {
     const WatchOptions options = options_here(L);
     const auto function = function_at(L, lua_gettop(L), "on");
     property::Tree& tree = machine.tree;
     if (name == "deleted") {
         auto handler = existence_handler(machine, "deleted", function);
-        return whole_class ? tree.watch_deleted(of, handler, options)
-                           : tree.watch_deleted(instance, handler, options);
+        return [&tree, &of, handler, options, whole_class](Handle instance) {
+            return whole_class ? tree.watch_deleted(of, handler, options)
+                               : tree.watch_deleted(instance, handler, options);
+        };
     }
-    if (name == "created" && whole_class)
-        return tree.watch_created(of, existence_handler(machine, "created", function), options);
+    if (name == "created" && whole_class) {
+        auto handler = existence_handler(machine, "created", function);
+        return [&tree, &of, handler, options](Handle) {
+            return tree.watch_created(of, handler, options);
+        };
+    }
     const Event& event = event_of(of, name);
     auto handler = [&machine, function, &event](const Occurrence& occurrence) {
         const Context context("handler of " + event.name, occurrence.instance);
@@ -170,9 +180,22 @@ Connection connect_event(lua_State* L, Machine& machine, Handle instance, const 
             }
         });
     };
-    return whole_class ? tree.on(of, event, handler, options)
-                       : tree.on(instance, event, handler, options);
+    return [&tree, &of, &event, handler, options, whole_class](Handle instance) {
+        return whole_class ? tree.on(of, event, handler, options)
+                           : tree.on(instance, event, handler, options);
+    };
 }
+
+Connector property_connector(Machine& machine, const property::ChangeHandler& handler,
+                             const WatchOptions& options, std::string name) {
+    property::Tree& tree = machine.tree;
+    return [&tree, handler, options, name](Handle instance) {
+        return name.empty() ? tree.watch(instance, handler, options)
+                            : tree.watch(instance, name, handler, options);
+    };
+}
+
+}  // namespace
 
 int subscribe_event(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -181,7 +204,7 @@ int subscribe_event(lua_State* L) {
     const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
     const std::string name = check_text(L, 2, "on: needs the name of an event");
     const Class& of = whole ? *whole : machine.tree.class_of(self);
-    machine.connections.push(L, connect_event(L, machine, self, of, name, whole != nullptr));
+    machine.connections.push(L, self, event_connector(L, machine, of, name, whole != nullptr));
     return 1;
 }
 
@@ -193,13 +216,16 @@ int subscribe_property(lua_State* L) {
     const WatchOptions options = options_here(L);
     auto handler = change_handler(machine, function_at(L, last, "watch"));
     if (last == 2) {
-        machine.connections.push(L, whole ? machine.tree.watch(*whole, nullptr, handler, options)
-                                          : machine.tree.watch(self, handler, options));
+        if (whole)
+            machine.connections.push(L, machine.tree.watch(*whole, nullptr, handler, options));
+        else
+            machine.connections.push(L, self, property_connector(machine, handler, options, {}));
         return 1;
     }
     const std::string name = check_text(L, 2, "watch: needs the name of a property");
     if (!whole) {
-        machine.connections.push(L, machine.tree.watch(self, name, handler, options));
+        machine.tree.property(self, name);  // must exist
+        machine.connections.push(L, self, property_connector(machine, handler, options, name));
         return 1;
     }
     const Property* property = whole->property(name);
@@ -212,6 +238,13 @@ int subscribe_property(lua_State* L) {
 
 namespace {
 
+/// The target of a path, also if it waits for its place while the game is loaded again.
+property::Place place_of_path(const Machine& machine, const std::string& path) {
+    if (machine.declarations.again())
+        if (const auto waiting = machine.declarations.waiting_at(path)) return *waiting;
+    return property::resolve(machine.tree, path);
+}
+
 // Implements watch("world.*.velocity", fn).
 int watch_pattern(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -220,12 +253,12 @@ int watch_pattern(lua_State* L) {
         check_text(L, 1, "watch: needs a pattern such as \"world.*.velocity\"");
     if (pattern.find('*') == std::string::npos) {
         // Without a wildcard, the path must exist, so that a spelling error is reported.
-        const property::Place place = property::resolve(machine.tree, pattern);
+        const property::Place place = place_of_path(machine, pattern);
         auto handler = change_handler(machine, function_at(L, 2, "watch"));
         machine.connections.push(
-            L, place.property
-                   ? machine.tree.watch(place.instance, *place.property, handler, options_here(L))
-                   : machine.tree.watch(place.instance, handler, options_here(L)));
+            L, place.instance,
+            property_connector(machine, handler, options_here(L),
+                               place.property ? place.property->name : std::string()));
         return 1;
     }
     machine.connections.push(

@@ -25,11 +25,9 @@ void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
 /// Reads the answers of a handler to a question from the record at the top of the Lua stack.
 void take_answer(lua_State* L, property::Question& question);
 void push_existence(lua_State* L, const property::Existence& existence);
-/// Connects the handler at the top of the Lua stack to an event of an instance, or of all instances
-/// of a class.
-property::Connection connect_event(lua_State* L, Machine& machine, property::Handle instance,
-                                   const property::Class& of, const std::string& name,
-                                   bool whole_class);
+/// Makes the connection of a handler to an instance; the instance does not matter if the handler is
+/// that of a class.
+using Connector = std::function<property::Connection(property::Handle instance)>;
 
 /// Adds `watch` to the table of globals at the top of the Lua stack.
 void open_watch(lua_State* L);

@@ -59,6 +59,7 @@ std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owne
     function->set_holds(holds);
     insert({due, id},
            {.interval = interval, .function = function, .thread = LUA_NOREF, .owner = owner});
+    if (noting_top_) noted_.push_back({.id = id, .delay = due - now, .interval = interval});
     return id;
 }
 
@@ -71,6 +72,49 @@ void Timers::wait(lua_State* L, double due) {
                        .thread = luaL_ref(L, LUA_REGISTRYINDEX),
                        .owner = owner == owners_.end() ? Handle{} : owner->second});
     waiting_[L] = id;
+    if (!noting_top_) return;
+    lua_pushthread(L);
+    noted_.push_back({.thread = luaL_ref(L, LUA_REGISTRYINDEX)});
+}
+
+std::vector<Timers::Noted> Timers::end_noting() {
+    noting_top_ = false;
+    return std::exchange(noted_, {});
+}
+
+void Timers::end(const Noted& noted) {
+    if (noted.thread == LUA_NOREF) return stop(noted.id);
+    lua_State* const L = machine_.lua.main;
+    push_registry(L, noted.thread);
+    lua_State* const thread = lua_tothread(L, -1);
+    lua_pop(L, 1);
+    luaL_unref(L, LUA_REGISTRYINDEX, noted.thread);
+    const auto found = waiting_.find(thread);
+    if (found == waiting_.end()) return;
+    const auto entry = queue_.find(Key{due_.at(found->second), found->second});
+    const Timer timer = entry->second;
+    erase(entry);
+    forget(timer);
+}
+
+void Timers::take_place(const Noted& old, const Noted& by) {
+    const auto due = due_.find(old.id);
+    const auto mine = due_.find(by.id);
+    if (due == due_.end()) return stop(by.id);
+    const double when = due->second;
+    stop(old.id);
+    if (mine == due_.end()) return;
+    const auto entry = queue_.find(Key{mine->second, by.id});
+    const Timer timer = entry->second;
+    erase(entry);
+    insert({when, by.id}, timer);
+}
+
+void Timers::give_owner(Handle from, Handle to) {
+    for (auto& [key, timer] : queue_)
+        if (timer.owner == from) timer.owner = to;
+    for (auto& [thread, owner] : owners_)
+        if (owner == from) owner = to;
 }
 
 bool Timers::ended(const Timer& timer) const {

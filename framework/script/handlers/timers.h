@@ -44,6 +44,23 @@ class Timers {
     void clear();
     std::size_t size() const { return queue_.size(); }
 
+    // Those that the top level of a game starts: a reload replaces them.
+    void begin_noting() { noting_top_ = true; }
+    struct Noted {
+        std::uint64_t id = 0;
+        double delay = 0;        // s
+        double interval = -1;    // s; below 0: once
+        int thread = LUA_NOREF;  // reference of a coroutine that waited; the other members are not
+                                 // used then
+    };
+    std::vector<Noted> end_noting();
+    /// Ends a timer, or a coroutine if it waits.
+    void end(const Noted& noted);
+    /// The timer `by` is due when `old` would be, which ends. If `old` has ended, so does `by`.
+    void take_place(const Noted& old, const Noted& by);
+    /// Timers of the first instance belong to the other one.
+    void give_owner(property::Handle from, property::Handle to);
+
     // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
     // remaining time.
     struct Timer {
@@ -96,6 +113,8 @@ class Timers {
     std::unordered_map<lua_State*, property::Handle> owners_;  // of threads that run or wait
     std::vector<int> idle_;                                    // finished threads, for reuse
     std::uint64_t next_id_ = 1;
+    bool noting_top_ = false;
+    std::vector<Noted> noted_;
 };
 
 /// Adds `after`, `every` and `wait` to the table of globals at the top of the stack.

@@ -74,6 +74,14 @@ bool note_replay(Machine& machine, const std::string& what) {
 void print_line(Machine& machine, std::string text) {
     constexpr std::size_t max_lines = 2000;
     if (!machine.recording.active) {
+        const std::size_t limit = machine.options.limits.output;
+        machine.host.printed += text.size() + 1;
+        if (limit > 0 && machine.host.printed > limit) {
+            machine.budget.stop(machine.lua.running, "stopped: it has printed more than " +
+                                                         std::to_string(limit) +
+                                                         " bytes, as much as this game may");
+            return;
+        }
         const property::Pinned pinned(machine.tree, "the function given to on_print");
         // A copy, because the call may replace it.
         if (const auto sink = machine.host.on_print) sink(text);

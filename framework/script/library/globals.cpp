@@ -17,6 +17,7 @@
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/values.h>
+#include <values/writes.h>
 
 namespace fettle::script {
 
@@ -50,7 +51,7 @@ bool push_known_global(lua_State* L, Machine& machine, std::string_view name) {
         push_instance(L, machine.tree.root());
         return true;
     }
-    if (const Handle child = machine.tree.child(machine.tree.root(), name)) {
+    if (const Handle child = child_of(machine, machine.tree.root(), name)) {
         push_instance(L, child);
         return true;
     }

@@ -15,7 +15,9 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
+#include <values/declarations.h>
 #include <values/values.h>
+#include <values/writes.h>
 
 namespace fettle::script {
 
@@ -62,8 +64,16 @@ Handle load_scene_file(Machine& machine, const char* what, const std::string& fi
     const fs::path path = fs::weakly_canonical(named);
     std::vector<std::string> warnings;
     std::vector<property::SceneInstance> instances;
-    const Handle loaded = property::load_scene_text(machine.tree, text, path.string(), parent, name,
-                                                    &warnings, &instances);
+    // While the game is loaded again, the instance waits for its place.
+    const bool waits = parent && machine.declarations.again();
+    const Handle loaded =
+        property::load_scene_text(machine.tree, text, path.string(), waits ? Handle{} : parent,
+                                  waits ? "" : name, &warnings, &instances);
+    machine.declarations.made_with_values(loaded);
+    if (waits) {
+        place(machine, loaded, parent, name.empty() ? machine.tree.name(loaded) : name, false);
+        return loaded;
+    }
     if (property::Tweaks* tweaks = machine.options.tweaks) {
         tweaks->scene_loaded(path, instances, !name.empty());
         tweaks->placed(loaded);

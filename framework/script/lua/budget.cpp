@@ -30,6 +30,23 @@ std::string megabytes(std::size_t bytes) {
 
 }  // namespace
 
+Budget::Budget(Machine& machine) : machine_(machine), first_weight_(machine.tree.weight()) {}
+
+std::optional<Limits> Budget::of_call() const {
+    const GameLimits& limits = machine_.options.limits;
+    if (now_.active || !machine_.life.has_tree() ||
+        (limits.instructions == 0 && limits.memory == 0))
+        return std::nullopt;
+    const std::size_t whole = limits.memory == 0 ? machine_.options.memory_limit : limits.memory;
+    const std::int64_t grown = machine_.tree.weight() - first_weight_;
+    const std::size_t used =
+        machine_.arena.bytes() + static_cast<std::size_t>(std::max<std::int64_t>(0, grown));
+    return Limits{.instructions = limits.instructions,
+                  .memory = whole - std::min(whole, used),
+                  .whole = whole,
+                  .who = "the scripts of a game"};
+}
+
 Budget::Scope::Scope(Budget& budget, const Limits& limits)
     : budget_(budget), outer_(std::exchange(budget.now_, {})) {
     Machine& machine = budget.machine_;
@@ -42,6 +59,7 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.deadline = std::chrono::steady_clock::now() + longest;
     now.outer_limit = machine.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
+    now.whole = limits.whole;
     now.who = limits.who;
     now.raised_by = limits.raised_by;
     now.lua_before = machine.arena.bytes();
@@ -222,6 +240,12 @@ void Budget::notice_growth() {
         now_.out_of_room = true;
         return;
     }
+    if (passed_limit)
+        if (const std::string why = passed_limit(); !why.empty()) {
+            stop(machine_.lua.running, "stopped: " + why);
+            now_.out_of_room = true;
+            return;
+        }
     arena.set_limit(std::min(now_.outer_limit, now_.lua_before + now_.memory - grown));
     mark_next();
 }
@@ -233,9 +257,15 @@ void Budget::mark_next() {
 
 std::string Budget::too_much_memory() const {
     std::string text = "stopped: it needs more memory than " + std::string(now_.who) +
-                       " may use, " + megabytes(now_.memory);
+                       " may use, " + megabytes(now_.whole != 0 ? now_.whole : now_.memory);
     if (!machine_.life.has_tree()) return text;
     const property::Tree& tree = machine_.tree;
+    if (now_.whole != 0) {
+        const std::int64_t grown = std::max<std::int64_t>(0, tree.weight() - first_weight_);
+        return text + "; Lua has " + megabytes(machine_.arena.bytes()) + ", and " +
+               std::to_string(tree.size()) + " instances and what belongs to them have " +
+               megabytes(static_cast<std::size_t>(grown));
+    }
     std::string made;
     const auto tell = [&made](std::size_t count, const char* what) {
         if (count > 0) made += (made.empty() ? "" : ", ") + std::to_string(count) + " " + what;

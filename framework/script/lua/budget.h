@@ -7,6 +7,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include <lua/arena.h>
@@ -19,13 +21,14 @@ struct Machine;
 struct Limits {
     std::uint64_t instructions = 0;  // 0: no limit, also of time
     std::size_t memory = 0;          // bytes that may be added
+    std::size_t whole = 0;           // the limit for messages, if a part of it is in use already
     const char* who = "a command";   // name of the limited code, for messages
     std::string raised_by{};         // path of the property that raises the limit; "": none
 };
 
 class Budget {
   public:
-    explicit Budget(Machine& machine) : machine_(machine) {}
+    explicit Budget(Machine& machine);
 
   private:
     struct Account {
@@ -38,6 +41,7 @@ class Budget {
         std::chrono::steady_clock::time_point deadline;
         // Values at the beginning, to compute the memory that was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
+        std::size_t whole = 0;  // for messages
         const char* who = "";
         std::string raised_by;
         std::int64_t weight_before = 0;
@@ -58,6 +62,12 @@ class Budget {
         Budget& budget_;
         Account outer_;
     };
+
+    /// The limits of a call into the scripts of a game that is not trusted; none otherwise.
+    std::optional<Limits> of_call() const;
+    /// Returns why a script has to stop because of other limits; "" if it may go on. Called each
+    /// time the tree has grown somewhat.
+    std::function<std::string()> passed_limit;
 
     /// Stops the running script and all others until `go_on`. A signal handler may call it.
     void interrupt() noexcept;
@@ -118,6 +128,7 @@ class Budget {
     [[noreturn]] void raise_stop(lua_State* L);
 
     Machine& machine_;
+    const std::int64_t first_weight_;  // of the tree before any script ran
     Account now_;
     volatile std::sig_atomic_t interrupted_ = 0;
     /// A refusal, with fixed-size members because there is no memory for a text.

@@ -23,6 +23,7 @@ struct Host {
     std::string memory_property;                  // path of the property with this limit
     std::function<void(double)> on_rewind;        // empty: there is no timeline
     std::optional<int> quit_status;
+    std::size_t printed = 0;                        // bytes
     std::map<std::string, HostFunction> functions;  // Lua holds the addresses
     std::shared_ptr<ConsoleFunctions> console = std::make_shared<ConsoleFunctions>();
 };

@@ -20,6 +20,7 @@ struct Host;
 struct Recording;
 struct Boxes;
 class MemberTables;
+class Declarations;
 struct Errors;
 struct CountedMemory;
 class Timers;
@@ -46,6 +47,7 @@ struct Machine {
     Recording& recording;
     Boxes& boxes;
     MemberTables& members;
+    Declarations& declarations;
     Errors& errors;
     CountedMemory& counted;
     Timers& timers;

@@ -42,6 +42,13 @@ Handle Tweens::holder() {
     return tree.create(classes_.holder, tree.root(), tweens_name);
 }
 
+std::vector<Handle> Tweens::all() const {
+    const Tree& tree = machine_.tree;
+    const Handle known = tree.child(tree.root(), tweens_name);
+    return known && &tree.class_of(known) == &classes_.holder ? tree.children(known)
+                                                              : std::vector<Handle>();
+}
+
 Handle Tweens::make(const Class& of) {
     const Handle parent = holder();
     return machine_.tree.create(of, parent);

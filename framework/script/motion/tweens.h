@@ -37,6 +37,9 @@ class Tweens {
     /// Whether the instance is a tween or a group that `add_group` takes.
     bool groupable(Handle each) const;
 
+    /// All tweens and groups that are in no group.
+    std::vector<Handle> all() const;
+
     /// One step of `dt` s. Returns false if one raised an error; that one has ended then.
     bool run(double dt);
 

@@ -18,6 +18,7 @@
 #include <objects/instance.h>
 #include <objects/reflection.h>
 #include <objects/script_classes.h>
+#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -126,7 +127,7 @@ void set_declared(lua_State* L, Machine& machine, Handle made, const Property& p
     if (is_formula(L, 3)) return define_formula(L, machine, 3, made, property.name);
     const Value value = to_value(L, 3);
     machine.classes.explain_integer(property, value);
-    machine.tree.set(made, property, value);
+    write_property(machine, made, property, value);
 }
 
 /// Sets the properties in the table at 3, which need not be declared.
@@ -258,6 +259,7 @@ int construct(lua_State* L) {
         throw Error(ErrorKind::rejected, message);
     }
     now.finish();
+    machine.declarations.made(now.made);
     push_instance(L, now.made);
     return 1;
 }

@@ -14,6 +14,7 @@
 #include <objects/instance_set.h>
 #include <objects/reflection.h>
 #include <objects/unplaced.h>
+#include <values/declarations.h>
 #include <values/members.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -56,7 +57,8 @@ int has(lua_State* L) {
     const Handle self = check_instance(L, 1, "has");
     Machine& machine = machine_of(L);
     const std::string name = text_at(L, 2, "has");
-    lua_pushboolean(L, machine.tree.find(self, name) || machine.tree.child(self, name));
+    lua_pushboolean(L, machine.tree.find(self, name) || child_of(machine, self, name) ||
+                           machine.declarations.seen(self, name) != nullptr);
     return 1;
 }
 
@@ -119,6 +121,14 @@ int move_instance(lua_State* L) {
     Machine& machine = machine_of(L);
     const Handle parent = lua_isnoneornil(L, 2) ? Handle{} : check_instance(L, 2, "move");
     if (self == machine.tree.root()) throw Error(ErrorKind::bad_structure, "game: cannot be moved");
+    lua_settop(L, 3);
+    if (machine.declarations.again()) {
+        if (parent && !machine.declarations.defers(self))
+            place(machine, self, parent, lua_isnil(L, 3) ? std::string() : text_at(L, 3, "move"),
+                  false);
+        lua_settop(L, 1);
+        return 1;
+    }
     machine.tree.move(self, parent, lua_isnoneornil(L, 3) ? std::string() : text_at(L, 3, "move"));
     if (!parent) machine.unplaced.handles.push_back(self);
     lua_settop(L, 1);
@@ -292,6 +302,7 @@ int clone(lua_State* L) {
         throw;
     }
     machine.unplaced.handles.push_back(made);
+    machine.declarations.made_with_values(made);
     push_instance(L, made);
     return 1;
 }

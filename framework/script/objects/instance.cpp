@@ -19,6 +19,7 @@
 #include <reference/language.h>
 #include <text/synonyms.h>
 #include <text/words.h>
+#include <values/declarations.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -87,7 +88,7 @@ const Dispatch& look_up(lua_State* L, Machine& machine, const InstanceBox& self)
 /// The declared property with the name at 2, for the fast path. Returns nullptr if there is none,
 /// if the name was not looked up before, or while a console command is recorded.
 const Property* known_property(lua_State* L, const InstanceBox& self) {
-    if (self.members->recording.active) return nullptr;
+    if (self.members->recording.active || self.members->recording.declaring) return nullptr;
     const Dispatch* found = self.members->find(lua_topointer(L, 2));
     return found != nullptr ? found->property : nullptr;
 }
@@ -140,7 +141,8 @@ int read_property(lua_State* L, Machine& machine, Handle instance, const Propert
     origin.instance = instance;
     origin.symbol = property.symbol;
     if (property.binding.kind != property::BindingKind::ad_hoc) origin.property = &property;
-    push_value(L, machine.tree.get(instance, property), origin);
+    const Value* seen = machine.declarations.seen(instance, property.name);
+    push_value(L, seen != nullptr ? *seen : machine.tree.get(instance, property), origin);
     return 1;
 }
 
@@ -176,13 +178,24 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
         return read_property(L, machine, instance, *declared);
     if (machine.classes.push_function(L, self.members->of, 2)) return 1;
     const std::string_view name = view_at(L, 2);
-    if (const Handle child = machine.tree.child(instance, name)) {
+    if (const Handle child = child_of(machine, instance, name)) {
         push_instance(L, child);
         return 1;
     }
     if (const Property* added = machine.tree.find(instance, name))
         return read_property(L, machine, instance, *added);
+    if (const Value* seen = machine.declarations.seen(instance, name)) {
+        push_value(L, *seen);
+        return 1;
+    }
     unknown_name(machine, instance, name);
+}
+
+int instances_equal(lua_State* L) {
+    const auto* a = instance_at(L, 1);
+    const auto* b = instance_at(L, 2);
+    lua_pushboolean(L, a != nullptr && b != nullptr && a->handle == b->handle);
+    return 1;
 }
 
 // Scripts cannot access this function or `instance_newindex`, so argument 1 is always an instance.
@@ -294,6 +307,8 @@ void open_instance(lua_State* L, Machine& machine) {
     add_pure<instance_tostring>(L, "__tostring");
     add_pure<instance_length>(L, "__len");
     add_pure<instance_pairs>(L, "__pairs");
+    // After a reload, an instance may have two proxies: one in new code and one in old functions.
+    add_pure<instances_equal>(L, "__eq");
     name_metatable(L, "instance");
     machine.boxes.instance = luaL_ref(L, LUA_REGISTRYINDEX);
 

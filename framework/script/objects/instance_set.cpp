@@ -7,6 +7,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
+#include <values/declarations.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -58,6 +59,7 @@ int set_all(lua_State* L) {
     const Value value = to_value(L, 3);
     for (const Handle handle : members(L, "set")) {
         const Property& property = machine.tree.property(handle, name);
+        if (machine.declarations.defers(handle)) continue;
         if (value.is_nil())
             clear_property(machine, handle, property);
         else
@@ -86,6 +88,7 @@ int add_all(lua_State* L) {
     const Value value = to_value(L, 3);
     for (const Handle handle : members(L, "add")) {
         const Property& property = machine.tree.property(handle, name);
+        if (machine.declarations.defers(handle)) continue;
         write_property(
             machine, handle, property,
             sum(machine.tree.get(handle, property), value, machine.tree.path(handle, property)));

@@ -11,6 +11,7 @@
 #include <objects/instance.h>
 #include <objects/script_classes.h>
 #include <text/synonyms.h>
+#include <values/declarations.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -78,9 +79,10 @@ void write_over(Machine& machine, Handle instance, const Property& property, Han
 }
 
 /// Names from other engines differ too much for a suggestion by spelling, so synonyms are used.
-void set_or_add(property::Tree& tree, Handle instance, std::string_view name, const Value& value) {
+void add_or_explain(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    const property::Tree& tree = machine.tree;
     try {
-        tree.set_or_add(instance, name, value);
+        set_or_add(machine, instance, name, value);
     } catch (const Error& error) {
         const std::string_view reason = error.what();
         if (error.kind() != ErrorKind::unknown_name ||
@@ -95,7 +97,8 @@ void set_or_add(property::Tree& tree, Handle instance, std::string_view name, co
 }
 
 void add_property(Machine& machine, Handle instance, std::string_view name, const Value& value) {
-    set_or_add(machine.tree, instance, name, value);
+    add_or_explain(machine, instance, name, value);
+    if (machine.declarations.defers(instance)) return;
     note_added(machine, instance, name);
     machine.hints.property_added(instance, name);
 }
@@ -107,7 +110,7 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
     const auto where = [&] { return path_of(machine.tree, instance, name); };
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
         throw Error(ErrorKind::bad_name, where() + ": is a method and cannot be assigned");
-    if (const Handle child = machine.tree.child(instance, name)) {
+    if (const Handle child = child_of(machine, instance, name)) {
         write_child(L, machine, instance, child, name);
         return;
     }

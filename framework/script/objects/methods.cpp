@@ -15,6 +15,7 @@
 #include <objects/class_object.h>
 #include <objects/methods.h>
 #include <reference/reference_facts.h>
+#include <values/declarations.h>
 #include <values/members.h>
 #include <values/records.h>
 #include <values/values.h>
@@ -116,6 +117,16 @@ int call_method(lua_State* L) {
             return machine.tree.path(self->handle) + ":" + method.name + ": " +
                    method.parameters[static_cast<std::size_t>(i)].name;
         });
+    }
+    // While a game is loaded again, what such a call has changed is there already. Only instances
+    // that are new get it, when they have their place.
+    if (machine.declarations.again() && method.effect != property::Effect::nothing &&
+        method.returns.empty()) {
+        machine.declarations.calls.push_back(
+            {.instance = self->handle,
+             .method = &method,
+             .arguments = std::vector<Value>(values.begin(), values.begin() + given)});
+        return 0;
     }
     const Result result = [&] {
         const property::Pinned pinned(machine.tree, "a method that a script calls");

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fettle/property/redefinition.h>
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
@@ -15,6 +16,8 @@
 #include <objects/unplaced.h>
 #include <reference/language.h>
 #include <text/words.h>
+#include <values/declarations.h>
+#include <values/members.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -227,6 +230,12 @@ const Class& ScriptClasses::define(Definition definition) {
     if (existing) {
         if (!scripted(*existing))
             throw Error(ErrorKind::bad_name, definition.name + ": is a class of the framework");
+        if (existing->base() == definition.base && machine_.declarations.again()) {
+            info(*existing).defaults.clear();
+            property::redefine(machine_.tree, *existing, std::move(definition.properties));
+            machine_.members.clear();
+            return *existing;
+        }
         if (existing->base() != definition.base ||
             !same_properties(*existing, definition.properties))
             throw Error(ErrorKind::bad_name,

@@ -44,7 +44,8 @@ class ScriptClasses {
         std::string doc;
         std::vector<property::Property> properties;  // an inherited name sets another default
     };
-    /// Defines a class. On reload, returns the existing class if its properties are the same.
+    /// Defines a class. If it exists: while a game is loaded again, it gets these properties;
+    /// otherwise they must be the same.
     const property::Class& define(Definition definition);
     bool scripted(const property::Class& of) const;
 
@@ -84,6 +85,17 @@ class ScriptClasses {
     /// Removes all functions and keeps the classes, before a game is loaded.
     void forget_functions();
 
+    // While a game is loaded again. `begin_again` removes all functions and states. `end_again`
+    // keeps those that were defined since, or brings the old ones and the old properties back.
+    void begin_again();
+    void end_again(bool keep);
+    /// Properties whose default has changed since `begin_again`.
+    struct NewDefault {
+        const property::Property* property;
+        property::Value before;
+    };
+    std::vector<NewDefault> new_defaults() const;
+
   private:
     struct Info {
         int object = LUA_NOREF;
@@ -96,6 +108,14 @@ class ScriptClasses {
         // Defaults that differ from those in the tree, because the class was defined again.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
     };
+
+    /// What `end_again` may bring back.
+    struct Earlier {
+        int functions = LUA_NOREF, states = LUA_NOREF;
+        std::vector<std::string> function_names, state_names;
+        std::vector<property::Property> properties;  // of the class itself
+    };
+    std::vector<property::Property> own_properties(const property::Class& of) const;
 
     Info& info(const property::Class& of) { return infos_[&of]; }
     const std::vector<int>& chain(const property::Class& of);
@@ -116,6 +136,7 @@ class ScriptClasses {
     Machine& machine_;
     std::unordered_map<const property::Class*, Info> infos_;
     std::unordered_map<const property::Class*, std::vector<int>> chains_;
+    std::unordered_map<const property::Class*, Earlier> earlier_;
     bool any_functions_ = false;
     bool any_states_ = false;
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first

@@ -227,6 +227,9 @@ const std::vector<GlobalDoc>& callback_docs() {
         {"leave", "leave()",
          "The scene is about to be replaced and still complete. Not called if the class of the scene "
          "has a function of that name."},
+        {"reloaded", "reloaded(files: string[])",
+         "Files of the game have changed while it runs, and the game uses them now; start() is not "
+         "called again."},
         {"closing", "closing()",
          "The run is about to end: its window is closed, or a signal (Ctrl+C, SIGTERM) asks for "
          "it. quit() and the end of --steps do not call it. After it no update and no "

@@ -137,6 +137,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               recording,
               boxes,
               members,
+              declarations,
               errors,
               counted,
               timers,
@@ -154,6 +155,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               .folder = {},
               .texts = {}},
       members(tree, recording),
+      declarations(tree, recording),
       random(options.seed) {
     life.tree = tree.lifetime();
     lua_State* const L = lua_newstate(Arena::allocate, &arena);
@@ -164,6 +166,19 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
     watchdog.limit(options.call_seconds, {});
     tree.add_part(saved);
     arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
+    budget.passed_limit = [this]() -> std::string {
+        const GameLimits& limits = options.limits;
+        const auto passed = [](std::size_t count, std::size_t limit, const char* what) {
+            return limit > 0 && count > limit
+                       ? "there are " + std::to_string(count) + " " + what +
+                             ", and this game may have " + std::to_string(limit)
+                       : std::string();
+        };
+        std::string why = passed(machine.tree.size(), limits.instances, "instances");
+        if (why.empty()) why = passed(machine.tree.watcher_count(), limits.handlers, "handlers");
+        if (why.empty()) why = passed(timers.size(), limits.timers, "timers");
+        return why;
+    };
     arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
     lua_pushcfunction(L, guarded<open_all>);
     if (lua_pcall(L, 0, 0, 0) != LUA_OK) {

@@ -24,6 +24,7 @@
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
 #include <runtime/runtime_part.h>
+#include <values/declarations.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/values.h>
@@ -55,6 +56,7 @@ struct Parts {
     Recording recording;
     Boxes boxes;
     MemberTables members;
+    Declarations declarations;
     Errors errors;
     CountedMemory counted;
     Timers timers{machine};

@@ -30,6 +30,7 @@
 #include <objects/hints.h>
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
+#include <reload/top_level.h>
 #include <runtime/parts.h>
 #include <values/values.h>
 
@@ -39,6 +40,8 @@ struct Runtime::State : Parts {
     using Parts::Parts;
     std::shared_ptr<const void> lifetime = std::make_shared<char>();  // of the Runtime object
     std::vector<std::pair<std::string, std::string>> libraries;       // names and chunks
+    std::filesystem::path game_file;                                  // main.lua; "": no game
+    TopLevel top_level{machine};
 };
 
 namespace {
@@ -138,11 +141,14 @@ void forget_game(Machine& machine) {
 }
 
 bool run_chunk(Machine& machine, const std::string& text, const std::string& name,
-               const char* context) {
-    return protected_run(machine, context, [&](lua_State* L) {
-        if (machine.sources.load(L, text, name) != LUA_OK) lua_error(L);
-        lua_call(L, 0, 0);
-    });
+               const char* context, bool report = true) {
+    return protected_run(
+        machine, context,
+        [&](lua_State* L) {
+            if (machine.sources.load(L, text, name) != LUA_OK) lua_error(L);
+            lua_call(L, 0, 0);
+        },
+        report);
 }
 
 bool call_global(Machine& machine, std::string_view name, std::span<const Value> arguments) {
@@ -186,11 +192,35 @@ bool Runtime::load(const std::filesystem::path& game) {
     }();
     forget_game(machine);
     machine.sources.folder = folder;
+    state_->game_file = file;
     for (const auto& [name, chunk] : state_->libraries) run_chunk(machine, chunk, name, "library");
-    bool ok = run_chunk(machine, text, file.filename().string(), "load");
+    bool ok = state_->top_level.load(
+        [&] { return run_chunk(machine, text, file.filename().string(), "load"); });
     if (ok) ok = machine.classes.deliver_ready() && call_ready(machine, "start", {});
     if (ok) machine.hints.game_loaded();
     return ok;
+}
+
+Reloaded Runtime::reload(const std::vector<std::string>& files) {
+    Machine& machine = live();
+    if (state_->game_file.empty() || machine.life.uses > 0)
+        throw Error(ErrorKind::bad_structure,
+                    "a game can be loaded again only when one is loaded and no script runs");
+    const Life::Use use(machine.life);
+    const std::string text = machine.sources.files.read(state_->game_file);
+    const std::string name = state_->game_file.filename().string();
+    machine.hints.forget();
+    Reloaded result = state_->top_level.reload([&] {
+        for (const auto& [library, chunk] : state_->libraries)
+            run_chunk(machine, chunk, library, "library");
+        return run_chunk(machine, text, name, "reload", false);
+    });
+    if (!result.done) return result;
+    property::List names(files.begin(), files.end());
+    const Value arguments[] = {Value(std::move(names))};
+    call_ready(machine, "reloaded", arguments);
+    machine.hints.game_loaded();
+    return result;
 }
 
 bool Runtime::run(std::string_view chunk, const std::string& name) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <lua/tree_names.h>
@@ -14,6 +15,16 @@ const Dispatch& DispatchTable::add(const Dispatch& entry) {
             if (before[i].key != nullptr) entries_[place_of(before[i].key)] = before[i];
     }
     return entries_[place_of(entry.key)] = entry;
+}
+
+void DispatchTable::clear() {
+    std::fill_n(entries_.get(), size_, Dispatch{});
+    count_ = 0;
+}
+
+void MemberTables::clear() {
+    for (const auto& table : tables_)
+        if (table) table->clear();
 }
 
 DispatchTable& MemberTables::of(const property::Class& of) {

@@ -48,6 +48,8 @@ class DispatchTable {
         return found.key != nullptr && found.key == key ? &found : nullptr;
     }
     const Dispatch& add(const Dispatch& entry);
+    /// To be called when the class has got other members.
+    void clear();
 
   private:
     /// Index of the entry, or of the place for a new one. Divided by 16, because Lua's allocations
@@ -70,6 +72,8 @@ class MemberTables {
         : tree_(tree), recording_(recording) {}
 
     DispatchTable& of(const property::Class& of);
+    /// To be called when classes have got other members.
+    void clear();
     /// The method that a Lua function calls; nullptr for any other function.
     const property::Method* method_of(lua_State* L, int index) const;
 

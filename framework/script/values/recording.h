@@ -21,6 +21,7 @@ struct Recording {
         std::string note;       // instead of values: "new Body", "deleted"
     };
     bool active = false;  // while true, all reads and writes take the general path and are recorded
+    bool declaring = false;  // the same while the top level of a game runs: see declarations.h
     property::Writer writer = property::Writer::script;  // the writer while a script runs
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // its unit is shown with the result

@@ -11,6 +11,7 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/declarations.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/short_text.h>
@@ -427,7 +428,9 @@ std::string origin_path(const property::Tree& tree, const Origin& origin) {
 }
 
 Value origin_read(Machine& machine, const Origin& origin) {
-    Value whole = machine.tree.get(origin.instance, origin_property(machine.tree, origin));
+    const Property& property = origin_property(machine.tree, origin);
+    const Value* seen = machine.declarations.seen(origin.instance, property.name);
+    Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
     if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
     if (origin.depth == 0) return whole;
     return property::part_of(whole, segments(origin, nullptr), origin_path(machine.tree, origin));
@@ -436,7 +439,8 @@ Value origin_read(Machine& machine, const Origin& origin) {
 void origin_write(Machine& machine, const Origin& origin, const char* component,
                   const Value& value) {
     const Property& property = origin_property(machine.tree, origin);
-    const Value whole = machine.tree.get(origin.instance, property);
+    const Value* seen = machine.declarations.seen(origin.instance, property.name);
+    const Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
     if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
     write_property(machine, origin.instance, property,
                    property::with_part(whole, segments(origin, component), value,

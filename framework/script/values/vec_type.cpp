@@ -8,6 +8,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <text/columns.h>
+#include <values/declarations.h>
 #include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -145,14 +146,18 @@ int vec_index(lua_State* L) {
 // The common case, a property of type vec: the other component keeps its current value.
 void write_component(Machine& machine, VecBox& v, char component, double number) {
     const Property& property = origin_property(machine.tree, v.origin);
-    const Value whole = machine.tree.get(v.origin.instance, property);
+    const auto read = [&] {
+        const Value* seen = machine.declarations.seen(v.origin.instance, property.name);
+        return seen != nullptr ? *seen : machine.tree.get(v.origin.instance, property);
+    };
+    const Value whole = read();
     if (!whole.is(Type::vec2))
         throw Error(ErrorKind::wrong_type,
                     origin_path(machine.tree, v.origin) + ": is not a vec any more");
     Vec2 next = whole.vec2();
     (component == 'x' ? next.x() : next.y()) = number;
     write_property(machine, v.origin.instance, property, Value(next));
-    const Value now = machine.tree.get(v.origin.instance, property);  // as stored, possibly rounded
+    const Value now = read();  // as stored, possibly rounded
     if (now.is(Type::vec2)) {
         v.x = now.vec2().x();
         v.y = now.vec2().y();

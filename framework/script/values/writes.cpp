@@ -6,6 +6,7 @@
 
 #include <lua/machine.h>
 #include <text/words.h>
+#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/writes.h>
 
@@ -46,13 +47,27 @@ void recorded(Machine& machine, Handle instance, const Property& property, Write
 
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
+    Declarations& declarations = machine.declarations;
+    if (!declarations.active()) {
+        recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+        return;
+    }
+    const std::string name = property.name;
+    if (declarations.defers(instance)) return declarations.defer(instance, name, value);
+    declarations.writing(instance, name);
     recorded(machine, instance, property, [&] { machine.tree.set(instance, property, value); });
+    declarations.wrote(instance, name);
 }
 
 void write_formula(Machine& machine, Handle instance, std::string_view name,
                    property::Formula formula) {
     const std::string source = formula.source.empty() ? "a function" : one_line(formula.source);
+    Declarations& declarations = machine.declarations;
+    if (declarations.defers(instance))
+        return declarations.defer(instance, name, std::move(formula));
+    declarations.writing(instance, name);
     machine.tree.set_formula(instance, name, std::move(formula));
+    declarations.wrote(instance, name);
     if (!machine.recording.active) return;
     const Property& property = machine.tree.property(instance, name);
     const std::string problem = machine.tree.problem(instance, property);
@@ -73,13 +88,32 @@ void note_added(Machine& machine, Handle instance, std::string_view name) {
     }
 }
 
+void set_or_add(Machine& machine, Handle instance, std::string_view name, const Value& value) {
+    Declarations& declarations = machine.declarations;
+    if (declarations.defers(instance)) return declarations.defer(instance, name, value);
+    declarations.writing(instance, name);
+    machine.tree.set_or_add(instance, name, value);
+    declarations.wrote(instance, name);
+}
+
+Handle child_of(Machine& machine, Handle instance, std::string_view name) {
+    if (machine.declarations.again())
+        if (const Handle waiting = machine.declarations.child(instance, name)) return waiting;
+    return machine.tree.child(instance, name);
+}
+
 void clear_property(Machine& machine, Handle instance, const Property& property) {
+    Declarations& declarations = machine.declarations;
+    const std::string name = property.name;
+    if (declarations.defers(instance)) return declarations.defer(instance, name, Value());
+    declarations.writing(instance, name);
     recorded(machine, instance, property, [&] {
         if (property.binding.kind == BindingKind::ad_hoc)
             machine.tree.remove_ad_hoc(instance, property.name);
         else
             machine.tree.set(instance, property, Value());
     });
+    declarations.wrote(instance, name);
 }
 
 namespace {
@@ -95,11 +129,22 @@ void note_placed(Machine& machine, Handle instance) {
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            bool first_plain) {
+    if (machine.declarations.defers(parent) || machine.declarations.has_place(instance))
+        return machine.declarations.place(instance, parent, name);
     machine.tree.move(instance, parent, name, first_plain);
     note_placed(machine, instance);
 }
 
 void replace(Machine& machine, Handle old, Handle by) {
+    Declarations& declarations = machine.declarations;
+    if (declarations.again() && declarations.has_place(old)) {
+        const Declarations::Place place = declarations.place_of(old);
+        declarations.remove(old);
+        machine.tree.destroy(old);
+        return declarations.place(by, place.parent, place.name);
+    }
+    if (declarations.defers(old))
+        return declarations.place(by, machine.tree.parent(old), machine.tree.name(old));
     const bool placed = machine.tree.is_below(old, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(old) : "";
     machine.tree.replace(old, by);
@@ -113,6 +158,8 @@ void destroy(Machine& machine, Handle instance) {
         throw Error(ErrorKind::bad_structure, machine.tree.path(instance) +
                                                   ": is the framework's own and cannot "
                                                   "be deleted");
+    if (machine.declarations.defers(instance)) return;
+    if (machine.declarations.again()) machine.declarations.remove(instance);
     const bool placed = machine.tree.is_below(instance, machine.tree.root());
     const std::string path = machine.recording.active ? machine.tree.path(instance) : "";
     machine.tree.destroy(instance);

@@ -26,5 +26,10 @@ void place(Machine& machine, property::Handle instance, property::Handle parent,
 /// Gives a detached instance the place and name of another instance, which is deleted.
 void replace(Machine& machine, property::Handle old, property::Handle by);
 void destroy(Machine& machine, property::Handle instance);
+/// The child with that name, also one that waits for its place while a game is loaded again.
+property::Handle child_of(Machine& machine, property::Handle instance, std::string_view name);
+/// Adds an ad hoc property, or sets one.
+void set_or_add(Machine& machine, property::Handle instance, std::string_view name,
+                const property::Value& value);
 
 }  // namespace fettle::script

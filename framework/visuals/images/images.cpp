@@ -25,24 +25,41 @@ std::shared_ptr<const Sheet> Images::get(const std::string& what, const std::str
     return known;
 }
 
-std::shared_ptr<const Sheet> Images::load(const std::string& what, const std::string& name) {
+/// Changes nothing if it throws.
+void Images::read(Sheet& into, const std::string& what, const std::string& name) const {
+    if (assets_ == nullptr) throw std::runtime_error(what + ": this program has no files");
+    Export found;
+    std::string image = name;
+    if (name.ends_with(".json")) {
+        found = read_export(assets_->read(what, name, endings));
+        image = (std::filesystem::path(name).parent_path() / found.image).generic_string();
+    }
+    put(into, decode(assets_->read(what, image, endings)));
+    into.frames = std::move(found.frames);
+    into.animations = std::move(found.animations);
+    into.image = image;
+    into.found = true;
+}
+
+void Images::renew(const std::string& name) {
+    for (const auto& [known, sheet] : sheets_) {
+        if (sheet == nullptr || (known != name && sheet->image != name)) continue;
+        told_.clear();
+        try {
+            read(*sheet, "image", known);
+        } catch (const std::exception& error) {
+            tell("\"" + known + "\": " + error.what());
+        }
+    }
+}
+
+std::shared_ptr<Sheet> Images::load(const std::string& what, const std::string& name) {
     auto sheet = std::make_shared<Sheet>();
     try {
-        if (assets_ == nullptr) throw std::runtime_error(what + ": this program has no files");
-        std::string image = name;
-        if (name.ends_with(".json")) {
-            Export found = read_export(assets_->read(what, name, endings));
-            image = (std::filesystem::path(name).parent_path() / found.image).generic_string();
-            sheet->frames = std::move(found.frames);
-            sheet->animations = std::move(found.animations);
-        }
-        put(*sheet, decode(assets_->read(what, image, endings)));
-        sheet->found = true;
+        read(*sheet, what, name);
     } catch (const std::exception& error) {
         const std::string why = error.what();
         tell(why.starts_with(what) ? why : what + ": \"" + name + "\": " + why);
-        sheet->frames.clear();
-        sheet->animations.clear();
         put(*sheet, checkerboard());
     }
     return sheet;

@@ -28,6 +28,7 @@ struct Animation {
 
 struct Sheet {
     property::Picture picture{};
+    std::string image{};        // name of the file with the pixels
     bool found = false;         // false: the picture is the checkerboard
     std::vector<Frame> frames;  // of a sheet that was exported; empty for an image file
     std::vector<Animation> animations;

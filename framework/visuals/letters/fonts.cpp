@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace fettle::visuals {
 namespace {
@@ -20,8 +22,11 @@ std::string system_font(const std::string& name) {
         "/usr/share/fonts/dejavu",          "/usr/share/fonts/TTF",
         "/usr/local/share/fonts/dejavu",    "/Library/Fonts",
         "/opt/homebrew/share/fonts",        "C:/Windows/Fonts"};
-    for (const char* folder : folders) {
-        std::ifstream in(std::filesystem::path(folder) / name, std::ios::binary);
+    // A packaged game brings its fonts along.
+    std::vector<std::filesystem::path> all(std::begin(folders), std::end(folders));
+    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
+    for (const std::filesystem::path& folder : all) {
+        std::ifstream in(folder / name, std::ios::binary);
         if (!in) continue;
         std::ostringstream content;
         content << in.rdbuf();
@@ -52,6 +57,16 @@ const Family& Fonts::get(const std::string& what, const std::string& name) {
     std::erase(fonts, nullptr);
     if (fonts.empty()) tell_(what + ": this system has no font (Debian: fonts-dejavu-core)");
     return families_.emplace(name, Family(std::move(fonts))).first->second;
+}
+
+bool Fonts::renew(const std::string& name) {
+    const auto known = families_.find(name);
+    if (known == families_.end()) return false;
+    std::vector<std::shared_ptr<Font>> fonts = {of_game("font", name), bundled("DejaVuSans.ttf")};
+    if (fonts.front() == nullptr) return false;
+    std::erase(fonts, nullptr);
+    replaced_.push_back(std::exchange(known->second, Family(std::move(fonts))));
+    return true;
 }
 
 std::shared_ptr<Font> Fonts::bundled(const std::string& file) {

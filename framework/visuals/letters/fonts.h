@@ -35,6 +35,10 @@ class Fonts {
     /// that begins with `what`.
     const Family& get(const std::string& what, const std::string& name);
 
+    /// Reads the file again. False if it is no font in use. If it cannot be read, the old font
+    /// stays. Layouts made before may still be drawn.
+    bool renew(const std::string& name);
+
   private:
     std::shared_ptr<Font> bundled(const std::string& file);
     std::shared_ptr<Font> of_game(const std::string& what, const std::string& name);
@@ -43,6 +47,7 @@ class Fonts {
     std::function<void(const std::string&)> tell_;
     std::map<std::string, std::shared_ptr<Font>> bundled_;
     std::map<std::string, Family> families_;
+    std::vector<Family> replaced_;  // layouts refer to their fonts
 };
 
 }  // namespace fettle::visuals

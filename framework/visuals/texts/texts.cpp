@@ -142,6 +142,10 @@ double Texts::size_of(const Row& row) const {
     return Reader(*tree_, row.self).number(of_.size);
 }
 
+void Texts::forget_layouts() {
+    for (Row& row : rows_) row.wrap = -1;
+}
+
 const Layout& Texts::layout(Row& row) {
     const Reader read(*tree_, row.self);
     const double size = read.number(of_.size);

@@ -16,6 +16,8 @@ class Texts {
   public:
     explicit Texts(Fonts& fonts) : fonts_(fonts) {}
     void define(property::Tree& tree);
+    /// To be called when a font has changed.
+    void forget_layouts();
 
   private:
     /// The layout that was used last, and what it was made of.

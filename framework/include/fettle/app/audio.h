@@ -39,6 +39,9 @@ class Audio {
     std::int32_t max_voices = 64;      // beyond it, the oldest voice ends
     std::function<double()> random{};  // the game's random numbers, 0 to 1; the loop sets it
 
+    /// To be called when that file of the game has changed: sounds that begin from now on play it.
+    /// Throws property::Error if it cannot be read; the old sound stays then.
+    void renew(const std::string& name);
     /// A step of `dt` seconds passes for all voices. The modules step afterwards.
     void step(double dt);
     /// Functions of the classes in Lua: `Synth.coin()`.

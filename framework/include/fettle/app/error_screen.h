@@ -32,7 +32,15 @@ class ErrorScreen : public Layer {
     /// Shows an error; an error that is already shown stays, since the first is the cause of the
     /// others.
     void show(const script::ScriptError& error);
-    void hide() { error_.reset(); }
+    void hide() {
+        error_.reset();
+        over_.reset();
+    }
+    /// Shows an error of files that changed while the game runs, in a strip over the game, which
+    /// goes on and gets all input.
+    void show_over(const script::ScriptError& error) { over_ = error; }
+    void hide_over() { over_.reset(); }
+    const std::optional<script::ScriptError>& error_over() const { return over_; }
     bool visible() const { return error_.has_value() || running_.has_value(); }
 
     /// Shows the place of a script that does not return, and asks whether to stop it; to be called
@@ -55,9 +63,11 @@ class ErrorScreen : public Layer {
     bool handle_key(const std::string& key);
     void draw_keys(Surface& surface, float bottom) const;
     void draw_strip(Surface& surface, float bottom) const;
+    void draw_over(Surface& surface, float bottom) const;
 
     Actions actions_;
     std::optional<script::ScriptError> error_;
+    std::optional<script::ScriptError> over_;
     std::size_t further_errors_ = 0;
     std::optional<script::LongCall> running_;
     bool stop_wanted_ = false;

@@ -32,6 +32,16 @@ struct FETTLE_SCRIPT_PRIVATE Machine;
 struct ConsoleFunctions;
 struct Observed;
 
+/// Limits for a game that is not trusted. 0: no limit. A script that passes one is stopped; the
+/// error names the place. Time limits: `Options::call_seconds`.
+struct GameLimits {
+    std::uint64_t instructions = 0;  // Lua instructions of one call into the scripts
+    /// Bytes of Lua and of what the scripts add to the tree, physics included (estimated).
+    std::size_t memory = 0;
+    std::size_t instances = 0, handlers = 0, timers = 0;
+    std::size_t output = 0;  // bytes that print() may write during a run
+};
+
 struct Options {
     std::uint64_t seed = 0;
     std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
@@ -39,6 +49,7 @@ struct Options {
     // memory_limit.
     std::size_t console_memory = std::size_t{128} << 20;
     std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
+    GameLimits limits{};
     /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: no
     /// limit. `limit_calls` can change it.
     double call_seconds = 10;
@@ -68,6 +79,13 @@ struct ScriptError {
 
 /// The error as lines for a console: message, then the source line and a caret under the error.
 std::vector<std::string> error_lines(const ScriptError& error);
+
+/// Result of `Runtime::reload`.
+struct Reloaded {
+    bool done = false;
+    std::optional<ScriptError> error{};  // if it was not done: nothing has changed
+    std::vector<std::string> notes{};    // values that could not be applied
+};
 
 /// A call into the game's scripts that takes too long.
 struct LongCall {
@@ -120,6 +138,15 @@ class Runtime {
     /// out of it are not followed. Throws property::FileError if the file cannot be read, and
     /// Error(bad_structure) while a script of this runtime runs.
     bool load(const std::filesystem::path& game);
+    /// Runs the top level of the loaded game again, because its files have changed, and calls its
+    /// `reloaded(files)`. The tree stays. What the top level declares (instances that it makes, and
+    /// values that it gives) is compared with what it declared before, and only the differences are
+    /// applied. Classes get their new functions, properties and defaults. Handlers and timers of
+    /// the old top level end. Variables of Lua begin again; those that only callbacks have assigned
+    /// stay. After an error everything is as it was. `files`: names for `reloaded`. Throws
+    /// property::FileError if main.lua cannot be read, and Error(bad_structure) if no game is
+    /// loaded or a script of this runtime runs.
+    Reloaded reload(const std::vector<std::string>& files);
     /// Runs a chunk as part of the game (`--eval`). It is stopped if it adds more than
     /// `Options::memory_limit` bytes, in Lua and in the tree, or, like every call, takes longer
     /// than `Options::call_seconds`. Returns false if it raised an error or was stopped; the error

@@ -12,6 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool has_ending(const fs::path& file, Endings endings) {
+    std::string ending = file.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return std::ranges::find(endings, ending) != endings.end();
+}
+
 void add_names(const fs::path& folder, Endings endings, std::vector<std::string>& names) {
     constexpr std::size_t most = 1000;
     constexpr int deepest = 4;
@@ -20,11 +28,7 @@ void add_names(const fs::path& folder, Endings endings, std::vector<std::string>
     for (fs::recursive_directory_iterator it(folder, code), end; !code && it != end;
          it.increment(code)) {
         if (names.size() - before >= most || it.depth() > deepest) break;
-        std::string ending = it->path().extension().string();
-        std::ranges::transform(ending, ending.begin(), [](char c) {
-            return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        });
-        if (std::ranges::find(endings, ending) != endings.end())
+        if (has_ending(it->path(), endings))
             names.push_back(it->path().lexically_relative(folder).generic_string());
     }
 }
@@ -56,6 +60,10 @@ std::string Assets::read(std::string_view what, const std::string& name, Endings
 std::vector<std::string> Assets::names(Endings endings) const {
     std::vector<std::string> found;
     if (!game_.empty()) add_names(game_, endings, found);
+    if (!game_.empty())
+        for (std::string& name : files_.held_below(game_))
+            if (has_ending(name, endings) && std::ranges::find(found, name) == found.end())
+                found.push_back(std::move(name));
     if (!shared_.empty()) add_names(shared_, endings, found);
     return found;
 }

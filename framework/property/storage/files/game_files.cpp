@@ -85,6 +85,7 @@ std::string GameFiles::read(const Path& file) {
         throw FileError(file, "could not be read: there was no such file then");
     }
     const Path found = checked(file, false);
+    see(file);
     std::string content;
     try {
         content = read_file(found, size_limit);
@@ -97,6 +98,7 @@ std::string GameFiles::read(const Path& file) {
 
 bool GameFiles::exists(const Path& file) {
     if (const auto* content = held(file)) return content->has_value();
+    see(file);
     std::error_code error;
     const bool there = fs::exists(file, error);
     if (!there) note(file, std::nullopt);
@@ -105,6 +107,13 @@ bool GameFiles::exists(const Path& file) {
 
 void GameFiles::write(const Path& file, std::string_view content) {
     const Path found = checked(file, true);
+    if (writable_) {
+        if (content.size() > *writable_)
+            throw FileError(file,
+                            "was not written: this game has used the space on the disk that "
+                            "it may use");
+        *writable_ -= content.size();
+    }
     if (in_memory_) return put(file, std::string(content));
     note_overwritten(file);
     replace_file(found, content);
@@ -112,6 +121,19 @@ void GameFiles::write(const Path& file, std::string_view content) {
 
 void GameFiles::put(const Path& file, std::optional<std::string> content) {
     held_[key(file)] = std::move(content);
+}
+
+std::vector<fs::path> GameFiles::seen() const {
+    return {seen_.begin(), seen_.end()};
+}
+
+std::vector<std::string> GameFiles::held_below(const Path& folder) const {
+    std::vector<std::string> names;
+    const Path top = key(folder);
+    for (const auto& [file, content] : held_)
+        if (content && is_below(file, top))
+            names.push_back(file.lexically_relative(top).generic_string());
+    return names;
 }
 
 // --- Scenes --------------------------------------------------------------------------------------

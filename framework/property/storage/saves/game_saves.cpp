@@ -2,6 +2,7 @@
 
 #include <fettle/property/storage/game_saves.h>
 
+#include <filesystem>
 #include <utility>
 
 #include <fettle/property/exception_text.h>
@@ -11,6 +12,19 @@
 #include <files/temporary_file.h>
 
 namespace fettle::property {
+
+namespace {
+
+std::uintmax_t used_space(const std::filesystem::path& folder) {
+    std::uintmax_t sum = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error))
+        if (const std::uintmax_t size = it->file_size(error); !error) sum += size;
+    return sum;
+}
+
+}  // namespace
 
 GameSaves::GameSaves(Tree& tree, Saves saves, Options options)
     : tree_(tree),
@@ -79,6 +93,10 @@ void GameSaves::take(const std::string& slot, std::size_t request) {
 void GameSaves::finish(const Thumbnail& picture) {
     for (const Waiting& each : std::exchange(waiting_, {})) {
         try {
+            if (options_.space > 0 &&
+                used_space(saves_.folder()) + each.state->size() > options_.space)
+                throw Error(ErrorKind::rejected,
+                            "this game has used the space on the disk that it may use");
             saves_.save(each.slot, each.step, *each.state, picture);
         } catch (const std::exception& error) {
             warn("the game was not saved: " + exception_text(error));

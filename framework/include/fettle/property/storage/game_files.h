@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,14 @@ class GameFiles {
     /// module.
     void looks_at(const std::filesystem::path& file);
 
+    /// The game's files that were read or found missing so far, without those that are held in
+    /// memory.
+    std::vector<std::filesystem::path> seen() const;
+    /// Names below the folder of files that are held in memory, with forward slashes.
+    std::vector<std::string> held_below(const std::filesystem::path& folder) const;
+    /// Bytes that may be written from now on, all files together; further writes throw FileError.
+    void limit_writes(std::size_t bytes) { writable_ = bytes; }
+
     /// From now on nothing is written to the disk: written files stay in memory, and reads find
     /// them there.
     void stay_in_memory() { in_memory_ = true; }
@@ -83,6 +92,8 @@ class GameFiles {
     void note_overwritten(const Path& file);
     void add(Finding finding);
 
+    void see(const Path& file) { seen_.insert(file); }
+
     struct Known {
         bool looked_at = false, overwritten = false;
     };
@@ -92,6 +103,8 @@ class GameFiles {
     bool in_memory_ = false;
     std::map<Path, std::optional<std::string>> held_;  // in place of the files on the disk
     std::map<Path, Known> known_;
+    std::set<Path> seen_;  // as they were passed
+    std::optional<std::size_t> writable_;
     std::vector<Finding> findings_;  // not yet reported
     std::function<void(const Finding&)> listener_;
 };

@@ -2,6 +2,7 @@
 // Saving and loading a running game: its tree's snapshot, in slots.
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,6 +27,9 @@ class GameSaves {
         /// The game is shown, and `finish` gets a picture of it after the next barrier. Otherwise
         /// saves have no picture and are made at the barrier.
         bool pictures = false;
+        /// Bytes of all files of saved games together; a save beyond it is not written. 0: no
+        /// limit.
+        std::uintmax_t space = 0;
         /// Receives the errors of a save that could not be written, or of a snapshot that this game
         /// cannot restore: both happen at a barrier, where no caller can catch them. Also receives,
         /// once each, the formulas that a file cannot hold, and what a loaded game could not

@@ -1,0 +1,22 @@
+#pragma once
+// Another definition of a class that has instances.
+
+#include <vector>
+
+#include <fettle/property/export.h>
+#include <fettle/property/tree.h>
+
+FETTLE_PROPERTY_BEGIN
+
+namespace fettle::property {
+
+/// Replaces the properties that a class without a module declares itself, while instances of it may
+/// live: its code was loaded again. They get the default of a new property. A property of another
+/// type keeps the values that fit the new type. One that is not in `own` does not exist any more;
+/// pointers to it stay valid, and refer to nothing. Throws Error, and has changed nothing, for a
+/// name that a derived class or a child of an instance has.
+void redefine(Tree& tree, const Class& of, std::vector<Property> own);
+
+}  // namespace fettle::property
+
+FETTLE_PROPERTY_END

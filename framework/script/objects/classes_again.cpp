@@ -1,0 +1,74 @@
+// Classes of scripts while a game is loaded again.
+
+#include <utility>
+
+#include <fettle/property/redefinition.h>
+
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <objects/script_classes.h>
+#include <values/members.h>
+
+namespace fettle::script {
+
+/// The properties as they were declared. A default may have been replaced since.
+std::vector<Property> ScriptClasses::own_properties(const Class& of) const {
+    std::vector<Property> own;
+    for (const Property* property : of.properties())
+        if (property->owner == &of) own.push_back(*property);
+    return own;
+}
+
+void ScriptClasses::begin_again() {
+    for (auto& [of, own] : infos_) {
+        Earlier& earlier = earlier_[of];
+        earlier.functions = std::exchange(own.functions, LUA_NOREF);
+        earlier.states = std::exchange(own.states, LUA_NOREF);
+        earlier.function_names = std::exchange(own.function_names, {});
+        earlier.state_names = std::exchange(own.state_names, {});
+        if (own.scripted) earlier.properties = own_properties(*of);
+    }
+    chains_.clear();
+}
+
+void ScriptClasses::end_again(bool keep) {
+    lua_State* const L = machine_.lua.main;
+    for (auto& [of, earlier] : earlier_) {
+        Info& own = info(*of);
+        if (!keep) {
+            std::swap(own.functions, earlier.functions);
+            std::swap(own.states, earlier.states);
+            own.function_names = std::move(earlier.function_names);
+            own.state_names = std::move(earlier.state_names);
+            if (own.scripted) property::redefine(machine_.tree, *of, std::move(earlier.properties));
+        }
+        luaL_unref(L, LUA_REGISTRYINDEX, earlier.functions);
+        luaL_unref(L, LUA_REGISTRYINDEX, earlier.states);
+    }
+    earlier_.clear();
+    chains_.clear();
+    machine_.members.clear();
+    any_functions_ = any_states_ = false;
+    for (const auto& [of, own] : infos_) {
+        any_functions_ |= own.functions != LUA_NOREF;
+        any_states_ |= own.states != LUA_NOREF;
+    }
+}
+
+std::vector<ScriptClasses::NewDefault> ScriptClasses::new_defaults() const {
+    std::vector<NewDefault> all;
+    for (const Class* of : machine_.tree.classes()) {
+        const auto found = earlier_.find(of);
+        if (found == earlier_.end()) continue;
+        for (const Property& before : found->second.properties) {
+            const Property* const now = of->property(before.name);
+            if (now != nullptr && now->owner == of && now->type == before.type &&
+                !(now->default_value == before.default_value))
+                all.push_back({now, before.default_value});
+        }
+    }
+    return all;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,326 @@
+#include <algorithm>
+
+#include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
+#include <fettle/property/storage/tweaks.h>
+#include <fettle/script/runtime.h>
+
+#include <handlers/timers.h>
+#include <lua/interpreter.h>
+#include <lua/machine.h>
+#include <lua/stack.h>
+#include <reload/merge.h>
+#include <values/members.h>
+#include <values/values.h>
+
+namespace fettle::script {
+
+namespace {
+
+bool is_place(const std::string& name) {
+    return name == "name" || name == "parent";
+}
+
+}  // namespace
+
+Merge::Merge(Machine& machine, Declarations::All next, std::vector<std::string>& notes)
+    : machine_(machine), tree_(machine.tree), next_(std::move(next)), notes_(notes) {
+    for (const Declared& each : next_) next_by_handle_[bits(each.instance)] = &each;
+    for (const Declared& each : machine.declarations.last()) {
+        last_by_handle_[bits(each.instance)] = &each;
+        if (each.made && !each.path.empty()) last_by_path_[each.path] = &each;
+    }
+}
+
+Handle Merge::result_of(Handle instance) const {
+    const auto found = results_.find(bits(instance));
+    return found == results_.end() ? instance : found->second;
+}
+
+template <class Change>
+void Merge::attempt(Handle instance, const std::string& name, Change change) {
+    try {
+        change();
+    } catch (const std::exception& error) {
+        const std::string path = tree_.alive(instance) ? tree_.path(instance) : "(deleted)";
+        std::string text = property::exception_text(error);
+        if (text.find(path) == std::string::npos)
+            text = path + property::path_suffix(name) + ": " + text;
+        notes_.push_back("reload: " + text);
+    }
+}
+
+void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
+    const Declarations& declarations = machine_.declarations;
+    for (const Handle made : declarations.placed()) {
+        if (!tree_.alive(made)) continue;
+        const Declarations::Place& place = declarations.place_of(made);
+        match(made, place.parent, place.name);
+    }
+    for (const auto& [made, living] : pairs_) {
+        if (!tree_.alive(living)) continue;
+        const auto now = next_by_handle_.find(bits(made));
+        if (now == next_by_handle_.end()) continue;
+        apply(*now->second, living, said_before(living, now->second->path));
+    }
+    refer_to_results();
+    delete_undeclared();
+    place_new();
+    // Instances of the game that the top level did not make.
+    for (const Declared& now : next_)
+        if (!now.made && tree_.alive(now.instance) && tree_.is_below(now.instance, tree_.root()))
+            apply(now, now.instance, said_before(now.instance, now.path));
+    for (const Declared& before : machine_.declarations.last())
+        if (!before.made && tree_.alive(before.instance) &&
+            !next_by_handle_.contains(bits(before.instance)) &&
+            !matched_.contains(bits(before.instance)))
+            apply({}, before.instance, &before);
+    apply_defaults(defaults);
+}
+
+// --- Which instance stands for which
+
+const Merge::Declared* Merge::declared_before(const std::string& path) const {
+    const auto found = last_by_path_.find(path);
+    return found == last_by_path_.end() ? nullptr : found->second;
+}
+
+const Merge::Declared* Merge::said_before(Handle living, const std::string& path) const {
+    if (const auto found = last_by_handle_.find(bits(living)); found != last_by_handle_.end())
+        return found->second;
+    return declared_before(path);
+}
+
+/// The instance that was declared so: itself wherever it is now, or another one of its class that
+/// the game has put in its place.
+Handle Merge::living(const Declared& before, Handle parent, const std::string& name) const {
+    if (tree_.alive(before.instance) && &tree_.class_of(before.instance) == before.of)
+        return before.instance;
+    if (!tree_.alive(parent)) return {};
+    const Handle there = tree_.child(parent, name);
+    return there && &tree_.class_of(there) == before.of ? there : Handle{};
+}
+
+void Merge::match(Handle made, Handle parent, const std::string& name) {
+    parent = result_of(parent);
+    const auto entry = next_by_handle_.find(bits(made));
+    const std::string path = entry == next_by_handle_.end() ? "" : entry->second->path;
+    const Declared* const before = declared_before(path);
+    if (before == nullptr || before->of != &tree_.class_of(made)) {
+        waiting_.push_back({made, parent, name});
+        return;
+    }
+    const Handle there = living(*before, parent, name);
+    if (!there)
+        mark_gone(made);
+    else if (matched_.contains(bits(there)))
+        waiting_.push_back({made, parent, name});
+    else
+        stand_for(made, there);
+}
+
+void Merge::stand_for(Handle made, Handle living) {
+    results_[bits(made)] = living;
+    matched_.insert(bits(living));
+    pairs_.emplace_back(made, living);
+    match_below(made, living);
+}
+
+void Merge::match_below(Handle made, Handle living) {
+    for (const Handle child : tree_.children(made)) {
+        const std::string name = tree_.name(child);
+        const auto entry = next_by_handle_.find(bits(child));
+        if (entry != next_by_handle_.end() && entry->second->made) {
+            match(child, living, name);
+            continue;
+        }
+        // Its class makes this child, for both.
+        const Handle there = tree_.child(living, name);
+        if (there && &tree_.class_of(there) == &tree_.class_of(child)) stand_for(child, there);
+    }
+}
+
+/// The game has deleted the instance, which stays so.
+void Merge::mark_gone(Handle made) {
+    const auto entry = next_by_handle_.find(bits(made));
+    const Declared* const before =
+        entry == next_by_handle_.end() ? nullptr : declared_before(entry->second->path);
+    const Handle gone =
+        before != nullptr && !tree_.alive(before->instance) ? before->instance : made;
+    results_[bits(made)] = gone;
+    pairs_.emplace_back(made, gone);
+    for (const Handle child : tree_.children(made)) mark_gone(child);
+}
+
+// --- Values
+
+Value Merge::translated(const Value& value) const {
+    if (value.is(Type::reference)) return result_of(value.reference());
+    if (!value.is(Type::list)) return value;
+    List list;
+    for (const Value& element : value.list()) list.push_back(translated(element));
+    return list;
+}
+
+/// Values are given in the order of declaration, because the valid values of one may depend on
+/// others.
+void Merge::apply(const Declared& now, Handle to, const Declared* before) {
+    std::vector<std::string> names;
+    for (const Property* property : tree_.class_of(to).properties())
+        names.push_back(property->name);
+    const std::size_t declared = names.size();
+    const auto add = [&](const auto& all) {
+        for (const auto& [name, said] : all)
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    };
+    add(now.said);
+    if (before != nullptr) add(before->said);
+    std::sort(names.begin() + static_cast<std::ptrdiff_t>(declared), names.end());
+    for (const std::string& name : names) {
+        if (is_place(name)) continue;
+        const auto a = now.said.find(name);
+        const Said* const is = a == now.said.end() ? nullptr : &a->second;
+        const Said* was = nullptr;
+        if (before != nullptr)
+            if (const auto b = before->said.find(name); b != before->said.end()) was = &b->second;
+        if (is != nullptr || was != nullptr)
+            attempt(to, name, [&] { apply_one(to, name, is, was); });
+    }
+}
+
+void Merge::apply_one(Handle to, const std::string& name, const Said* now, const Said* before) {
+    const Property* const property = tree_.find(to, name);
+    if (now == nullptr) {  // declared no more
+        if (property == nullptr) return;
+        if (property->binding.kind == property::BindingKind::ad_hoc) {
+            tree_.remove_ad_hoc(to, name);
+        } else if (before->before.is_nil()) {
+            tree_.reset(to, *property);
+        } else {
+            tree_.set(to, *property, before->before);
+        }
+        return;
+    }
+    if (now->formula) {
+        // The game may have replaced the old formula by a plain value.
+        const bool replaced = before != nullptr && before->formula && property != nullptr &&
+                              tree_.formula(to, *property) == nullptr &&
+                              before->formula->source == now->formula->source;
+        if (!replaced) tree_.set_formula(to, name, *now->formula);
+        return;
+    }
+    const Value value = translated(now->value);
+    if (before != nullptr && !before->formula && before->value == value) return;
+    if (property != nullptr && property->read_only) return;
+    tree_.set_or_add(to, name, value);
+}
+
+/// References in new instances, which were written while the others were detached.
+void Merge::refer_to_results() {
+    for (const Declared& now : next_) {
+        if (!now.made || results_.contains(bits(now.instance)) || !tree_.alive(now.instance))
+            continue;
+        for (const auto& [name, said] : now.said) {
+            if (said.formula || is_place(name)) continue;
+            const Value value = translated(said.value);
+            if (value == said.value) continue;
+            attempt(now.instance, name, [&, this] { tree_.set(now.instance, name, value); });
+        }
+    }
+}
+
+void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& defaults) {
+    if (defaults.empty()) return;
+    std::vector<Handle> all;
+    tree_.each_below(tree_.root(), [&](Handle each) { all.push_back(each); });
+    for (const Handle each : all)
+        for (const auto& [property, before] : defaults) {
+            if (!tree_.class_of(each).is_a(*property->owner)) continue;
+            const Property* const here = tree_.find(each, property->symbol);
+            if (here != property || tree_.formula(each, *here) != nullptr ||
+                !(tree_.peek(each, *here) == before))
+                continue;
+            const auto declared = last_by_handle_.find(bits(each));
+            if (declared != last_by_handle_.end() &&
+                declared->second->said.contains(property->name))
+                continue;
+            const auto* const wanted = property;
+            attempt(each, property->name,
+                    [&, this] { tree_.set(each, *wanted, wanted->default_value); });
+        }
+}
+
+// --- Places
+
+void Merge::delete_undeclared() {
+    for (const Declared& before : machine_.declarations.last()) {
+        if (!before.made || before.path.empty() || matched_.contains(bits(before.instance)) ||
+            !tree_.alive(before.instance))
+            continue;
+        attempt(before.instance, "", [&] { tree_.destroy(before.instance); });
+    }
+}
+
+void Merge::place_new() {
+    for (const Waiting& each : waiting_) {
+        const Handle parent = result_of(each.parent);
+        if (!tree_.alive(each.instance) || !tree_.alive(parent)) continue;
+        attempt(each.instance, each.name, [&] {
+            const Handle other = tree_.child(parent, each.name);
+            if (other && other != each.instance && !tree_.parent(each.instance))
+                tree_.replace(other, each.instance);
+            else
+                tree_.move(each.instance, parent, each.name);
+            if (machine_.options.tweaks != nullptr) machine_.options.tweaks->placed(each.instance);
+        });
+    }
+}
+
+// --- The end
+
+void Merge::rebind(Handle made, Handle living) {
+    lua_State* const L = machine_.lua.main;
+    push_registry(L, machine_.boxes.proxies);
+    if (lua_rawgeti(L, -1, static_cast<lua_Integer>(bits(made))) == LUA_TUSERDATA) {
+        auto* const box = static_cast<InstanceBox*>(lua_touserdata(L, -1));
+        box->handle = living;
+        box->members = &machine_.members.of(tree_.alive(living) ? tree_.class_of(living)
+                                                                : tree_.class_of(made));
+        lua_rawseti(L, -2, static_cast<lua_Integer>(bits(living)));
+        lua_pushnil(L);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(bits(made)));
+    } else {
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    machine_.timers.give_owner(made, living);
+}
+
+/// Calls of methods that change something are made for new instances only.
+void Merge::call_new() {
+    for (const Declarations::Call& call : std::exchange(machine_.declarations.calls, {})) {
+        const auto made = next_by_handle_.find(bits(call.instance));
+        if (made == next_by_handle_.end() || !made->second->made ||
+            results_.contains(bits(call.instance)) || !tree_.alive(call.instance))
+            continue;
+        std::vector<Value> arguments;
+        for (const Value& each : call.arguments) arguments.push_back(translated(each));
+        attempt(call.instance, call.method->name,
+                [&] { tree_.call(call.instance, *call.method, arguments); });
+    }
+}
+
+void Merge::finish() {
+    for (const auto& [made, living] : pairs_)
+        if (made != living) rebind(made, living);
+    call_new();
+    for (const auto& [made, living] : pairs_)
+        if (tree_.alive(made)) attempt(made, "", [&, h = made] { tree_.destroy(h); });
+    for (Declared& each : next_) {
+        each.instance = result_of(each.instance);
+        for (auto& [name, said] : each.said) said.value = translated(said.value);
+    }
+    machine_.declarations.keep(std::move(next_));
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,79 @@
+#pragma once
+// Compares what the top level of a game has declared with what it declared before, and applies the
+// differences to the game.
+//
+// The top level has made detached instances. One that has the place of an instance that the top
+// level made before stands for it: only values that are declared differently are given to the
+// living instance, and the detached one is deleted. The others are new.
+
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include <objects/script_classes.h>
+#include <values/declarations.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+class Merge {
+  public:
+    using Declared = Declarations::Declared;
+    using Said = Declarations::Said;
+
+    /// `notes` gets a line for each value that could not be applied.
+    Merge(Machine& machine, Declarations::All next, std::vector<std::string>& notes);
+
+    void run(const std::vector<ScriptClasses::NewDefault>& defaults);
+    /// The instance of the game for which a detached one stands; a deleted one if the game has
+    /// deleted it. Any other instance is itself.
+    property::Handle result_of(property::Handle instance) const;
+    /// Variables of scripts refer to the instances of the game from now on. Deletes the detached
+    /// ones, and keeps the declarations for the next time.
+    void finish();
+
+  private:
+    struct Waiting {
+        property::Handle instance, parent;
+        std::string name;
+    };
+    static std::uint64_t bits(property::Handle handle) {
+        return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+    const Declared* declared_before(const std::string& path) const;
+    const Declared* said_before(property::Handle living, const std::string& path) const;
+    void match(property::Handle made, property::Handle parent, const std::string& name);
+    void match_below(property::Handle made, property::Handle living);
+    void stand_for(property::Handle made, property::Handle living);
+    void mark_gone(property::Handle made);
+    property::Handle living(const Declared& before, property::Handle parent,
+                            const std::string& name) const;
+    property::Value translated(const property::Value& value) const;
+    void apply(const Declared& now, property::Handle to, const Declared* before);
+    void apply_one(property::Handle to, const std::string& name, const Said* now,
+                   const Said* before);
+    void refer_to_results();
+    void delete_undeclared();
+    void place_new();
+    void apply_defaults(const std::vector<ScriptClasses::NewDefault>& defaults);
+    void call_new();
+    void rebind(property::Handle made, property::Handle living);
+    template <class Change>
+    void attempt(property::Handle instance, const std::string& name, Change change);
+
+    Machine& machine_;
+    property::Tree& tree_;
+    Declarations::All next_;
+    std::vector<std::string>& notes_;
+    std::unordered_map<std::uint64_t, const Declared*> next_by_handle_, last_by_handle_;
+    std::unordered_map<std::string, const Declared*> last_by_path_;
+    std::unordered_map<std::uint64_t, property::Handle> results_;
+    std::vector<std::pair<property::Handle, property::Handle>> pairs_;  // made, living or deleted
+    std::unordered_set<std::uint64_t> matched_;                         // living ones that stay
+    std::vector<Waiting> waiting_;
+};
+
+}  // namespace fettle::script

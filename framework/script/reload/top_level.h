@@ -1,0 +1,51 @@
+#pragma once
+// Runs the top level of a game (main.lua and the modules that it requires), and notes what a later
+// reload needs: what the top level declared, and which globals, handlers and timers are its own.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fettle/script/runtime.h>
+
+#include <handlers/connections.h>
+#include <handlers/timers.h>
+#include <library/random.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+class TopLevel {
+  public:
+    explicit TopLevel(Machine& machine) : machine_(machine) {}
+
+    /// Runs the top level of a game that begins. `run` returns false after an error.
+    bool load(const std::function<bool()>& run);
+    /// Runs the top level of a game that goes on. After an error, everything is as it was, and the
+    /// result contains the error.
+    Reloaded reload(const std::function<bool()>& run);
+
+  private:
+    struct Kept;
+    struct Noted {
+        std::vector<Connections::Noted> connections;
+        std::vector<Timers::Noted> timers;
+    };
+
+    void begin_noting();
+    Noted end_noting();
+    void set_aside(Kept& kept);
+    void bring_back(const Kept& kept, const Noted& made);
+    void take(Noted made, Reloaded& result);
+    void replace_timers(const std::vector<Timers::Noted>& made);
+    void note_globals(int before);
+
+    Machine& machine_;
+    Random::State random_{};          // when the top level of this game began
+    std::vector<std::string> names_;  // globals that the top level assigned
+    Noted noted_;
+};
+
+}  // namespace fettle::script

@@ -1,0 +1,210 @@
+#include <algorithm>
+
+#include <fettle/property/path.h>
+
+#include <lua/tree_names.h>
+#include <values/declarations.h>
+
+namespace fettle::script {
+
+void Declarations::begin(bool again) {
+    phase_ = again ? Phase::again : Phase::first;
+    recording_.declaring = true;
+    all_.clear();
+    index_.clear();
+    places_.clear();
+    children_.clear();
+    numbers_.clear();
+    placed_.clear();
+    calls.clear();
+}
+
+Declarations::All Declarations::end() {
+    for (Declared& each : all_)
+        if (tree_.alive(each.instance)) each.path = future_path(each.instance);
+    phase_ = Phase::none;
+    recording_.declaring = false;
+    std::erase_if(all_, [this](const Declared& each) { return !tree_.alive(each.instance); });
+    return std::move(all_);
+}
+
+/// The path when all instances have their places; "" if it gets none.
+std::string Declarations::future_path(Handle instance) const {
+    if (tree_.is_below(instance, tree_.root())) return tree_.path(instance);
+    const Handle above = has_place(instance) ? place_of(instance).parent : tree_.parent(instance);
+    if (!above) return {};
+    const std::string parent = above == tree_.root() ? "" : future_path(above);
+    if (parent.empty() && above != tree_.root()) return {};
+    const std::string suffix =
+        property::path_suffix(has_place(instance) ? place_of(instance).name : tree_.name(instance));
+    return parent.empty() && suffix.starts_with('.') ? suffix.substr(1) : parent + suffix;
+}
+
+void Declarations::keep(All all) {
+    last_ = std::move(all);
+    last_index_.clear();
+    for (std::size_t i = 0; i < last_.size(); ++i) last_index_[bits(last_[i].instance)] = i;
+}
+
+// --- Noting
+
+Declarations::Declared& Declarations::entry(Handle instance) {
+    const auto [place, added] = index_.try_emplace(bits(instance), all_.size());
+    if (added) {
+        Declared& made = all_.emplace_back();
+        made.instance = instance;
+        made.of = &tree_.class_of(instance);
+    }
+    return all_[place->second];
+}
+
+const Declarations::Declared* Declarations::find(Handle instance) const {
+    const auto found = index_.find(bits(instance));
+    return found == index_.end() ? nullptr : &all_[found->second];
+}
+
+Declarations::Said& Declarations::said(Handle instance, std::string_view name) {
+    return entry(instance).said[std::string(name)];
+}
+
+const Declarations::Said* Declarations::last_said(Handle instance, std::string_view name) const {
+    const auto found = last_index_.find(bits(instance));
+    if (found == last_index_.end()) return nullptr;
+    const auto& all = last_[found->second].said;
+    const auto entry = all.find(std::string(name));
+    return entry == all.end() ? nullptr : &entry->second;
+}
+
+void Declarations::made(Handle instance) {
+    if (!active()) return;
+    Declared& now = entry(instance);
+    now.made = true;
+    // What a constructor gives has no earlier value: without it, the default is there.
+    for (auto& [name, said] : now.said) {
+        said.before = Value();
+        said.added = false;
+    }
+}
+
+void Declarations::made_with_values(Handle top) {
+    if (!active()) return;
+    std::vector<Handle> all = {top};
+    tree_.each_below(top, [&](Handle each) {
+        if (each != top) all.push_back(each);
+    });
+    for (const Handle each : all) {
+        made(each);
+        for (const Property* property : tree_.properties(each))
+            if (!property->read_only && tree_.overridden(each, *property))
+                wrote(each, property->name);
+    }
+}
+
+void Declarations::writing(Handle instance, std::string_view name) {
+    if (phase_ != Phase::first) return;
+    const Declared* known = find(instance);
+    if (known != nullptr && (known->made || known->said.contains(std::string(name)))) return;
+    Said& now = said(instance, name);
+    const Property* property = tree_.find(instance, name);
+    now.added = property == nullptr;
+    if (property != nullptr) now.before = tree_.peek(instance, *property);
+}
+
+void Declarations::wrote(Handle instance, std::string_view name) {
+    if (!active()) return;
+    const Property* property = tree_.find(instance, name);
+    if (property == nullptr) {  // an assignment of nil has removed it
+        entry(instance).said.erase(std::string(name));
+        return;
+    }
+    Said& now = said(instance, name);
+    now.value = tree_.peek(instance, *property);
+    now.formula.reset();
+    if (const property::Formula* formula = tree_.formula(instance, *property))
+        now.formula = *formula;
+}
+
+// --- While it is loaded again
+
+bool Declarations::defers(Handle instance) const {
+    return again() && tree_.is_below(instance, tree_.root());
+}
+
+void Declarations::defer(Handle instance, std::string_view name, const Value& value) {
+    const Property* property = tree_.find(instance, name);
+    Said& now = said(instance, name);
+    now.value = property == nullptr                     ? value
+                : value.is_nil() && !property->nullable ? property->default_value
+                                                        : tree_.coerce(instance, *property, value);
+    now.formula.reset();
+    const Said* last = last_said(instance, name);
+    now.added = last != nullptr ? last->added : property == nullptr;
+    if (last != nullptr)
+        now.before = last->before;
+    else if (property != nullptr)
+        now.before = tree_.peek(instance, *property);
+}
+
+void Declarations::defer(Handle instance, std::string_view name, property::Formula formula) {
+    const Property* property = tree_.find(instance, name);
+    defer(instance, name, property == nullptr ? Value() : tree_.peek(instance, *property));
+    said(instance, name).formula = std::move(formula);
+}
+
+const Value* Declarations::seen(Handle instance, std::string_view name) const {
+    if (!defers(instance)) return nullptr;
+    if (const Declared* known = find(instance))
+        if (const auto said = known->said.find(std::string(name)); said != known->said.end())
+            return said->second.formula ? nullptr : &said->second.value;
+    // What the old code gave it does not exist yet.
+    const Said* last = last_said(instance, name);
+    return last != nullptr && !last->added ? &last->before : nullptr;
+}
+
+std::optional<property::Place> Declarations::waiting_at(const std::string& path) const {
+    for (const Declared& each : all_) {
+        if (!tree_.alive(each.instance)) continue;
+        const std::string future = future_path(each.instance);
+        if (future.empty() || !path.starts_with(future)) continue;
+        if (future == path) return property::Place{each.instance, nullptr, {}};
+        for (const Property* property : tree_.properties(each.instance))
+            if (future + property::path_suffix(property->name) == path)
+                return property::Place{each.instance, property, {}};
+    }
+    return std::nullopt;
+}
+
+std::string Declarations::free_name(Handle instance, Handle parent) {
+    const std::string& stem = tree_.class_of(instance).stem();
+    int& number = numbers_[{bits(parent), stem}];
+    for (;;) {
+        std::string name = stem + "_" + std::to_string(++number);
+        if (!child(parent, name)) return name;
+    }
+}
+
+void Declarations::place(Handle instance, Handle parent, std::string_view name) {
+    std::string chosen(name);
+    if (chosen.empty()) chosen = free_name(instance, parent);
+    if (const Handle other = child(parent, chosen)) remove(other);
+    remove(instance);
+    places_[bits(instance)] = {parent, chosen};
+    children_[{bits(parent), chosen}] = instance;
+    placed_.push_back(instance);
+}
+
+void Declarations::remove(Handle instance) {
+    const auto found = places_.find(bits(instance));
+    if (found == places_.end()) return;
+    children_.erase({bits(found->second.parent), found->second.name});
+    places_.erase(found);
+    std::erase(placed_, instance);
+}
+
+Handle Declarations::child(Handle parent, std::string_view name) const {
+    if (children_.empty()) return {};
+    const auto found = children_.find(std::pair(bits(parent), std::string(name)));
+    return found == children_.end() ? Handle{} : found->second;
+}
+
+}  // namespace fettle::script

@@ -1,0 +1,123 @@
+#pragma once
+// What the top level of a game declares: the instances that it makes, the values that it gives
+// them, and the values that it gives to instances of the framework. A reload compares what the new
+// code declares with what the old code declared, and applies the differences.
+//
+// While a game is loaded, the top level writes to the tree, and the declarations are only noted.
+// While it is loaded again, nothing that is part of the game may change before the whole file has
+// run without an error. So an instance that gets a place stays detached, and is found by its name
+// as if it were there; a value for an instance of the game is only noted, and read back from here.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <fettle/property/path.h>
+#include <fettle/property/tree.h>
+
+#include <values/recording.h>
+
+namespace fettle::script {
+
+class Declarations {
+  public:
+    /// A value that the top level gave to a property.
+    struct Said {
+        property::Value value;  // as the tree stores it
+        std::optional<property::Formula> formula;
+        property::Value before;  // before the first write; of an instance that it did not make
+        bool added = false;      // the top level added the property
+    };
+    struct Declared {
+        property::Handle instance;
+        const property::Class* of = nullptr;
+        std::string path;   // its place when the top level ended; "" if it had none
+        bool made = false;  // by the top level
+        std::map<std::string, Said> said;
+    };
+    using All = std::vector<Declared>;
+    struct Place {
+        property::Handle parent;
+        std::string name;
+    };
+    /// A call of a method that changes something, and has no result.
+    struct Call {
+        property::Handle instance;
+        const property::Method* method;
+        std::vector<property::Value> arguments;
+    };
+
+    Declarations(property::Tree& tree, Recording& recording) : tree_(tree), recording_(recording) {}
+
+    /// The top level begins: of a game that is loaded, or of one that is loaded again.
+    void begin(bool again);
+    /// It has ended. Returns what it declared, with the places of all instances.
+    All end();
+    bool active() const { return phase_ != Phase::none; }
+    bool again() const { return phase_ == Phase::again; }
+    /// What the top level declared when it last ran.
+    void keep(All all);
+    const All& last() const { return last_; }
+
+    // --- Noting
+
+    void made(property::Handle instance);
+    /// The same for an instance with everything below it, and the values that it has.
+    void made_with_values(property::Handle top);
+    /// To be called before and after a write of a script.
+    void writing(property::Handle instance, std::string_view name);
+    void wrote(property::Handle instance, std::string_view name);
+
+    // --- While it is loaded again
+
+    /// Whether the instance is part of the game and must not change yet.
+    bool defers(property::Handle instance) const;
+    /// Notes a value for such an instance. Throws as `Tree::set` and `set_or_add` do.
+    void defer(property::Handle instance, std::string_view name, const property::Value& value);
+    void defer(property::Handle instance, std::string_view name, property::Formula formula);
+    /// The value as the top level sees it: nullptr if the tree has it.
+    const property::Value* seen(property::Handle instance, std::string_view name) const;
+    /// Gives a detached instance a place. An empty name: the next free one of its class.
+    void place(property::Handle instance, property::Handle parent, std::string_view name);
+    /// The instance loses its place, if it has one.
+    void remove(property::Handle instance);
+    bool has_place(property::Handle instance) const { return places_.contains(bits(instance)); }
+    /// The instance that got that place; a null handle if there is none.
+    property::Handle child(property::Handle parent, std::string_view name) const;
+    /// Instances with a place, in the order in which they got it.
+    const std::vector<property::Handle>& placed() const { return placed_; }
+    const Place& place_of(property::Handle instance) const { return places_.at(bits(instance)); }
+    std::vector<Call> calls;
+    /// The instance that will have this path, or the property of one.
+    std::optional<property::Place> waiting_at(const std::string& path) const;
+
+  private:
+    enum class Phase : std::uint8_t { none, first, again };
+    static std::uint64_t bits(property::Handle handle) {
+        return std::uint64_t{handle.generation} << 32 | handle.index;
+    }
+    Declared& entry(property::Handle instance);
+    const Declared* find(property::Handle instance) const;
+    Said& said(property::Handle instance, std::string_view name);
+    const Said* last_said(property::Handle instance, std::string_view name) const;
+    std::string future_path(property::Handle instance) const;
+    std::string free_name(property::Handle instance, property::Handle parent);
+
+    property::Tree& tree_;
+    Recording& recording_;
+    Phase phase_ = Phase::none;
+    All all_, last_;
+    std::unordered_map<std::uint64_t, std::size_t> index_;       // of `all_`
+    std::unordered_map<std::uint64_t, std::size_t> last_index_;  // of `last_`
+    std::unordered_map<std::uint64_t, Place> places_;
+    std::map<std::pair<std::uint64_t, std::string>, property::Handle, std::less<>> children_;
+    std::map<std::pair<std::uint64_t, std::string>, int> numbers_;  // last of each stem
+    std::vector<property::Handle> placed_;
+};
+
+}  // namespace fettle::script
