@@ -138,10 +138,6 @@ const Event& event_of(const Class& of, const std::string& name) {
 
 }  // namespace
 
-namespace {
-
-/// Connects the handler at the top of the stack to an event of an instance, or of all instances of
-/// a class.
 Connector event_connector(lua_State* L, Machine& machine, const Class& of, const std::string& name,
                           bool whole_class) {
     const WatchOptions options = options_here(L);
@@ -185,6 +181,8 @@ Connector event_connector(lua_State* L, Machine& machine, const Class& of, const
                            : tree.on(instance, event, handler, options);
     };
 }
+
+namespace {
 
 Connector property_connector(Machine& machine, const property::ChangeHandler& handler,
                              const WatchOptions& options, std::string name) {

@@ -28,6 +28,10 @@ void push_existence(lua_State* L, const property::Existence& existence);
 /// Makes the connection of a handler to an instance; the instance does not matter if the handler is
 /// that of a class.
 using Connector = std::function<property::Connection(property::Handle instance)>;
+/// Connects the handler at the top of the Lua stack to an event of an instance, or of all instances
+/// of a class.
+Connector event_connector(lua_State* L, Machine& machine, const property::Class& of,
+                          const std::string& name, bool whole_class);
 
 /// Adds `watch` to the table of globals at the top of the Lua stack.
 void open_watch(lua_State* L);
