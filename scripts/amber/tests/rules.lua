@@ -13,7 +13,7 @@ end
 test("time turns back for a crate and its rope, and not for the ball", function(t)
     play(t, 3)
     local lift, ball = world.level.lift, world.level.ball
-    t:wait(3)
+    t:wait(1)
     local up = vec(lift.position)
     t:click(world.level.rope:middle())
     t:wait(1)

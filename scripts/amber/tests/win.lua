@@ -6,14 +6,14 @@ local screens = require("screens")
 local solutions = {
     { { cut = "rope" } },
     { { cut = "left" }, { wait = 1.7 }, { cut = "right" } },
-    { { wait = 3 }, { cut = "rope" }, { wait = 2 }, { back = 4 } },
+    { { wait = 2 }, { cut = "rope" }, { wait = 2.5 }, { back = 4 } },
     { { cut = "rope" }, { back = 9 } },
     { { wait = 1 }, { cut = "rope" }, { wait = 1.3 }, { back = 4 } },
     { { wait = 5 }, { cut = "rope" }, { wait = 0.7 }, { back = 6 } },
     { { cut = "thread" }, { wait = 1.9 }, { back = 3 } },
     { { wait = 8 }, { cut = "rope" }, { wait = 1.5 }, { back = 8 } },
     { { cut = "rope" }, { wait = 2 }, { cut = "thread" }, { wait = 3.4 }, { back = 6 } },
-    { { wait = 1 }, { cut = "rope" }, { wait = 8 }, { back = 9 } },
+    { { wait = 0.5 }, { cut = "rope" }, { wait = 6 }, { back = 7 } },
     { { cut = "hold" }, { wait = 1.5 }, { cut = "thread" }, { wait = 0.7 }, { back = 3 } },
     { { wait = 0.5 }, { cut = "rope" }, { wait = 7 }, { cut = "thread" }, { wait = 2.7 }, { back = 14 } },
 }
