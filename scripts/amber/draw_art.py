@@ -20,7 +20,8 @@ def write(name, width, height, shade, samples=3):
                 r, g, b, a = shade(x, y)
                 red, green, blue, opacity = red + r * a, green + g * a, blue + b * a, opacity + a
             whole = max(opacity, 1e-9)
-            rows += bytes(min(255, max(0, round(255 * c))) for c in (red / whole, green / whole, blue / whole, opacity / samples ** 2))
+            pixel = (red / whole, green / whole, blue / whole, opacity / samples ** 2)
+            rows += bytes(min(255, max(0, round(255 * c))) for c in pixel)
 
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -90,7 +91,8 @@ def wheel(x, y):
     r, turn = math.hypot(x, y), math.atan2(y, x)
     tooth = math.cos(16 * turn)
     edge = 0.87 + 0.085 * min(1, max(-1, tooth * 2.4))
-    solid = 0.68 < r < edge or r < 0.2 and r > 0.07 or r < 0.7 and abs(math.sin(turn * 2.5)) * r < 0.07 + 0.05 * (r - 0.4) ** 2 and r > 0.07
+    spoke = r < 0.7 and abs(math.sin(turn * 2.5)) * r < 0.07 + 0.05 * (r - 0.4) ** 2
+    solid = 0.68 < r < edge or r > 0.07 and (r < 0.2 or spoke)
     return (1, 1, 1, 1 if solid else 0)
 
 

@@ -3,8 +3,7 @@
 local rewind, things, fx = require("rewind"), require("things"), require("fx")
 local sound, screens = require("sound"), require("screens")
 
-local run = { count = 12, level = 0 }        -- the game as the screens see it
-screens.game = run
+local run = screens.game                     -- the game as the screens see it
 local amber_cuts = {}                        -- names of the cut ropes of amber, which no rewind mends
 local clock, ended, fade = 0, 0, 1           -- s of play; s since won or lost; how dark the screen is
 local pointer                                -- where the mouse is, while it is used
@@ -139,6 +138,7 @@ function mouse_pressed(button, position)
 end
 
 function action_pressed(action)
+    if screens.age == 0 then return end      -- the same key has just opened this screen
     local way = ways[action]
     if way and playing() then
         local rope = things.rope_towards(way)
@@ -169,9 +169,8 @@ end
 function draw_behind(pen) fx.draw_sky(pen, time.now) end
 
 function draw(pen)
-    local ball = world.level.ball
     if screens.in_level() then fx.draw_trail(pen) end
-    if screens.name ~= "lost" then things.draw_ball(pen, ball:drawn_position(), ball:drawn_angle(), 2 * ball.circle.radius, fx.squash) end
+    if screens.name ~= "lost" then things.draw_ball(pen, world.level.ball, fx.squash) end
     fx.draw(pen)
     if screens.in_level() then screens.draw_play(pen, rewind.past()) else screens.draw(pen) end
     if fade > 0 then pen.box(vec(0, 0), 40, 16, things.faded(view.background, fade)) end

@@ -1,7 +1,7 @@
 -- Menus, the score of a level and what is written during play, all of it drawn in the world, of which 24 x 15 m are seen.
 
 local things, sound = require("things"), require("sound")
-local screens = { name = "title", age = 0, chosen = 1 }
+local screens = { name = "title", age = 0, chosen = 1, game = { count = 12, level = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
 local shown, sure = 0, false    -- the points that are counted up; whether erasing was asked for
 local tops = { title = -1.3, pause = 1.8, settings = 1.8, won = -1.7, finale = -4.6 }
@@ -122,7 +122,8 @@ local function draw_item(pen, i, item)
     local grow = grown(screens.age * 4 - i * 0.12) * (chosen and 1.06 + 0.02 * math.sin(time.real * 6) or 1)
     if screens.name == "levels" then
         local best, open = (store.levels or {})[i], item[2]
-        pen.box(at, item.width * grow, item.height * grow, faded(ink, open and 0.85 or 0.45), chosen and gold or faded(dim, 0.5), chosen and 4 or 2)
+        local edge, paper = chosen and gold or faded(dim, 0.5), faded(ink, open and 0.85 or 0.45)
+        pen.box(at, item.width * grow, item.height * grow, paper, edge, chosen and 4 or 2)
         pen.text(at + vec(0, 0.55), item[1], 1.0 * grow, open and (chosen and gold or cream) or faded(dim, 0.4), nil, "bold")
         for k = 1, 3 do draw_spark(pen, at.x + (k - 2) * 0.65, at.y - 0.3, 0.36, best and best.sparks >= k) end
         if best then pen.text(at - vec(0, 0.95), best.score, 0.42, dim) end
@@ -131,7 +132,8 @@ local function draw_item(pen, i, item)
     if chosen then pen.box(at, item.width * grow, item.height, gold, cream, 3) end
     pen.text(at - vec(item.turn and 2.6 or 0, 0), item[1], 0.62 * grow, chosen and ink or cream, item.turn and "left" or nil, "bold")
     for k = 1, item.turn and 10 or 0 do
-        pen.box(at + vec(0.1 + k * 0.25, 0), 0.16, 0.2 + k * 0.04, k <= item.level and (chosen and ink or gold) or faded(dim, 0.5))
+        local tint = k > item.level and faded(dim, 0.5) or chosen and ink or gold
+        pen.box(at + vec(0.1 + k * 0.25, 0), 0.16, 0.2 + k * 0.04, tint)
     end
 end
 
@@ -167,7 +169,8 @@ local heads = {
             draw_spark(pen, (k - 2) * 1.6, 2.35, 0.95 * math.max(0.4, grow), result.sparks >= k and grow > 0)
         end
         headline(pen, 0.65, shown, 1.2)
-        pen.text(vec(0, -0.5), string.format("%.1f s     ", result.seconds) .. (result.record and "New best!" or "Best: " .. result.best), 0.5, dim)
+        local best = result.record and "New best!" or "Best: " .. result.best
+        pen.text(vec(0, -0.5), string.format("%.1f s     %s", result.seconds, best), 0.5, dim)
     end,
 }
 

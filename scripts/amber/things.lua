@@ -45,7 +45,8 @@ function Rope:draw(pen)
         last = point
     end
     for _, e in ipairs { a, b } do pen.circle(e, 0.11, tint) end
-    pen.circle((a + b) / 2 - vec(0, sag), chosen and 0.26 + 0.04 * math.sin(time.real * 9) or 0.15, chosen and white or tint, things.ink, 2)
+    local size = chosen and 0.26 + 0.04 * math.sin(time.real * 9) or 0.15
+    pen.circle((a + b) / 2 - vec(0, sag), size, chosen and white or tint, things.ink, 2)
 end
 
 function Cable:draw(pen)
@@ -71,10 +72,11 @@ function Spark:draw(pen)
     pen.image("art/spark.png", at, 0.45, nil, math.sin(t * 0.7) * 0.3)
 end
 
-function things.draw_ball(pen, at, angle, size, squash)
+function things.draw_ball(pen, ball, squash)
+    local at, size = ball:drawn_position(), 2 * ball.circle.radius
     pen.image("art/glow.png", at, size * 3, nil, nil, faded(gold, 0.7))
     at = at - vec(0, size * squash * 0.2)
-    pen.image("art/amber.png", at, size * (1 + squash * 0.4), size * (1 - squash * 0.4), angle)
+    pen.image("art/amber.png", at, size * (1 + squash * 0.4), size * (1 - squash * 0.4), ball:drawn_angle())
     pen.image("art/shine.png", at, size)
 end
 

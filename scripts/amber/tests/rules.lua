@@ -143,6 +143,7 @@ test("levels that are not reached cannot be played, and scores are erased when a
     expect(screens.name):is("levels")
     screens.back = "title"
     screens.open("settings")
+    t:steps(1)
     for _ = 1, 3 do t:tap("down") end
     t:steps(20)
     t:tap("enter")
@@ -162,4 +163,14 @@ test("playing on and on leaves nothing behind", function(t)
         if round == 2 then count = #game:all() end
     end
     expect(#game:all()):near(count, 2)
+end)
+
+test("a key that opens a menu does not close it again", function(t)
+    play(t, 1)
+    t:tap("escape")
+    expect(screens.name):is("pause")
+    expect(time.paused):truthy()
+    t:tap("escape")
+    expect(screens.name):is("play")
+    expect(time.paused):falsy()
 end)
