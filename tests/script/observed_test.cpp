@@ -93,6 +93,14 @@ TEST_CASE("a formula with it needs a selection") {
     CHECK_THAT(s.console("world.ball.friction is it.mass"), contains("it: nothing is selected"));
 }
 
+TEST_CASE("find and help take words without quotes") {
+    TwoBodies s;
+    CHECK_THAT(s.console("find fric"), contains("Body.friction"));
+    CHECK_THAT(s.console("find no such word"), contains("nothing has"));
+    CHECK_THAT(s.console("help world.ball.mass"), contains("Body.mass"));
+    CHECK_THAT(s.console("help Body"), contains("friction"));
+}
+
 TEST_CASE("who and why take a path without quotes") {
     TwoBodies s;
     s.console("world.ball.mass = 5");
