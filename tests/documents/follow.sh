@@ -6,15 +6,17 @@
 #                                      built; FOLDER is where checkout and home are made
 #   follow.sh --draw DOCUMENT BUILD FOLDER    the same, and writes the pictures of the document in place of comparing them
 #   follow.sh --full DOCUMENT BUILD FOLDER    runs only the blocks marked "full", in the checkout that this file is part of
+#   follow.sh --hosts DOCUMENT BUILD FOLDER   also runs the blocks marked "hosts", which need the packages of `check --hosts`
 #
 # How each kind of block is tested, and what the marks in comments mean, is in docs/design/testing.md.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 source "$here/blocks.sh"
 sources=$(cd -- "$here/../.." && pwd -P)
-full=0 draw=0 limit=600  # seconds
+full=0 draw=0 hosts=0 limit=600  # seconds
 if [[ ${1:-} == --draw ]]; then draw=1; shift; fi
 if [[ ${1:-} == --full ]]; then full=1 limit=3600; shift; fi
+if [[ ${1:-} == --hosts ]]; then hosts=1; shift; fi
 document=$1 folder=$3
 finished=$(cd -- "$2" && pwd -P)
 [[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
@@ -183,12 +185,17 @@ for i in "${!block_kind[@]}"; do
         continue
     fi
     if [[ $mark == foreign ]]; then continue; fi
+    if [[ $mark == hosts* ]]; then
+        ((hosts)) || continue
+        mark=${mark#hosts}
+        mark=${mark# }
+    fi
     case $kind in
         sh) run_commands "${block_text[i]}" ;;
         text) compare_output "${block_text[i]%$'\n'}" ;;
         console) play_console ;;
         picture) draw_picture ;;
-        cpp | c | cmake | json | lua)
+        cpp | c | cmake | json | lua | python)
             [[ -n $file ]] || fail "a block of $kind needs the name of its file behind the language"
             write_file
             ;;

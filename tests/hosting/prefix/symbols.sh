@@ -25,7 +25,7 @@ for file in "$libraries"/libfettle_*.so; do
     [[ -e $file ]] || continue
     all=$(shown "$file")
     foreign=$(grep -vE '^([^(]* )?fettle(::|_[a-z_]+$)' <<<"$all" || true)
-    private=$(grep 'fettle::' <<<"$all" | identifiers | comm -23 - "$words")
+    private=$({ grep 'fettle::' <<<"$all" || true; } | identifiers | comm -23 - "$words")
     wanted=$(basename -- "$(readlink -f -- "$file")" | sed -E 's/(\.so\.0\.[0-9]+|\.so\.[1-9][0-9]*)\..*/\1/')
     if [[ ! -e $libraries/$wanted || $("$objdump" -p "$file") != *SONAME*"$wanted"* ]]; then
         printf '%s does not export %s\n' "${file##*/}" "$wanted"

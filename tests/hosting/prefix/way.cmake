@@ -17,6 +17,23 @@ if(WAY STREQUAL "pkgconfig")
   return()
 endif()
 
+if(WAY STREQUAL "pkgconfig_c")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${LIBRARIES}/pkgconfig"
+    "${PKG_CONFIG}" --cflags --libs fettle-physics_c OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  file(WRITE "${here}/program.c" "#include <fettle_physics.h>\n#include <stdio.h>\n
+int main(void) {
+    fettle_world* world;
+    const int errors = fettle_world_create(NULL, &world) + fettle_world_step(world, 1);
+    printf(\"%d errors, 1 world\\n\", errors);
+    return fettle_world_destroy(world);
+}
+")
+  must("${CC}" -std=c11 -Wpedantic -Werror "${here}/program.c" -o program ${flags} "-Wl,-rpath,${LIBRARIES}")
+  must("${here}/program")
+  return()
+endif()
+
 # All files that the compiler reads for the headers of the parts that need neither window nor script.
 if(WAY STREQUAL "headers")
   file(GLOB headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/fettle/physics/*.h" "${PREFIX}/include/fettle/property/*.h"

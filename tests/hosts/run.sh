@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# The physics library in a host of other people: builds or opens it there, runs it and looks at its picture.
+#
+#   run.sh --list                 the names of the cases
+#   run.sh CASE BUILD FOLDER      BUILD has fettle_physics_c; pictures and what is built go to FOLDER
+#
+# Exit status 77, with the reason in the last line: the case cannot run here.
+set -euo pipefail
+project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
+cases=(sdl2 python python_installed python_demo guide)
+
+if [[ ${1:-} == --list ]]; then
+    printf '%s\n' "${cases[@]}"
+    exit
+fi
+build=$(cd -- "$2" && pwd -P)
+mkdir -p -- "$3"
+folder=$(cd -- "$3" && pwd -P)
+library=$build/bindings/c/libfettle_physics_c.so
+python=/usr/bin/python3  # Debian's, whatever else is in PATH
+export SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software
+
+cannot() { printf '%s\n' "$*"; exit 77; }
+needs() { command -v "$1" >/dev/null || cannot "$1 is not here"; }
+needs_python() { "$python" -c "import $1" 2>/dev/null || cannot "Debian's python3 has no $1"; }
+in_display() { timeout 120 xvfb-run -a -s "-screen 0 1024x768x24" "$@"; }
+
+# shows PICTURE COLOR...: each of the colors is in the picture.
+shows() {
+    "$python" - "$@" <<'END'
+import sys
+import pygame
+picture = pygame.image.load(sys.argv[1])
+for color in sys.argv[2:]:
+    pixels = pygame.mask.from_threshold(picture, pygame.Color(color), (12, 12, 12, 255)).count()
+    print(f"{color}: {pixels} pixels")
+    if pixels < 50:
+        sys.exit(f"{sys.argv[1]}: {color} is missing")
+END
+}
+
+case_sdl2() {
+    needs pkg-config
+    pkg-config --exists sdl2 || cannot "SDL2 is not here"
+    needs_python pygame
+    local flags
+    read -r -a flags < <(pkg-config --cflags --libs sdl2)
+    cc -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$project/bindings/c/include" "$project/examples/sdl2/main.c" \
+        -o "$folder/sdl2" "${flags[@]}" "$library" -lm -Wl,-rpath,"${library%/*}"
+    in_display "$folder/sdl2" 120 "$folder/sdl2.bmp"
+    shows "$folder/sdl2.bmp" "#e0a090" "#70a070"
+}
+
+# The package in a copy of its folder: what is made for it does not belong into the checkout.
+copy_package() {
+    needs_python cffi
+    needs_python numpy
+    rm -rf -- "$folder/package"
+    cp -R -- "$project/bindings/python" "$folder/package"
+    export FETTLE_INCLUDE=$project/bindings/c/include
+}
+
+case_python() {
+    copy_package
+    cd -- "$folder/package"
+    "$python" build_interface.py
+    FETTLE_LIBRARY=$library PYTHONPATH=$folder/package "$python" -W error -m unittest discover tests
+    FETTLE_LIBRARY=$library PYTHONPATH=$folder/package "$python" speed.py 1
+}
+
+case_python_installed() {
+    copy_package
+    needs_python venv
+    needs_python setuptools
+    rm -rf -- "$folder/venv"
+    "$python" -m venv --system-site-packages "$folder/venv"
+    FETTLE_LIBRARY=$library "$folder/venv/bin/pip" install --no-build-isolation --no-deps "$folder/package"
+    cd /
+    "$folder/venv/bin/python" -c "import fettle; fettle.World().step(1); print(fettle.version(), fettle.__file__)"
+}
+
+case_python_demo() {
+    copy_package
+    needs_python pygame
+    cd -- "$folder/package"
+    "$python" build_interface.py
+    FETTLE_LIBRARY=$library PYTHONPATH=$folder/package in_display "$python" demo.py 120 "$folder/pygame.png"
+    shows "$folder/pygame.png" tomato gold dimgray
+}
+
+# The page of the guide, with the blocks that need the packages of these hosts.
+case_guide() {
+    [[ -x $build/bin/fettle ]] || cannot "the guide installs all of Fettle, which ./check builds"
+    needs_python cffi
+    needs_python numpy
+    "$project/tests/documents/follow.sh" --hosts docs/guide/c-and-python.md "$build" "$folder/guide"
+}
+
+"case_$1"
