@@ -161,8 +161,7 @@ end
 function start()
     view.height, view.fit, view.background = 15, "letterbox", color("#130f2b")
     time.rewind_limit = 120
-    sound.apply_volumes()
-    sounds.music:play { fade = 1.5 }
+    sound.start()
     run.title()
 end
 

@@ -3,8 +3,7 @@
 
 local sound = {}
 local heard = {}                -- what was begun lately
-local music_time = 0.0
-local humming                   -- since when time goes back
+local lasting = {}              -- time, volume and pitch of the two voices that never end
 
 scene.load("sounds.json", game, "sounds")
 
@@ -20,22 +19,29 @@ function sound.apply_volumes()
     audio.buses.music.volume, audio.buses.effects.volume = (store.music or 7) / 10, (store.effects or 8) / 10
 end
 
+function sound.start()
+    sound.apply_volumes()
+    sounds.music:play { fade = 1.5 }
+    sounds.tide:play { volume = 0 }
+end
+
 -- Once a frame, with whether time goes back: then it hums, and the music is slower.
 function sound.update(back)
-    if back and not humming then sounds.tide:play {} end
-    if humming and not back then sounds.tide:stop(0.15) end
-    humming = back and (humming or time.real) or nil
-    local voice = sounds.music:children()[1]
-    if not voice then return end
-    music_time, voice.pitch = voice.time, voice.pitch + ((back and 0.75 or 1) - voice.pitch) * 0.1
+    for name, wanted in pairs { music = { 1, back and 0.75 or 1 }, tide = { back and 1 or 0, 1 } } do
+        local voice = sounds[name]:children()[1]
+        if not voice then return end         -- the console has stopped it
+        voice.volume = voice.volume + (wanted[1] - voice.volume) * 0.15
+        voice.pitch = voice.pitch + (wanted[2] - voice.pitch) * 0.1
+        lasting[name] = { voice.time, voice.volume, voice.pitch }
+    end
 end
 
 function sound.restored()
     sound.apply_volumes()
     for _, voice in ipairs(audio.voices) do
-        if voice.parent == sounds.music then voice.time = music_time else voice:delete() end
+        local kept = lasting[voice.parent.name]
+        if kept then voice.time, voice.volume, voice.pitch = table.unpack(kept) else voice:delete() end
     end
-    if humming then sounds.tide:play { time = (time.real - humming) % 4 } end
     for _, note in ipairs(heard) do
         local age = (time.real - note.since) * note.pitch
         if age < note.synth.duration then note.synth:play { volume = note.volume, pitch = note.pitch, time = age } end
