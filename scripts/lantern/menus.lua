@@ -101,8 +101,9 @@ local function draw_menu(pen)
         box(pen, middle, 400, 4000, 800, "#070414b0")
     end
     text(pen, middle, title and 178 + 6 * math.sin(1.5 * time.real) or 120, menus[night.menu].head or "LANTERN", title and 132 or 64, gold)
+    if rows[1] then text(pen, middle, 190, night.score .. " points", 28) end
     for i, row in ipairs(rows) do
-        local y, tint = 180 + 46 * i, i == night.rank and gold or ink
+        local y, tint = 205 + 44 * i, i == night.rank and gold or ink
         text(pen, middle - 60, y, i .. ".    " .. row.score, 26, tint, "right")
         text(pen, middle, y, (row.won and "morning" or arenas[row.arena].name) .. ",  " .. row.kills .. " banished", 22, dim, "left", "sans")
     end
@@ -135,7 +136,7 @@ function menu.draw(pen)
         if night.running then draw_bars(pen) end
         effects.draw(pen, 3)
         if night.menu ~= "" then draw_menu(pen) end
-        box(pen, middle, 400, 2 * middle, 800, color(0.02, 0.01, 0.05, night.curtain))
+        if night.curtain > 0 then box(pen, middle, 400, 2 * middle, 800, color(0.02, 0.01, 0.05, night.curtain)) end
     end)
 end
 

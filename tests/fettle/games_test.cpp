@@ -25,11 +25,11 @@ std::vector<fs::path> games_with_tests() {
 }  // namespace
 
 TEST_CASE("the games that come with Fettle pass their own tests") {
-    const Folder folder;
     const std::vector<fs::path> games = games_with_tests();
     REQUIRE_FALSE(games.empty());
     for (const fs::path& game : games) {
-        const Outcome run = fettle(folder, {"test", game.string()});
+        const Folder folder;
+        const Outcome run = fettle(folder, {"test", game.string(), "--timeout", "1000"});
         INFO(game << '\n' << run.out << run.err);
         CHECK(run.status == 0);
         CHECK(contains(run.out, " 0 failed"));

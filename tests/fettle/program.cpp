@@ -37,7 +37,7 @@ std::string quoted(const std::string& text) {
 Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
                const std::string& before, const std::string& input) {
     std::string command =
-        before + "env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " + quoted(FETTLE_PROGRAM);
+        before + "env -u DISPLAY -u WAYLAND_DISPLAY timeout 1800 " + quoted(FETTLE_PROGRAM);
     for (const std::string& argument : arguments) command += " " + quoted(argument);
     command += " >" + quoted((folder / "out").string()) + " 2>" +
                quoted((folder / "err").string()) + " <" + quoted(input);

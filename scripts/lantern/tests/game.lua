@@ -1,4 +1,3 @@
-REPORT = true
 -- A bot plays as a player does: it sees what is near, and holds keys.
 
 local ENEMY, GEM, SHOT = 2, 8, 16
@@ -82,21 +81,129 @@ local function play(t, ends)
             hold(keys[way])
             if cost > 6 and world.hero.wait == 0 then t:tap("space") end
             t:steps(4)
-            if REPORT and time.step % 600 < 4 then
-                print(string.format("%6.1f arena %d clock %5.1f hp %5.1f level %d crowd %d kills %d gems %d score %d", time.now, night.arena, night.clock, world.hero.hp,
-                    world.hero.level, night.crowd, night.kills, #world.gems:children(), night.score))
-            end
         end
     end
 end
 
-test("a bot wins the whole game", function(t)
-    time.rewind_limit = 0
-    t:steps(40)
+local function begin(t)
+    t:steps(20)
     t:tap("enter")
     t:steps(3)
     expect(night.running):is(true)
+end
+
+test("a bot wins the whole game", function(t)
+    time.rewind_limit = 0
+    begin(t)
     play(t, function() return night.menu == "over" or night.menu == "win" end)
-    print(night.menu, night.arena, night.score, night.kills, time.now)
-    expect(night.menu):is("win") if REPORT then expect(1):is(2) end
+    expect(night.menu):is("win")
+    expect(night.score):above(50000)
+    expect(store.scores[1].score):is(night.score)
+    expect(store.unlocked):is(3)
+end)
+
+test("who stands still in the dark is put out, and begins again", function(t)
+    begin(t)
+    world.hero.hp = 10
+    t:wait_until(function() return night.menu ~= "" and night.menu ~= "choose" end, 60)
+    expect(night.menu):is("over")
+    expect(store.scores[1].won):is(false)
+    expect(world.hero.hp):is(0)
+    t:steps(20)
+    t:tap("enter")
+    t:steps(5)
+    expect(night.running):is(true)
+    expect(world.hero.hp):is(100)
+    expect(night.score):is(0)
+    expect(#world.swarm:children()):below(3)
+end)
+
+test("keys, the mouse and a gamepad walk", function(t)
+    begin(t)
+    input.gamepad_1.left = vec(0, 1)
+    t:steps(30)
+    expect(world.hero.position.y):above(1)
+    input.gamepad_1.left = vec(0, 0)
+    t:move_mouse(world.hero.position + vec(5, 0))
+    input.mouse.left = true
+    t:steps(30)
+    input.mouse.left = false
+    expect(world.hero.position.x):above(1)
+    t:hold("a", 60)
+    expect(world.hero.position.x):below(0)
+    local x = world.hero.position.x
+    t:press("d")
+    t:tap("space")
+    t:steps(10)
+    expect(world.hero.position.x):above(x + 2)
+end)
+
+test("a pause stands still, and its settings are kept", function(t)
+    begin(t)
+    t:steps(60)
+    t:tap("escape")
+    t:steps(30)
+    expect(night.menu):is("pause")
+    expect(time.paused):is(true)
+    local clock = night.clock
+    t:tap("down")
+    t:steps(12)
+    t:tap("enter")
+    t:steps(12)
+    expect(night.menu):is("settings")
+    t:tap("left")
+    t:steps(2)
+    expect(settings.effects):near(0.7)
+    expect(store.settings.effects):near(0.7)
+    t:tap("escape")
+    t:steps(12)
+    expect(night.clock):is(clock)
+    t:tap("escape")
+    t:steps(30)
+    expect(time.paused):is(false)
+    expect(night.clock):above(clock)
+end)
+
+test("enough gems are a level, and a gift is chosen", function(t)
+    begin(t)
+    for i = 1, 7 do require("enemies").drop(vec(1 + 0.1 * i, 0), 1) end
+    t:wait_until(function() return night.menu == "choose" end)
+    expect(#night.choices):is(3)
+    local name = night.choices[2]
+    local before = arms.level(name)
+    t:steps(40)
+    t:tap("down")
+    t:steps(2)
+    t:tap("enter")
+    t:steps(2)
+    expect(arms.level(name)):is(before + 1)
+    expect(world.hero.level):is(2)
+end)
+
+test("the end of a boss opens the next arena", function(t)
+    begin(t)
+    night.clock = 70.0
+    t:wait_until(function() return world.swarm:has("boss") end)
+    world.hero.mercy = 100.0
+    world.swarm.boss:hurt(10000, vec(0, 0))
+    t:steps(3)
+    expect(#world.swarm:children()):is(0)
+    for _ = 1, 600 do
+        if night.menu == "choose" then choose(t) end
+        t:steps(1)
+    end
+    expect(night.arena):is(2)
+    expect(store.unlocked):is(2)
+end)
+
+test("a rewind brings back what was", function(t)
+    begin(t)
+    t:steps(300)
+    local crowd, at, clock = #world.swarm:children(), vec(world.hero.position), night.clock
+    t:hold("d", 60)
+    t:rewind(1)
+    expect(night.clock):near(clock, 0.05)
+    expect(world.hero.position):near(at, 0.3)
+    expect(#world.swarm:children()):near(crowd, 3)
+    t:steps(120)
 end)
