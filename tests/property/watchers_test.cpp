@@ -66,6 +66,18 @@ TEST_CASE_METHOD(Fixture, "changes contain their cause and step") {
     CHECK(seen->cause.text() == "main.lua:30, step 30");
 }
 
+TEST_CASE_METHOD(Fixture, "a watcher of all of an instance makes other writes no slower") {
+    tree.watch(tree.create(tree.object_class(), tree.root(), "settings"), note("a"));
+    int asked = 0;
+    std::function<std::string()> locate = [&] {
+        ++asked;
+        return std::string("main.lua:30");
+    };
+    Tree::CauseScope scope(tree, Writer::script, &locate);
+    for (int i = 2; i < 9; ++i) tree.set(ball, "mass", i);
+    CHECK(asked == 0);
+}
+
 TEST_CASE_METHOD(Fixture, "changes by the simulation are found at the barrier after the step") {
     tree.watch(ball, "velocity", note("a"));
     module.ball(ball).velocity[0] = 5;

@@ -3,8 +3,10 @@
 namespace fettle::property {
 namespace {
 
+/// The class, the name and the parent of an instance do not depend on cells.
 bool is_derived(const Property& property) {
-    return !property.simulated || !property.derives_from.empty();
+    return property.binding.kind != BindingKind::node &&
+           (!property.simulated || !property.derives_from.empty());
 }
 
 }  // namespace
