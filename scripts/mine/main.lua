@@ -32,6 +32,10 @@ view.follow = world.hero
 view.follow_damping = 0.12
 view.limits = { vec(0, 0), level.size + vec(0, 6) }
 
+-- All of the map, small, in a corner.
+game.overview = Camera { viewport = { vec(0.02, 0.03), vec(0.3, 0.2) }, center = level.size / 2,
+    height = level.size.y + 1, background = color("#6ea9cc") }
+
 state("gold", 0)
 game.score = Layer { space = "screen", anchor = "top_right", z = 100,
     count = Text { text = formula(function() return "gold " .. gold end), font = "bold", size = 26, anchor = vec(1, 0.5),

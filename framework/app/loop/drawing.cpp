@@ -11,6 +11,8 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
 
+#include <loop/cameras.h>
+
 namespace fettle::app {
 
 using property::Color;
@@ -140,10 +142,12 @@ void Loop::draw(Screen& screen, double seconds) {
     const View drawn = view.drawn(clock.alpha, clock.now);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
-    if (halted_ || runtime_life_.expired())
-        tree_.draw(tree_.root(), painter, clock.alpha);
-    else
-        runtime_.draw(painter);
+    services_.cameras().draw(painter, drawn, clock.alpha, [this](property::Painter& on) {
+        if (halted_ || runtime_life_.expired())
+            tree_.draw(tree_.root(), on, services_.clock.alpha);
+        else
+            runtime_.draw(on);
+    });
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
     draw_transition(painter, tree_, view.screen);

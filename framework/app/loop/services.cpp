@@ -6,6 +6,8 @@
 #include <fettle/property/ended_class.h>
 #include <fettle/property/error.h>
 
+#include <loop/cameras.h>
+
 namespace fettle::app {
 
 namespace {
@@ -15,7 +17,7 @@ namespace {
 constexpr const char* class_names[] = {"Time",   "Timings", "View",  "Show",        "GameWindow",
                                        "Audio",  "Buses",   "Bus",   "SoundSource", "Sound",
                                        "Music",  "Synth",   "Voice", "Input",       "Actions",
-                                       "Action", "Keys",    "Mouse", "Gamepad"};
+                                       "Action", "Keys",    "Mouse", "Gamepad",     "Camera"};
 constexpr const char* instance_names[] = {"time", "view", "audio", "input"};
 
 /// Throws if a name that the services need is already used in the tree. If a constructor failed
@@ -42,7 +44,8 @@ Services::Services(property::Tree& tree, property::Assets* game_assets)
       input(tree, view),
       assets(game_assets),
       tree_(tree),
-      tree_life_(tree.lifetime()) {
+      tree_life_(tree.lifetime()),
+      cameras_(std::make_unique<Cameras>(tree, view)) {
     tree.add_part(clock_part_);
 }
 

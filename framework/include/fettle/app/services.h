@@ -14,6 +14,8 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
+class Cameras;
+
 /// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
 /// runtime. The destructor deletes the instances of the services, with everything below them; if
 /// the tree has ended before, it does nothing. Where instances cannot be deleted (in a formula or a
@@ -32,6 +34,8 @@ class Services {
     View view;
     Audio audio;
     Input input;
+    /// The cameras of the game beside the view.
+    const Cameras& cameras() const { return *cameras_; }
     property::Assets* const assets;
 
   private:
@@ -40,6 +44,7 @@ class Services {
     property::Tree& tree_;
     std::weak_ptr<const property::Tree*> tree_life_;
     ClockPart clock_part_{clock};
+    std::unique_ptr<Cameras> cameras_;
 };
 
 }  // namespace fettle::app

@@ -1,0 +1,111 @@
+#include <loop/camera_painter.h>
+
+namespace fettle::app {
+
+using property::Color;
+using property::Transform;
+using property::Vec2;
+
+namespace {
+
+/// The map from what the camera sees to where the view would show it on the same pixels.
+Transform to_view(const View& view, const CameraPicture& camera) {
+    const auto map = [&](const Vec2& p) {
+        return view.to_world(camera.lower + camera.view.to_screen(p));
+    };
+    // Taken around the center of the camera, where the numbers are smallest.
+    const Vec2 from = camera.view.center, to = map(from);
+    const double unit = camera.view.height;
+    Transform made;
+    made.x = (map(from + Vec2(unit, 0)) - to) / unit;
+    made.y = (map(from + Vec2(0, unit)) - to) / unit;
+    made.origin = to - made.direction(from);
+    return made;
+}
+
+}  // namespace
+
+CameraPainter::CameraPainter(Painter& inner, const View& view, const CameraPicture& camera)
+    : inner_(inner), camera_(true) {
+    seen_ = {camera.view.center, camera.view.lower(), camera.view.upper(), camera.view.screen};
+    inner_.push({});
+    inner_.clip(view.to_world(camera.lower), view.to_world(camera.upper));
+    inner_.push(to_view(view, camera));
+}
+
+CameraPainter::~CameraPainter() {
+    while (inner_.pushed() > pushed_before_) inner_.pop();
+}
+
+void CameraPainter::push(const Transform& transform) {
+    Painter::push(transform);
+    inner_.push(transform);
+}
+
+void CameraPainter::pop() {
+    if (pushed() == 0) return;
+    Painter::pop();
+    inner_.pop();
+}
+
+void CameraPainter::fade(float opacity) {
+    Painter::fade(opacity);
+    inner_.fade(opacity);
+}
+
+void CameraPainter::blend(property::Blend mode) {
+    Painter::blend(mode);
+    inner_.blend(mode);
+}
+
+void CameraPainter::clip(const Vec2& lower, const Vec2& upper) {
+    inner_.clip(lower, upper);
+}
+
+void CameraPainter::begin_screen() {
+    push_screen();
+    inner_.begin_screen();
+}
+
+bool CameraPainter::sees(const Vec2& lower, const Vec2& upper) const {
+    if (!draws()) return false;
+    if (camera_ && transform().is_identity() &&
+        ((upper.array() < seen_.lower.array()).any() ||
+         (lower.array() > seen_.upper.array()).any()))
+        return false;
+    return inner_.sees(lower, upper);
+}
+
+void CameraPainter::picture(const property::Picture& picture, const property::PictureArea& area,
+                            const Vec2& lower, const Vec2& upper, Color tint, bool smooth) {
+    if (draws()) inner_.picture(picture, area, lower, upper, tint, smooth);
+}
+
+void CameraPainter::circle(const Vec2& center, double radius, const property::Paint& paint) {
+    if (draws()) inner_.circle(center, radius, paint);
+}
+
+void CameraPainter::ellipse(const Vec2& center, const Vec2& radii, double angle,
+                            const property::Paint& paint) {
+    if (draws()) inner_.ellipse(center, radii, angle, paint);
+}
+
+void CameraPainter::polygon(std::span<const Vec2> vertices, double rounding,
+                            const property::Paint& paint) {
+    if (draws()) inner_.polygon(vertices, rounding, paint);
+}
+
+void CameraPainter::line(const Vec2& from, const Vec2& to, Color color, float width) {
+    if (draws()) inner_.line(from, to, color, width);
+}
+
+void CameraPainter::point(const Vec2& position, Color color, float size) {
+    if (draws()) inner_.point(position, color, size);
+}
+
+void CameraPainter::text(const Vec2& position, std::string_view text, double height, Color color,
+                         property::TextAlign align) {
+    if (draws()) inner_.text(position, text, height, color, align);
+}
+
+}  // namespace fettle::app

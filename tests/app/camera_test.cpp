@@ -1,0 +1,199 @@
+// Cameras: what they show, and where on the screen.
+
+#include <catch.h>
+
+#include <stdexcept>
+
+#include <fettle/app/screen.h>
+
+#include "game.h"
+
+namespace camera_test {
+
+using namespace fettle;
+using namespace fettle::app;
+using property::Color;
+using property::Paint;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+struct Circle {
+    Vec2 pixel;
+    double radius;
+    Vec2 clip_lower, clip_upper;  // px
+    bool on_screen;
+};
+
+/// Notes circles, and where they are on the screen.
+class NotingPainter : public property::Painter {
+  public:
+    View view{};
+    std::vector<Circle> circles{};
+    int polygons = 0;
+
+    void circle(const Vec2& center, double radius, const Paint&) override {
+        circles.push_back(
+            {to_pixels(center), radius * pixels_per_unit(), clip_lower_, clip_upper_, on_screen()});
+    }
+    void clip(const Vec2& lower, const Vec2& upper) override {
+        const Vec2 a = to_pixels(lower), b = to_pixels(upper);
+        clip_lower_ = a.cwiseMin(b);
+        clip_upper_ = a.cwiseMax(b);
+    }
+    double pixels_per_unit() const override {
+        return (on_screen() ? 1 : view.zoom()) * transform().scale();
+    }
+    property::Seen seen() const override {
+        return {view.center, view.lower(), view.upper(), view.screen};
+    }
+    void ellipse(const Vec2&, const Vec2&, double, const Paint&) override {}
+    void polygon(std::span<const Vec2>, double, const Paint&) override { ++polygons; }
+    void line(const Vec2&, const Vec2&, Color, float) override {}
+    void point(const Vec2&, Color, float) override {}
+    void text(const Vec2&, std::string_view, double, Color, property::TextAlign) override {}
+    void part_of(std::uint64_t) override {}
+    bool shows(property::Overlay) const override { return false; }
+    bool sees(const Vec2&, const Vec2&) const override { return true; }
+    void begin_screen() override { push_screen(); }
+    void end_screen() override { pop(); }
+
+  private:
+    Vec2 to_pixels(const Vec2& p) const {
+        return on_screen() ? transform()(p) : view.to_screen(transform()(p));
+    }
+    Vec2 clip_lower_{0, 0}, clip_upper_{0, 0};
+};
+
+class NotingScreen : public Screen {
+  public:
+    NotingPainter noted{};
+
+    Vec2 size() const override { return {1280, 800}; }
+    void begin(Color) override { noted.circles.clear(); }
+    property::Painter& painter(const View& view) override {
+        noted.view = view;
+        return noted;
+    }
+    Surface& surface() override { throw std::logic_error("nothing is drawn on the surface"); }
+    void present() override {}
+    void save(const std::filesystem::path&) override {}
+    Pixels pixels() const override { return {}; }
+    void release_textures() override {}
+    Clipboard& clipboard() override { throw std::logic_error("there is no clipboard"); }
+};
+
+struct Pictures : Game {
+    NotingScreen screen;
+    Pictures() {
+        // A dot in the world, and one on the screen.
+        runtime.run(R"(
+            Dot = class("Dot", Object) { at = vec(0, 0) }
+            function Dot:draw(pen) pen.circle(self.at, 1) end
+            game.dot = Dot {}
+            game.camera = Camera { visible = false }
+        )",
+                    "test");
+    }
+    std::vector<Circle> draw() {
+        loop.frame(tick);
+        loop.draw(screen, 0);
+        CHECK(errors.empty());
+        CHECK(screen.noted.pushed() == 0);
+        return screen.noted.circles;
+    }
+};
+
+bool near(const Vec2& a, const Vec2& b) {
+    return (a - b).norm() < 1e-6;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Pictures, "a camera draws the game again in its part of the window") {
+    CHECK(draw().size() == 1);
+    set("camera.viewport", property::List{Vec2(0.5, 0.5), Vec2(1, 1)});
+    set("camera.center", Vec2(2, 1));
+    set("camera.height", 10.0);
+    set("camera.visible", true);
+    const auto circles = draw();
+    REQUIRE(circles.size() == 2);
+    CHECK(near(circles[0].pixel, {640, 400}));
+    CHECK(circles[0].radius == Approx(40));
+    // 40 pixels a meter, from the middle of the viewport at (960, 600).
+    CHECK(near(circles[1].pixel, {960 - 2 * 40, 600 + 40}));
+    CHECK(circles[1].radius == Approx(40));
+    CHECK(near(circles[1].clip_lower, {640, 400}));
+    CHECK(near(circles[1].clip_upper, {1280, 800}));
+    set("camera.height", 40.0);
+    CHECK(draw()[1].radius == Approx(10));
+    set("camera.angle", std::acos(-1.0) / 2);
+    // The viewer turns to the left, so the picture turns to the right.
+    CHECK(near(draw()[1].pixel, {960 - 10, 600 - 20}));
+}
+
+TEST_CASE_METHOD(Pictures, "a camera follows an instance") {
+    runtime.run("game.place = Object { position = vec(0, 3) } game.camera.follow = game.place",
+                "t");
+    set("camera.visible", true);
+    CHECK(near(draw()[1].pixel, {640, 400 + 3 * 40}));
+    set("place.position", Vec2(1, 0));
+    CHECK(near(draw()[1].pixel, {640 - 40, 400}));
+    runtime.run("game.place:delete()", "t");
+    CHECK(near(draw()[1].pixel, {640, 400}));
+}
+
+TEST_CASE_METHOD(Pictures, "what is on the screen is drawn once and last") {
+    runtime.run("function draw(pen) pen.screen(function() pen.circle(vec(5, 5), 2) end) end", "t");
+    if (!errors.empty()) errors.clear();
+    set("camera.visible", true);
+    const auto circles = draw();
+    REQUIRE(circles.size() == 3);
+    CHECK_FALSE(circles[0].on_screen);
+    CHECK_FALSE(circles[1].on_screen);
+    CHECK(circles[2].on_screen);
+    CHECK(near(circles[2].pixel, {5, 5}));
+}
+
+TEST_CASE_METHOD(Pictures, "points and pixels of a camera") {
+    runtime.run(R"(
+        game.camera.viewport = { vec(0.5, 0), vec(1, 1) }
+        game.camera.center = vec(3, 4)
+        print(game.camera:to_world(vec(960, 400)), game.camera:to_screen(vec(4, 4)))
+    )",
+                "t");
+    CHECK(heard() == "vec(3, 4)\tvec(1000, 400)");
+}
+
+TEST_CASE_METHOD(Pictures, "a viewport without an area shows nothing") {
+    set("camera.visible", true);
+    const auto with = [&](property::List list) {
+        set("camera.viewport", Value(std::move(list)));
+        return draw().size();
+    };
+    CHECK(with({}) == 1);
+    CHECK(with({Vec2(0.5, 0.5)}) == 1);
+    CHECK(with({Vec2(0.5, 0.5), Vec2(0.5, 1)}) == 1);
+    // The corners may come in any order.
+    CHECK(with({Vec2(1, 1), Vec2(0.5, 0.5)}) == 2);
+}
+
+TEST_CASE_METHOD(Pictures, "a camera outside of the game shows nothing") {
+    runtime.run("loose = Camera {}", "t");
+    CHECK(draw().size() == 1);
+    runtime.run("game.loose = loose loose:delete()", "t");
+    CHECK(draw().size() == 1);
+}
+
+TEST_CASE_METHOD(Pictures, "cameras come back with a snapshot") {
+    set("camera.visible", true);
+    set("camera.center", Vec2(1, 0));
+    const property::Snapshot before = tree.snapshot();
+    runtime.run("game.camera:delete()", "t");
+    CHECK(draw().size() == 1);
+    tree.restore(before);
+    CHECK(near(draw().at(1).pixel, {600, 400}));
+}
+
+}  // namespace camera_test
