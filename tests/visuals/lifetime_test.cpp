@@ -27,7 +27,8 @@ TEST_CASE("the instances of the visuals end with them") {
     CHECK_FALSE(tree.alive(detached));
     CHECK_FALSE(tree.alive(map));
     CHECK_FALSE(tree.alive(emitter));
-    CHECK_NOTHROW(tree.snapshot());
+    tree.restore(tree.snapshot());
+    tree.barrier();
     CHECK_THROWS_AS(tree.create(tree.class_named("Text"), tree.root(), "text"), Error);
     tree.draw(tree.root(), sheet, 1);
     CHECK(sheet.all.empty());

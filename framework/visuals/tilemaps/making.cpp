@@ -134,7 +134,8 @@ void Tilemaps::make_if_new(Handle map) {
 void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
     const Value made = tree_->peek(map, *of_.made);
     for (const Value& each : made.list())
-        if (tree_->alive(each.reference()) && tree_->is_below(each.reference(), map))
+        if (each.reference() != map && tree_->alive(each.reference()) &&
+            tree_->is_below(each.reference(), map))
             tree_->destroy(each.reference());
     const Value name = tree_->peek(map, *of_.map);
     const auto file = loaded(map);

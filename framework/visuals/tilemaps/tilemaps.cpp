@@ -32,13 +32,18 @@ void Tilemaps::define(property::Tree& tree) {
         Row& row = rows_[tree_->row(what.instance)];
         if (row.outdated) update_bodies(what.instance);
     };
-    tree.on(*map_class_, *loaded_event_, follow, {.label = "Tilemap"});
-    tree.on(*map_class_, *cell_changed_, follow, {.label = "Tilemap"});
-    // A map from a scene file or a clone has its instances already.
-    tree.on(*map_class_, *map_class_->event("ready"), follow, {.label = "Tilemap"});
     const property::Class& game = tree.class_of(tree.root());
-    tree.on(tree.root(), *game.event("restored"), [this](const property::Occurrence&) { report(); },
-            {.label = "Tilemap"});
+    handlers_ = {tree.on(*map_class_, *loaded_event_, follow, {.label = "Tilemap"}),
+                 tree.on(*map_class_, *cell_changed_, follow, {.label = "Tilemap"}),
+                 // A map from a scene file or a clone has its instances already.
+                 tree.on(*map_class_, *map_class_->event("ready"), follow, {.label = "Tilemap"}),
+                 tree.on(tree.root(), *game.event("restored"),
+                         [this](const property::Occurrence&) { report(); }, {.label = "Tilemap"})};
+}
+
+// The tree may live on.
+Tilemaps::~Tilemaps() {
+    for (property::Connection& handler : handlers_) handler.stop();
 }
 
 bool Tilemaps::is_map(Handle instance) const {

@@ -21,6 +21,8 @@ namespace fettle::visuals {
 class Tilemaps {
   public:
     explicit Tilemaps(Images& images) : images_(images) {}
+    ~Tilemaps();
+    Tilemaps(const Tilemaps&) = delete;
     void define(property::Tree& tree);
     void step(double dt);
     /// Makes what was written to properties take effect: another map, other collisions.
@@ -111,6 +113,7 @@ class Tilemaps {
     const property::Event *loaded_event_ = nullptr, *cell_changed_ = nullptr;
     Rows<Row> rows_;
     Rows<LayerRow> layer_rows_;
+    std::vector<property::Connection> handlers_{};
     std::map<std::string, std::shared_ptr<const LoadedMap>> files_{};  // null: cannot be read
 };
 
