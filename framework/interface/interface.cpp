@@ -21,10 +21,9 @@ struct Interface::State {
           binding(widgets),
           player(widgets, layout, binding),
           picture(widgets, layout, binding, player) {
-        widgets.answers = {.lay_out = [this] { player.lay_out(); },
-                           .hovered = [this](property::Row row) {
-                               return player.hovers(widgets[row]);
-                           }};
+        widgets.answers = {
+            .lay_out = [this] { player.lay_out(); },
+            .hovered = [this](property::Row row) { return player.hovers(widgets[row]); }};
     }
     Widgets widgets;
     Layout layout;
@@ -56,7 +55,8 @@ Interface::~Interface() {
 }
 
 void Interface::attach(property::Tree& tree) {
-    if (state_->tree != nullptr) throw std::logic_error("the interface is attached to a tree already");
+    if (state_->tree != nullptr)
+        throw std::logic_error("the interface is attached to a tree already");
     state_->tree = &tree;
     state_->widgets.define(tree);
     state_->tree_life = tree.lifetime();

@@ -30,7 +30,7 @@ end
 class("Title", Object) {}
 
 function Title:enter()
-    self:add(Column { modal = true, color = color(0, 0, 0, 0), anchor = "center", spacing = 12, size = vec(320, 0),
+    self:add(Column { modal = true, anchor = "center", spacing = 12, size = vec(420, 0),
         Label { text = "Hill Hopper", font = "bold", font_size = 54, text_align = "center" },
         Label { text = "menus and scenes in a hundred lines", text_align = "center",
             text_color = interface.theme.muted },

@@ -51,7 +51,8 @@ TEST_CASE("a transition replaces the scene in its middle in real time") {
         function B:enter() print("b") end
         go_to_scene("A"))");
     game.loop.turn();
-    game.runtime.run("time.paused = true  go_to_scene('B', { transition = 'wipe', seconds = 1 })", "test");
+    game.runtime.run("time.paused = true  go_to_scene('B', { transition = 'wipe', seconds = 1 })",
+                     "test");
     for (int i = 0; i < 20; ++i) game.loop.turn();
     CHECK(game.heard().empty());
     CHECK(game.get("transition.progress").number() == Approx(20.0 / 60));

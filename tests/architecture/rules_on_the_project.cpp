@@ -58,8 +58,8 @@ TEST_CASE("the map of the project names every room and only existing paths") {
     CHECK(listed(lost_paths(project(), map)) == "");
     CHECK(listed(rooms_without_line(map)) == "");
     for (const char* page :
-         {"app", "console", "glossary", "hosting-physics", "physics", "property-tree", "scenes",
-          "scripting", "solvers", "storage", "testing", "time", "visuals"})
+         {"app", "console", "glossary", "hosting-physics", "interface", "physics", "property-tree",
+          "scenes", "scripting", "solvers", "storage", "testing", "time", "visuals"})
         CHECK(listed(lost_paths(project(), text_of("docs/design/" + std::string(page) + ".md"))) ==
               "");
 }

@@ -22,7 +22,9 @@ TEST_CASE("a bound slider and its property have one value") {
 }
 
 TEST_CASE("the range of a bound slider is that of the property unless it has its own") {
-    Screen s("game.s = Slider { bind = 'input.dead_zone' }  game.i = Slider { bind = 'time.max_steps', min = 1, max = 9 }");
+    Screen s(
+        "game.s = Slider { bind = 'input.dead_zone' }  game.i = Slider { offset = vec(0, 100), "
+        "bind = 'time.max_steps', min = 1, max = 9 }");
     s.click(s.get("s.screen_position").vec2() + Vec2(219, 10));
     const auto& range = s.tree.property(s.at("input"), "dead_zone").range;
     CHECK(s.get("input.dead_zone").number() == Approx(range.max));
@@ -34,10 +36,10 @@ TEST_CASE("the range of a bound slider is that of the property unless it has its
 
 TEST_CASE("toggles text fields lists and labels are bound") {
     Screen s(R"(
-        game.name, game.level, game.size = "ann", 3, 0.5
+        game.player, game.level, game.weight = "ann", 3, 0.5
         game.t = Toggle { bind = "view.show.grid" }
-        game.n = TextField { bind = "game.name", offset = vec(0, 100) }
-        game.w = TextField { bind = "game.size", offset = vec(0, 200) }
+        game.n = TextField { bind = "game.player", offset = vec(0, 100) }
+        game.w = TextField { bind = "game.weight", offset = vec(0, 200) }
         game.f = List { bind = "view.fit", offset = vec(0, 300) }
         game.l = Label { bind = "game.level" })");
     s.click("t");
@@ -48,13 +50,13 @@ TEST_CASE("toggles text fields lists and labels are bound") {
     s.click("n");
     s.tap("end");
     s.type(U"a");
-    CHECK(s.get("game.name").text() == "anna");
+    CHECK(s.get("game.player").text() == "anna");
     s.click("w");
     s.tap("end");
     s.type(U"2");
-    CHECK(s.get("game.size").number() == 0.52);
+    CHECK(s.get("game.weight").number() == 0.52);
     s.type(U"x");  // no number
-    CHECK(s.get("game.size").number() == 0.52);
+    CHECK(s.get("game.weight").number() == 0.52);
     CHECK(s.get("w.text").text() == "0.52x");
     s.click(Vec2(1200, 700));
     s.turn();

@@ -123,7 +123,6 @@ TEST_CASE_METHOD(Room, "deleting widgets while they are used does no harm") {
     run("game.l = Label { text = 'still here' }");
     turn();
     CHECK(draw().letters > 5);
-    run("game.interface = nil");
     set("input.keys.tab", true);
     turn();
     CHECK(draw().letters > 5);

@@ -17,7 +17,8 @@ struct Placed : Screen {
 }  // namespace
 
 TEST_CASE("a widget is at its anchor and follows the size of the screen") {
-    Placed s("game.a = Panel { anchor = 'bottom_right', size = vec(200, 100), offset = vec(-10, -20) }");
+    Placed s(
+        "game.a = Panel { anchor = 'bottom_right', size = vec(200, 100), offset = vec(-10, -20) }");
     CHECK(s.at("a") == Vec2(1070, 600));
     CHECK(s.size("a") == Vec2(200, 100));
     s.set("a.anchor", Value("center"));
@@ -33,7 +34,8 @@ TEST_CASE("a widget is at its anchor and follows the size of the screen") {
 }
 
 TEST_CASE("columns and rows place their widgets after each other") {
-    Placed s(R"(game.p = Panel { padding = 20, anchor = "top_left", Column { spacing = 8, size = vec(300, 0),
+    Placed s(
+        R"(game.p = Panel { padding = 20, anchor = "top_left", Column { spacing = 8, size = vec(300, 0),
         Panel { size = vec(100, 30) }, Panel { size = vec(0, 40), min_size = vec(50, 50) },
         Row { spacing = 10, Panel { size = vec(60, 20) }, Panel { grow = 2, size = vec(0, 20) }, Panel { grow = 1, size = vec(0, 20) } } } })");
     CHECK(s.at("p.column.panel") == Vec2(20, 20));
@@ -42,7 +44,8 @@ TEST_CASE("columns and rows place their widgets after each other") {
     CHECK(s.size("p.column.panel_2") == Vec2(300, 50));
     CHECK(s.at("p.column.row") == Vec2(20, 116));
     // A panel has its padding on both sides; what is left over goes to those that grow.
-    const double second = s.size("p.column.row.panel_2").x(), third = s.size("p.column.row.panel_3").x();
+    const double second = s.size("p.column.row.panel_2").x(),
+                 third = s.size("p.column.row.panel_3").x();
     CHECK(s.at("p.column.row.panel_3").x() + third == 320);
     CHECK(second > third);
     CHECK(60 + 10 + second + 10 + third == 300);
@@ -57,7 +60,8 @@ TEST_CASE("columns and rows place their widgets after each other") {
 }
 
 TEST_CASE("text that is too long wraps or is cut") {
-    Placed s(R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");
+    Placed s(
+        R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");
     const double wrapped = s.size("l").y();
     s.set("l.overflow", Value("cut"));
     const double cut = s.size("l").y();

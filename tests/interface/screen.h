@@ -56,7 +56,7 @@ class Paper : public Painter {
 
 struct Screen {
     visuals::Visuals visuals{nullptr};
-    Interface interface{visuals.media()};
+    Interface interface { visuals.media() };
     Tree tree;
     app::Services services{tree};
     script::Runtime runtime{tree, {}};

@@ -26,33 +26,32 @@ Property key_property(State::Switch& key) {
                 key, [](State::Switch& k, Row) { return k.down; },
                 [](State::Switch& k, Row, const Value& down) {
                     k.down = down.boolean();
-                    k.state->queue_switch(
-                        {.kind = Act::Kind::key, .name = k.name, .down = k.down}, k.taken,
-                        k.down ? "key_pressed" : "key_released", {k.name});
+                    k.state->queue_switch({.kind = Act::Kind::key, .name = k.name, .down = k.down},
+                                          k.taken, k.down ? "key_pressed" : "key_released",
+                                          {k.name});
                     k.state->update_actions();
                 }),
             .transient = true};
 }
 
 Property button_property(State::Switch& button) {
-    return {.name = button.name,
-            .type = Type::boolean,
-            .default_value = false,
-            .doc = "Whether the button is held down.",
-            .binding = accessor(
-                button, [](State::Switch& b, Row) { return b.down; },
-                [](State::Switch& b, Row, const Value& down) {
-                    b.down = down.boolean();
-                    const Vec2 at = b.state->mouse;
-                    b.state->queue_switch({.kind = Act::Kind::mouse_button,
-                                           .name = b.name,
-                                           .down = b.down,
-                                           .value = at},
-                                          b.taken, b.down ? "mouse_pressed" : "mouse_released",
-                                          {b.name, b.state->view.to_world(at), at});
-                    b.state->update_actions();
-                }),
-            .transient = true};
+    return {
+        .name = button.name,
+        .type = Type::boolean,
+        .default_value = false,
+        .doc = "Whether the button is held down.",
+        .binding = accessor(
+            button, [](State::Switch& b, Row) { return b.down; },
+            [](State::Switch& b, Row, const Value& down) {
+                b.down = down.boolean();
+                const Vec2 at = b.state->mouse;
+                b.state->queue_switch(
+                    {.kind = Act::Kind::mouse_button, .name = b.name, .down = b.down, .value = at},
+                    b.taken, b.down ? "mouse_pressed" : "mouse_released",
+                    {b.name, b.state->view.to_world(at), at});
+                b.state->update_actions();
+            }),
+        .transient = true};
 }
 
 std::vector<Property> mouse_properties(State& state) {

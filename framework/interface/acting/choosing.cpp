@@ -47,8 +47,7 @@ void Player::select(Widget& list, std::int64_t line) {
 /// Scrolls to the chosen line.
 void Player::show_line(Widget& list) {
     const double line = Layout::line_of(list);
-    const double top =
-        static_cast<double>(list.selected - 1) * (line + Layout::spacing_of(list));
+    const double top = static_cast<double>(list.selected - 1) * (line + Layout::spacing_of(list));
     const double height = Layout::inside(list).height(), from = Layout::scrolled(list);
     if (top < from)
         scroll(list, top - from);

@@ -145,9 +145,8 @@ void Player::towards(const Vec2& direction) {
         const Vec2 apart = each->box.center() - now->box.center();
         const double ahead = apart.dot(direction);
         // Those beside it count less than those in line with it.
-        const double overlap =
-            std::min(each->box.upper[across], now->box.upper[across]) -
-            std::max(each->box.lower[across], now->box.lower[across]);
+        const double overlap = std::min(each->box.upper[across], now->box.upper[across]) -
+                               std::max(each->box.lower[across], now->box.lower[across]);
         const double aside = overlap > 0 ? 0 : -overlap;
         if (ahead > 1 && ahead + 3 * aside < least) {
             least = ahead + 3 * aside;

@@ -17,10 +17,10 @@ bool among(std::span<const std::string_view> names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-constexpr std::array<std::string_view, 10> navigation_keys{"up",    "down",  "left",   "right", "tab",
-                                                           "enter", "space", "escape", "home",  "end"};
-constexpr std::array<std::string_view, 6> navigation_buttons{"a",         "b",         "dpad_up",
-                                                             "dpad_down", "dpad_left", "dpad_right"};
+constexpr std::array<std::string_view, 10> navigation_keys{
+    "up", "down", "left", "right", "tab", "enter", "space", "escape", "home", "end"};
+constexpr std::array<std::string_view, 6> navigation_buttons{
+    "a", "b", "dpad_up", "dpad_down", "dpad_left", "dpad_right"};
 constexpr double pushed = 0.5;  // of a stick
 
 }  // namespace
@@ -63,8 +63,7 @@ void Player::frame(const Vec2& mouse, const Vec2& screen) {
 }
 
 void Player::hold(Handle widget) {
-    if (!(widgets_.board.held == widget))
-        widgets_.set(widgets_.service(), "held", Value(widget));
+    if (!(widgets_.board.held == widget)) widgets_.set(widgets_.service(), "held", Value(widget));
 }
 
 void Player::handle(const Act& act, bool taken) {
@@ -204,7 +203,8 @@ void Player::capture(Widget& button, const Act& act) {
     if (act.kind == Act::Kind::key && act.down && !act.repeated) name = act.name;
     if (act.kind == Act::Kind::mouse_button && act.down) name = "mouse." + act.name;
     const bool numbered = !act.name.empty() && act.name[0] >= '0' && act.name[0] <= '9';
-    if (act.kind == Act::Kind::gamepad_button && act.down && !numbered) name = "gamepad." + act.name;
+    if (act.kind == Act::Kind::gamepad_button && act.down && !numbered)
+        name = "gamepad." + act.name;
     if (act.kind == Act::Kind::trigger && act.value.x() > pushed) name = "gamepad." + act.name;
     if (name.empty()) return;
     const Handle self = button.self;

@@ -71,8 +71,8 @@ class Player {
     Layout& layout_;
     Binding& binding_;
     property::Vec2 mouse_{0, 0}, screen_{1280, 720};  // px
-    bool down_ = false;        // the left button of the mouse
-    bool drags_bar_ = false;   // the bar of the list that is held
+    bool down_ = false;                               // the left button of the mouse
+    bool drags_bar_ = false;                          // the bar of the list that is held
     property::Vec2 stick_{0, 0};
 };
 

@@ -37,8 +37,7 @@ Widget* Player::under(const Vec2& point) {
 
 Widget* Player::list_under(const Vec2& point) {
     for (Widget* each = under(point); each != nullptr; each = above(*each))
-        if (each->kind == Kind::list && each->content > Layout::inside(*each).height())
-            return each;
+        if (each->kind == Kind::list && each->content > Layout::inside(*each).height()) return each;
     return nullptr;
 }
 
@@ -64,8 +63,8 @@ void Player::press(const Vec2& point) {
     if (widget->kind == Kind::slider) {
         drag(*widget, point);
     } else if (widget->kind == Kind::list) {
-        drags_bar_ = widget->content > inner.height() &&
-                     point.x() > inner.upper.x() - measure::scroll_bar;
+        drags_bar_ =
+            widget->content > inner.height() && point.x() > inner.upper.x() - measure::scroll_bar;
         if (drags_bar_) {
             drag(*widget, point);
         } else if (!widget->items.empty() && inner.contains(point)) {

@@ -20,8 +20,7 @@ inline property::Color touched(property::Color color, double hover, double press
 
 /// Black or white, whichever can be read better on `background`.
 inline property::Color readable_on(property::Color background) {
-    const float light =
-        0.299f * background.r + 0.587f * background.g + 0.114f * background.b;
+    const float light = 0.299f * background.r + 0.587f * background.g + 0.114f * background.b;
     return light > 0.6f ? property::Color{0.05f, 0.06f, 0.09f, 1} : property::Color{1, 1, 1, 1};
 }
 

@@ -26,8 +26,7 @@ void Picture::draw_button(const Widget& widget) {
     Color fill = widget.color.value_or(accent ? theme.accent : theme.control);
     Color ink = accent ? theme.on_accent : theme.text;
     if (widget.color && !accent) ink = readable_on(fill);
-    if (quiet && !accent)
-        fill.a *= static_cast<float>(0.75 * std::max(widget.hover, widget.press));
+    if (quiet && !accent) fill.a *= static_cast<float>(0.75 * std::max(widget.hover, widget.press));
     box(widget.box, radius_of(widget), touched(fill, widget.hover, widget.press),
         quiet ? none : mixed(theme.border, {1, 1, 1, theme.border.a}, 0.5));
     Box inner = widget.box;
@@ -35,8 +34,8 @@ void Picture::draw_button(const Widget& widget) {
     inner.upper.x() -= measure::button_x;
     if (!widget.image.empty()) {
         const double side = widget.box.height() - 2 * measure::button_y;
-        const double x = widget.lines.empty() ? widget.box.center().x() - 0.5 * side
-                                              : inner.lower.x();
+        const double x =
+            widget.lines.empty() ? widget.box.center().x() - 0.5 * side : inner.lower.x();
         const Vec2 lower(x, widget.box.center().y() - 0.5 * side);
         draw_image(widget, {lower, lower + Vec2(side, side)}, {1, 1, 1, 1});
         inner.lower.x() += side + 8;
@@ -53,8 +52,7 @@ void Picture::draw_slider(const Widget& widget) {
     const double to = widget.box.upper.x() - measure::knob;
     const double x = from + share(widget) * std::max(0.0, to - from);
     box({{from - half, y - half}, {to + half, y + half}}, half, theme.control);
-    box({{from - half, y - half}, {x + half, y + half}}, half,
-        touched(full, widget.hover, 0));
+    box({{from - half, y - half}, {x + half, y + half}}, half, touched(full, widget.hover, 0));
     if (widget.hover > 0)
         disc({x, y}, measure::knob + 6 * widget.hover,
              {full.r, full.g, full.b, static_cast<float>(0.28 * widget.hover)});
@@ -81,15 +79,15 @@ void Picture::draw_toggle(const Widget& widget) {
 void Picture::draw_field(Widget& widget) {
     const Theme& theme = *widget.look_of;
     const bool focused = widgets_.board.focus == widget.self;
-    const Color edge = mixed(mixed(theme.border, theme.muted, 0.5 * widget.hover), theme.accent,
-                             focused ? 1 : 0);
+    const Color edge =
+        mixed(mixed(theme.border, theme.muted, 0.5 * widget.hover), theme.accent, focused ? 1 : 0);
     box(widget.box, radius_of(widget), theme.field, edge);
     const Lettering lettering = Lettering::of(widget);
     Box inner = widget.box;
     inner.lower.x() += measure::field_x;
     inner.upper.x() -= measure::field_x;
-    const double caret = lettering.width(
-        layout_.media(), widget.text.substr(0, byte_of(widget.text, widget.caret)));
+    const double caret =
+        lettering.width(layout_.media(), widget.text.substr(0, byte_of(widget.text, widget.caret)));
     // The text moves so that the caret is seen.
     if (!focused) widget.view_left = 0;
     widget.view_left = std::clamp(widget.view_left, caret - inner.width() + 2, caret);
@@ -116,8 +114,7 @@ void Picture::draw_progress(const Widget& widget) {
     if (full > 0) {
         // The whole bar, cut where it ends, so that a short part keeps the round corners.
         painter_->push({});
-        painter_->clip(widget.box.lower,
-                       {widget.box.lower.x() + full, widget.box.upper.y()});
+        painter_->clip(widget.box.lower, {widget.box.lower.x() + full, widget.box.upper.y()});
         box(widget.box.smaller(1), radius - 1, widget.color.value_or(theme.accent));
         painter_->pop();
     }

@@ -164,7 +164,8 @@ void Picture::draw_ring(const Widget& widget) {
         around = widget.box.smaller(-3);
         radius = widget.look_of->radius + 3;
     }
-    const double r = std::clamp(radius, 0.0, 0.5 * std::min(around.width(), around.height()) - 0.01);
+    const double r =
+        std::clamp(radius, 0.0, 0.5 * std::min(around.width(), around.height()) - 0.01);
     const Box core = around.smaller(r);
     const std::array<Vec2, 4> corners{core.lower, Vec2(core.upper.x(), core.lower.y()), core.upper,
                                       Vec2(core.lower.x(), core.upper.y())};

@@ -14,8 +14,8 @@ using property::Vec2;
 
 namespace {
 
-constexpr std::array<const char*, 9> anchors{"top_left", "top",         "top_right",
-                                             "left",     "center",      "right",
+constexpr std::array<const char*, 9> anchors{"top_left",    "top",    "top_right",
+                                             "left",        "center", "right",
                                              "bottom_left", "bottom", "bottom_right"};
 
 /// The part of what is left that lies before it.
@@ -55,8 +55,8 @@ void Layout::arrange(Row row, Box box, const Box& clip) {
 void Layout::arrange_panel(Widget& widget, const Box& inner, const Box& clip) {
     for (const Row child : widget.children) {
         Widget& one = widgets_[child];
-        const auto n = static_cast<int>(
-            std::find(anchors.begin(), anchors.end(), one.anchor) - anchors.begin());
+        const auto n = static_cast<int>(std::find(anchors.begin(), anchors.end(), one.anchor) -
+                                        anchors.begin());
         const Vec2 part(0.5 * (n % 3), 0.5 * (n / 3));
         Vec2 size = one.wanted;
         for (const int axis : {0, 1})
@@ -71,8 +71,7 @@ void Layout::arrange_line(Widget& widget, const Box& inner, const Box& clip, int
     const double spacing = spacing_of(widget);
     const int across = 1 - along;
     double left = inner.size()[along], shares = 0;
-    if (!widget.children.empty())
-        left -= spacing * static_cast<double>(widget.children.size() - 1);
+    if (!widget.children.empty()) left -= spacing * static_cast<double>(widget.children.size() - 1);
     // A list that grows may become smaller than what is in it.
     const auto least = [&](const Widget& one) {
         return one.kind == Kind::list && growth(one, along) > 0 ? one.min_size[along]
@@ -109,8 +108,9 @@ void Layout::arrange_list(Widget& widget) {
     if (!widget.items.empty()) {
         const Lettering lettering = Lettering::of(widget);
         for (const property::Value& item : widget.items) {
-            const auto line = fitted(media_, lettering, item.is(property::Type::text) ? item.text() : "",
-                                     inner.width() - bar - 2 * measure::field_x, false);
+            const auto line =
+                fitted(media_, lettering, item.is(property::Type::text) ? item.text() : "",
+                       inner.width() - bar - 2 * measure::field_x, false);
             widget.lines.push_back(line.empty() ? "" : line.front());
         }
         return;

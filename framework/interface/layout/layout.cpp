@@ -29,8 +29,8 @@ double height_of(const property::Tree& tree, Handle instance) {
 }  // namespace
 
 void Layout::update(const Vec2& screen) {
-    const double scale = widgets_.board.scale > 0 ? widgets_.board.scale
-                                                  : std::clamp(screen.y() / 720, 0.5, 8.0);
+    const double scale =
+        widgets_.board.scale > 0 ? widgets_.board.scale : std::clamp(screen.y() / 720, 0.5, 8.0);
     if (screen != screen_ || scale != scale_) widgets_.stale = true;
     if (!widgets_.stale) return sort_tops();
     widgets_.stale = false;
@@ -59,9 +59,8 @@ void Layout::collect() {
         widget.shown = false;
         widget.look_of = &widgets_.themes.plain;
     }
-    const Handle fallback = tree.alive(widgets_.service())
-                                ? tree.child(widgets_.service(), "theme")
-                                : Handle{};
+    const Handle fallback =
+        tree.alive(widgets_.service()) ? tree.child(widgets_.service(), "theme") : Handle{};
     const Theme& common = fallback && tree.class_of(fallback).is_a(widgets_.themes.of())
                               ? widgets_.themes[tree.row(fallback)]
                               : widgets_.themes.plain;
@@ -83,8 +82,7 @@ void Layout::collect() {
             if (widgets_.is_widget(each)) places_[tree.row(each)] = n++;
         });
     }
-    std::sort(tops_.begin(), tops_.end(),
-              [this](Row a, Row b) { return places_[a] < places_[b]; });
+    std::sort(tops_.begin(), tops_.end(), [this](Row a, Row b) { return places_[a] < places_[b]; });
 }
 
 void Layout::collect_below(Row row, Row parent, const Theme& theme, bool shown, int depth) {
@@ -145,9 +143,8 @@ double Layout::padding_of(const Widget& widget) {
 }
 
 double Layout::spacing_of(const Widget& widget) {
-    return widget.spacing.value_or(widget.kind == Kind::list && !widget.items.empty()
-                                       ? 2
-                                       : widget.look_of->spacing);
+    return widget.spacing.value_or(
+        widget.kind == Kind::list && !widget.items.empty() ? 2 : widget.look_of->spacing);
 }
 
 double Layout::line_of(const Widget& list) {

@@ -35,8 +35,8 @@ Vec2 Layout::natural(Widget& widget, double width) {
         case Kind::list:
             return natural_list(widget, width);
         case Kind::button: {
-            const double text = std::ceil(lettering.width(
-                media_, widget.listening ? widget.prompt : widget.text));
+            const double text =
+                std::ceil(lettering.width(media_, widget.listening ? widget.prompt : widget.text));
             const double icon = widget.image.empty() ? 0 : control - 2 * measure::button_y;
             const double gap = icon > 0 && text > 0 ? 8 : 0;
             return {text + icon + gap + 2 * measure::button_x, control};
@@ -120,12 +120,12 @@ Vec2 Layout::natural_list(Widget& widget, double width) {
 
 Vec2 Layout::natural_text(Widget& widget, double width) {
     const Lettering lettering = Lettering::of(widget);
-    const auto lines =
-        fitted(media_, lettering, widget.text, width, widget.overflow == "wrap");
+    const auto lines = fitted(media_, lettering, widget.text, width, widget.overflow == "wrap");
     double widest = 0;
     for (const std::string& line : lines) widest = std::max(widest, lettering.width(media_, line));
     return {std::ceil(widest),
-            std::ceil(lettering.line_height() * static_cast<double>(std::max<std::size_t>(1, lines.size())))};
+            std::ceil(lettering.line_height() *
+                      static_cast<double>(std::max<std::size_t>(1, lines.size())))};
 }
 
 }  // namespace fettle::interface

@@ -102,8 +102,7 @@ property::Property field(Owner& owner, property::Property described) {
     if (described.type != property::Type::reference)
         described.default_value = held(Element{}.*Member);
     described.binding = property::accessor(
-        owner,
-        [](Owner& in, property::Row row) { return held(in[row].*Member); },
+        owner, [](Owner& in, property::Row row) { return held(in[row].*Member); },
         [](Owner& in, property::Row row, const property::Value& value) {
             take(in[row].*Member, value);
             in.changed(row);

@@ -11,14 +11,15 @@ void Themes::define(property::Tree& tree) {
     constexpr property::Range pixels{0, 1000};
     property::ClassDescriptor described{
         .name = "Theme",
-        .doc = "Colors, font and distances of widgets. A widget has that of its property `theme`, "
-               "else that of the widget above it, else interface.theme.",
+        .doc =
+            "Colors, font and distances of widgets. A widget has that of its property `theme`, "
+            "else that of the widget above it, else interface.theme.",
         .properties = {
             field<&Theme::panel>(*this, {.name = "panel", .doc = "Background of panels."}),
             field<&Theme::control>(
                 *this, {.name = "control", .doc = "Buttons, and the tracks of sliders."}),
-            field<&Theme::field>(
-                *this, {.name = "field", .doc = "Background of text fields and lists."}),
+            field<&Theme::field>(*this,
+                                 {.name = "field", .doc = "Background of text fields and lists."}),
             field<&Theme::accent>(
                 *this, {.name = "accent",
                         .doc = "What is chosen or switched on, and the most important button."}),
@@ -27,14 +28,16 @@ void Themes::define(property::Tree& tree) {
                 *this, {.name = "muted", .doc = "Text of less importance, such as a placeholder."}),
             field<&Theme::on_accent>(*this,
                                      {.name = "on_accent", .doc = "Text on the color `accent`."}),
-            field<&Theme::border>(*this, {.name = "border", .doc = "Line around panels and fields."}),
+            field<&Theme::border>(*this,
+                                  {.name = "border", .doc = "Line around panels and fields."}),
             field<&Theme::focus>(
                 *this, {.name = "focus", .doc = "Ring around the widget that has the keyboard."}),
             field<&Theme::shade>(
                 *this, {.name = "shade", .doc = "What is behind a modal widget is covered by it."}),
             field<&Theme::font>(
-                *this, {.name = "font",
-                        .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's folder."}),
+                *this,
+                {.name = "font",
+                 .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's folder."}),
             field<&Theme::font_size>(
                 *this,
                 {.name = "font_size", .unit = "px", .range = {1, 1000}, .doc = "Size of texts."}),

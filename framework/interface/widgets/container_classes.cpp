@@ -22,73 +22,74 @@ property::ClassDescriptor list_descriptor(Widgets& widgets) {
     return {
         .name = "List",
         .base = "Widget",
-        .doc = "Lines of text to choose from, or widgets below each other; it scrolls if there is "
-               "no room for all.",
+        .doc =
+            "Lines of text to choose from, or widgets below each other; it scrolls if there is "
+            "no room for all.",
         .properties = joined(
             container_properties(widgets),
-            Properties{field<&Widget::spacing>(
-                 widgets, {.name = "spacing",
-                           .unit = "px",
-                           .range = {0, 100'000},
-                           .doc = "Distance between its widgets; nil: that of the theme."}),
-             field<&Widget::items>(widgets, {.name = "items",
-                                             .doc = "Its lines. If there are none, it shows the "
-                                                    "widgets below it.",
-                                             .element = property::Type::text}),
-             field<&Widget::selected>(
-                 widgets, {.name = "selected",
-                           .range = {0, 1e9},
-                           .doc = "Number of the chosen line, from 1; 0: none."}),
-             field<&Widget::scroll>(widgets, {.name = "scroll",
-                                              .unit = "px",
-                                              .range = {0, 1e9},
-                                              .doc = "How far down it is scrolled."}),
-             field<&Widget::focusable>(
-                 widgets, {.name = "focusable", .doc = "Whether it can have the keyboard."}),
-             bind_property(widgets, "Path of a property that is the chosen line: a text, or its "
-                                    "number. Without items, its lines are the values that the "
-                                    "property can have.")},
+            Properties{
+                field<&Widget::spacing>(
+                    widgets, {.name = "spacing",
+                              .unit = "px",
+                              .range = {0, 100'000},
+                              .doc = "Distance between its widgets; nil: that of the theme."}),
+                field<&Widget::items>(widgets, {.name = "items",
+                                                .doc = "Its lines. If there are none, it shows the "
+                                                       "widgets below it.",
+                                                .element = property::Type::text}),
+                field<&Widget::selected>(widgets,
+                                         {.name = "selected",
+                                          .range = {0, 1e9},
+                                          .doc = "Number of the chosen line, from 1; 0: none."}),
+                field<&Widget::scroll>(widgets, {.name = "scroll",
+                                                 .unit = "px",
+                                                 .range = {0, 1e9},
+                                                 .doc = "How far down it is scrolled."}),
+                field<&Widget::focusable>(
+                    widgets, {.name = "focusable", .doc = "Whether it can have the keyboard."}),
+                bind_property(widgets,
+                              "Path of a property that is the chosen line: a text, or its "
+                              "number. Without items, its lines are the values that the "
+                              "property can have.")},
             text_properties(widgets, "left", "cut")),
-        .events = {cancelled(),
-                   {.name = "changed",
-                    .fields = {{.name = "selected",
-                                .type = property::Type::integer,
-                                .doc = "Number of the line."}},
-                    .doc = "The player has chosen another line."},
-                   {.name = "submitted",
-                    .fields = {{.name = "selected",
-                                .type = property::Type::integer,
-                                .doc = "Number of the line."}},
-                    .doc = "The player has pressed return on a line, or clicked on the chosen one."}}};
+        .events = {
+            cancelled(),
+            {.name = "changed",
+             .fields = {{.name = "selected",
+                         .type = property::Type::integer,
+                         .doc = "Number of the line."}},
+             .doc = "The player has chosen another line."},
+            {.name = "submitted",
+             .fields = {{.name = "selected",
+                         .type = property::Type::integer,
+                         .doc = "Number of the line."}},
+             .doc = "The player has pressed return on a line, or clicked on the chosen one."}}};
 }
 
 }  // namespace
 
 std::vector<property::ClassDescriptor> container_classes(Widgets& widgets) {
     std::vector<property::ClassDescriptor> all;
-    all.push_back(
-        {.name = "Panel",
-                    .base = "Widget",
-                    .doc = "A box with a background. Each of its widgets is at its own anchor, so it "
-                           "mostly holds one column or row.",
-                    .properties = joined({again("anchor", "center")}, container_properties(widgets)),
-                    .events = {cancelled()}});
-    all.push_back(
-        {.name = "Row",
-                    .base = "Widget",
-                    .doc = "Widgets side by side.",
-                    .properties = joined(container_properties(widgets), line_up_properties(widgets)),
-                    .events = {cancelled()}});
+    all.push_back({.name = "Panel",
+                   .base = "Widget",
+                   .doc =
+                       "A box with a background. Each of its widgets is at its own anchor, so it "
+                       "mostly holds one column or row.",
+                   .properties = joined({again("anchor", "center")}, container_properties(widgets)),
+                   .events = {cancelled()}});
+    all.push_back({.name = "Row",
+                   .base = "Widget",
+                   .doc = "Widgets side by side.",
+                   .properties = joined(container_properties(widgets), line_up_properties(widgets)),
+                   .events = {cancelled()}});
     for (Property& each : all.back().properties)
         if (each.name == "align") each.default_value = Value("center");
-    all.push_back(
-        {.name = "Column",
-                    .base = "Widget",
-                    .doc = "Widgets below each other.",
-                    .properties = joined(container_properties(widgets), line_up_properties(widgets)),
-                    .events = {cancelled()}});
-    all.push_back(
-        list_descriptor(widgets));
+    all.push_back({.name = "Column",
+                   .base = "Widget",
+                   .doc = "Widgets below each other.",
+                   .properties = joined(container_properties(widgets), line_up_properties(widgets)),
+                   .events = {cancelled()}});
+    all.push_back(list_descriptor(widgets));
     return all;
 }
 

@@ -10,9 +10,10 @@ using property::Type;
 namespace {
 
 property::Event changed(Type type) {
-    return {.name = "changed",
-            .fields = {{.name = "value", .type = type, .doc = "The new value."}},
-            .doc = "The player has changed it. A change by a script is no event: watch the property."};
+    return {
+        .name = "changed",
+        .fields = {{.name = "value", .type = type, .doc = "The new value."}},
+        .doc = "The player has changed it. A change by a script is no event: watch the property."};
 }
 
 Property focusable(Widgets& widgets) {
@@ -38,18 +39,21 @@ property::ClassDescriptor button(Widgets& widgets) {
                                    .enumerators = {"normal", "accent", "quiet"}}),
              field<&Widget::color>(
                  widgets, {.name = "color", .doc = "Its background; nil: that of its look."}),
-             field<&Widget::radius>(widgets, {.name = "radius",
-                                              .unit = "px",
-                                              .range = {0, 100'000},
-                                              .doc = "Radius of its corners; nil: that of the theme."}),
+             field<&Widget::radius>(widgets,
+                                    {.name = "radius",
+                                     .unit = "px",
+                                     .range = {0, 100'000},
+                                     .doc = "Radius of its corners; nil: that of the theme."}),
              focusable(widgets),
              field<&Widget::listening>(
                  widgets,
                  {.name = "listening",
-                  .doc = "Whether it waits for a key or button of any device. The next one is told by "
-                         "the event `captured` and does nothing else; escape ends it."}),
+                  .doc =
+                      "Whether it waits for a key or button of any device. The next one is told by "
+                      "the event `captured` and does nothing else; escape ends it."}),
              field<&Widget::prompt>(
-                 widgets, {.name = "prompt", .doc = "What is written on it while it is listening."}),
+                 widgets,
+                 {.name = "prompt", .doc = "What is written on it while it is listening."}),
              bind_property(widgets,
                            "Path of the keys of an action, such as input.actions.jump: the button "
                            "shows them, and after a press the player chooses another one.")},
@@ -64,117 +68,111 @@ property::ClassDescriptor button(Widgets& widgets) {
 }
 
 property::ClassDescriptor slider(Widgets& widgets) {
-    return {
-        .name = "Slider",
-        .base = "Widget",
-        .doc = "A number to choose with the mouse, the arrow keys or the gamepad.",
-        .properties = {field<&Widget::value>(
-                           widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "The number."}),
-                       min_property(widgets), max_property(widgets),
-                       field<&Widget::step>(
-                           widgets,
-                           {.name = "step",
-                            .range = {0, 1e12},
-                            .doc = "The player chooses multiples of it, counted from the least value; 0: "
-                                   "any number. Integers have a step of 1 at least."}),
-                       focusable(widgets),
-                       field<&Widget::color>(
-                           widgets,
-                           {.name = "color", .doc = "The part up to the value; nil: accent."}),
-                       bind_property(widgets, "Path of a property that is the number, such as "
-                                              "audio.volume; both always have the same value.")},
-        .events = {changed(Type::number)}};
+    return {.name = "Slider",
+            .base = "Widget",
+            .doc = "A number to choose with the mouse, the arrow keys or the gamepad.",
+            .properties =
+                {field<&Widget::value>(
+                     widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "The number."}),
+                 min_property(widgets), max_property(widgets),
+                 field<&Widget::step>(
+                     widgets,
+                     {.name = "step",
+                      .range = {0, 1e12},
+                      .doc = "The player chooses multiples of it, counted from the least value; 0: "
+                             "any number. Integers have a step of 1 at least."}),
+                 focusable(widgets),
+                 field<&Widget::color>(
+                     widgets, {.name = "color", .doc = "The part up to the value; nil: accent."}),
+                 bind_property(widgets,
+                               "Path of a property that is the number, such as "
+                               "audio.volume; both always have the same value.")},
+            .events = {changed(Type::number)}};
 }
 
 property::ClassDescriptor toggle(Widgets& widgets) {
     return {.name = "Toggle",
             .base = "Widget",
             .doc = "A switch with a text.",
-            .properties = joined(
-                {text_property(widgets, "What is written beside it."),
-                 field<&Widget::on>(widgets, {.name = "value", .doc = "Whether it is on."}),
-                 focusable(widgets),
-                 field<&Widget::color>(widgets,
-                                       {.name = "color", .doc = "What it has if on; nil: accent."}),
-                 bind_property(widgets, "Path of a boolean property; both always have the same "
-                                        "value.")},
-                text_properties(widgets, "left", "cut")),
+            .properties =
+                joined({text_property(widgets, "What is written beside it."),
+                        field<&Widget::on>(widgets, {.name = "value", .doc = "Whether it is on."}),
+                        focusable(widgets),
+                        field<&Widget::color>(
+                            widgets, {.name = "color", .doc = "What it has if on; nil: accent."}),
+                        bind_property(widgets,
+                                      "Path of a boolean property; both always have the same "
+                                      "value.")},
+                       text_properties(widgets, "left", "cut")),
             .events = {changed(Type::boolean)}};
 }
 
 property::ClassDescriptor text_field(Widgets& widgets) {
-    return {
-        .name = "TextField",
-        .base = "Widget",
-        .doc = "A line of text to type.",
-        .properties = joined(
-            {text_property(widgets, "What is in it."),
-             field<&Widget::placeholder>(
-                 widgets, {.name = "placeholder", .doc = "Shown while it is empty."}),
-             field<&Widget::max_length>(
-                 widgets, {.name = "max_length",
-                           .range = {0, 1e6},
-                           .doc = "Number of characters that can be typed; 0: no limit."}),
-             field<&Widget::caret>(
-                 widgets,
-                 {.name = "caret",
-                  .range = {0, 1e9},
-                  .doc = "Number of characters before the place where typed ones appear."}),
-             focusable(widgets),
-             bind_property(widgets, "Path of a text or number; a number is set by return, or when "
-                                    "the field loses the keyboard.")},
-            text_properties(widgets, "left", "cut")),
-        .events = {changed(Type::text),
-                   {.name = "submitted",
-                    .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
-                    .doc = "The player has pressed return."}}};
+    return {.name = "TextField",
+            .base = "Widget",
+            .doc = "A line of text to type.",
+            .properties = joined(
+                {text_property(widgets, "What is in it."),
+                 field<&Widget::placeholder>(
+                     widgets, {.name = "placeholder", .doc = "Shown while it is empty."}),
+                 field<&Widget::max_length>(
+                     widgets, {.name = "max_length",
+                               .range = {0, 1e6},
+                               .doc = "Number of characters that can be typed; 0: no limit."}),
+                 field<&Widget::caret>(
+                     widgets,
+                     {.name = "caret",
+                      .range = {0, 1e9},
+                      .doc = "Number of characters before the place where typed ones appear."}),
+                 focusable(widgets),
+                 bind_property(widgets,
+                               "Path of a text or number; a number is set by return, or when "
+                               "the field loses the keyboard.")},
+                text_properties(widgets, "left", "cut")),
+            .events = {changed(Type::text),
+                       {.name = "submitted",
+                        .fields = {{.name = "text", .type = Type::text, .doc = "What is in it."}},
+                        .doc = "The player has pressed return."}}};
 }
 
 property::ClassDescriptor progress_bar(Widgets& widgets) {
-    return {.name = "ProgressBar",
-            .base = "Widget",
-            .doc = "How far something is.",
-            .properties = joined(
-                {field<&Widget::value>(
-                     widgets,
-                     {.name = "value", .range = {-1e12, 1e12}, .doc = "Between min and max."}),
-                 min_property(widgets), max_property(widgets),
-                 text_property(widgets, "Written on it."),
-                 field<&Widget::color>(widgets,
-                                       {.name = "color", .doc = "The full part; nil: accent."}),
-                 bind_property(widgets, "Path of a property that is the value.")},
-                text_properties(widgets, "center", "cut"))};
+    return {
+        .name = "ProgressBar",
+        .base = "Widget",
+        .doc = "How far something is.",
+        .properties = joined(
+            {field<&Widget::value>(
+                 widgets, {.name = "value", .range = {-1e12, 1e12}, .doc = "Between min and max."}),
+             min_property(widgets), max_property(widgets), text_property(widgets, "Written on it."),
+             field<&Widget::color>(widgets,
+                                   {.name = "color", .doc = "The full part; nil: accent."}),
+             bind_property(widgets, "Path of a property that is the value.")},
+            text_properties(widgets, "center", "cut"))};
 }
 
 }  // namespace
 
 std::vector<property::ClassDescriptor> control_classes(Widgets& widgets) {
     std::vector<property::ClassDescriptor> all;
-    all.push_back(
-        button(widgets));
-    all.push_back(
-        {.name = "Label",
-                    .base = "Widget",
-                    .doc = "A text.",
-                    .properties = joined(
-                        {text_property(widgets, "What is written; it may have several lines."),
-                         bind_property(widgets, "Path of a property; the text is its value.")},
-                        text_properties(widgets, "left", "wrap"))});
-    all.push_back(
-        {.name = "Image",
-          .base = "Widget",
-          .doc = "A picture, as large as fits without being distorted.",
-          .properties = {image_property(widgets, "A file in the game's folder."),
-                         field<&Widget::tint>(
-                             widgets, {.name = "tint", .doc = "Multiplies the picture's colors."})}});
-    all.push_back(
-        slider(widgets));
-    all.push_back(
-        toggle(widgets));
-    all.push_back(
-        text_field(widgets));
-    all.push_back(
-        progress_bar(widgets));
+    all.push_back(button(widgets));
+    all.push_back({.name = "Label",
+                   .base = "Widget",
+                   .doc = "A text.",
+                   .properties = joined(
+                       {text_property(widgets, "What is written; it may have several lines."),
+                        bind_property(widgets, "Path of a property; the text is its value.")},
+                       text_properties(widgets, "left", "wrap"))});
+    all.push_back({.name = "Image",
+                   .base = "Widget",
+                   .doc = "A picture, as large as fits without being distorted.",
+                   .properties = {
+                       image_property(widgets, "A file in the game's folder."),
+                       field<&Widget::tint>(
+                           widgets, {.name = "tint", .doc = "Multiplies the picture's colors."})}});
+    all.push_back(slider(widgets));
+    all.push_back(toggle(widgets));
+    all.push_back(text_field(widgets));
+    all.push_back(progress_bar(widgets));
     return all;
 }
 

@@ -63,25 +63,24 @@ Properties common_properties(Widgets& widgets) {
                         "of that name. Rows, columns and lists place their widgets themselves.",
                  .enumerators = {"top_left", "top", "top_right", "left", "center", "right",
                                  "bottom_left", "bottom", "bottom_right"}}),
-            field<&Widget::offset>(
-                widgets, {.name = "offset",
-                          .unit = "px",
-                          .range = places,
-                          .doc = "By how much it is moved from its place, y down."}),
-            field<&Widget::size>(
-                widgets,
-                {.name = "size",
-                 .unit = "px",
-                 .range = lengths,
-                 .doc = "Width and height; 0: as large as what is in it needs."}),
+            field<&Widget::offset>(widgets,
+                                   {.name = "offset",
+                                    .unit = "px",
+                                    .range = places,
+                                    .doc = "By how much it is moved from its place, y down."}),
+            field<&Widget::size>(widgets,
+                                 {.name = "size",
+                                  .unit = "px",
+                                  .range = lengths,
+                                  .doc = "Width and height; 0: as large as what is in it needs."}),
             field<&Widget::min_size>(widgets, {.name = "min_size",
                                                .unit = "px",
                                                .range = lengths,
                                                .doc = "The least width and height."}),
-            field<&Widget::fill>(
-                widgets, {.name = "fill",
-                          .doc = "Whether it takes all the width or height that there is.",
-                          .enumerators = {"none", "width", "height", "both"}}),
+            field<&Widget::fill>(widgets,
+                                 {.name = "fill",
+                                  .doc = "Whether it takes all the width or height that there is.",
+                                  .enumerators = {"none", "width", "height", "both"}}),
             field<&Widget::grow>(
                 widgets,
                 {.name = "grow",
@@ -100,8 +99,9 @@ Properties common_properties(Widgets& widgets) {
             field<&Widget::theme>(
                 widgets,
                 {.name = "theme",
-                 .doc = "Colors, font and distances of it and of everything below it; nil: those of "
-                        "the widget above it, at the top those of interface.theme.",
+                 .doc =
+                     "Colors, font and distances of it and of everything below it; nil: those of "
+                     "the widget above it, at the top those of interface.theme.",
                  .reference_class = "Theme"}),
         },
         computed_properties(widgets));
@@ -110,14 +110,16 @@ Properties common_properties(Widgets& widgets) {
 Properties container_properties(Widgets& widgets) {
     return {
         field<&Widget::padding>(
-            widgets, {.name = "padding",
-                      .unit = "px",
-                      .range = lengths,
-                      .doc = "Distance between its edge and what is in it. nil: that of the theme for "
-                             "panels, 5 for lists, 0 for rows and columns."}),
+            widgets,
+            {.name = "padding",
+             .unit = "px",
+             .range = lengths,
+             .doc = "Distance between its edge and what is in it. nil: that of the theme for "
+                    "panels, 5 for lists, 0 for rows and columns."}),
         field<&Widget::color>(
-            widgets, {.name = "color",
-                      .doc = "Its background. nil: that of the theme; rows and columns have none."}),
+            widgets,
+            {.name = "color",
+             .doc = "Its background. nil: that of the theme; rows and columns have none."}),
         field<&Widget::radius>(widgets, {.name = "radius",
                                          .unit = "px",
                                          .range = lengths,
@@ -125,8 +127,10 @@ Properties container_properties(Widgets& widgets) {
         field<&Widget::modal>(
             widgets,
             {.name = "modal",
-             .doc = "While it is visible, it gets all keys, buttons and clicks: nothing reaches the "
-                    "game or other widgets. If it has a background, a shade covers what is behind it."}),
+             .doc =
+                 "While it is visible, it gets all keys, buttons and clicks: nothing reaches the "
+                 "game or other widgets. If it has a background, a shade covers what is behind "
+                 "it."}),
         field<&Widget::last_focus>(widgets, {.name = "last_focus",
                                              .doc = "The widget in it that had the keyboard last.",
                                              .hidden = true,
@@ -136,28 +140,29 @@ Properties container_properties(Widgets& widgets) {
 
 Properties line_up_properties(Widgets& widgets) {
     return {
-        field<&Widget::spacing>(
-            widgets, {.name = "spacing",
-                      .unit = "px",
-                      .range = lengths,
-                      .doc = "Distance between its widgets; nil: that of the theme."}),
+        field<&Widget::spacing>(widgets,
+                                {.name = "spacing",
+                                 .unit = "px",
+                                 .range = lengths,
+                                 .doc = "Distance between its widgets; nil: that of the theme."}),
         field<&Widget::align>(
-            widgets, {.name = "align",
-                      .doc = "Where its widgets are across its direction; stretch: they are as wide "
-                             "as it is.",
-                      .enumerators = {"start", "center", "end", "stretch"}}),
-        field<&Widget::justify>(
             widgets,
-            {.name = "justify",
-             .doc = "Where its widgets are along its direction if they leave room.",
-             .enumerators = {"start", "center", "end"}}),
+            {.name = "align",
+             .doc = "Where its widgets are across its direction; stretch: they are as wide "
+                    "as it is.",
+             .enumerators = {"start", "center", "end", "stretch"}}),
+        field<&Widget::justify>(
+            widgets, {.name = "justify",
+                      .doc = "Where its widgets are along its direction if they leave room.",
+                      .enumerators = {"start", "center", "end"}}),
     };
 }
 
 Properties text_properties(Widgets& widgets, const char* align, const char* overflow) {
-    Property align_property = field<&Widget::text_align>(
-        widgets,
-        {.name = "text_align", .doc = "Where its text is.", .enumerators = {"left", "center", "right"}});
+    Property align_property =
+        field<&Widget::text_align>(widgets, {.name = "text_align",
+                                             .doc = "Where its text is.",
+                                             .enumerators = {"left", "center", "right"}});
     align_property.default_value = Value(align);
     Property overflow_property = field<&Widget::overflow>(
         widgets, {.name = "overflow",

@@ -64,9 +64,10 @@ property::Method focus_method(Widgets& widgets) {
 property::ClassDescriptor Widgets::base_descriptor() {
     property::ClassDescriptor described{
         .name = "Widget",
-        .doc = "What panels, buttons and all other parts of menus have in common. They are on the "
-               "screen, over everything else, in pixels of the layout, which interface.scale makes "
-               "larger on large screens.",
+        .doc =
+            "What panels, buttons and all other parts of menus have in common. They are on the "
+            "screen, over everything else, in pixels of the layout, which interface.scale makes "
+            "larger on large screens.",
         .creatable = false,
         .properties = common_properties(*this),
         .methods = {focus_method(*this)}};
@@ -112,36 +113,40 @@ void Widgets::define_service() {
         .doc = "What all widgets have in common.",
         .creatable = false,
         .properties = {
-            of_board({.name = "scale",
-                      .type = Type::number,
-                      .default_value = 0.0,
-                      .range = {0, 16},
-                      .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
-                             "720 high."},
-                     [](Widgets& w, Row) { return Value(w.board.scale); },
-                     [](Widgets& w, Row, const Value& v) {
-                         w.board.scale = v.as_double();
-                         w.stale = true;
-                     }),
-            of_board({.name = "focus",
-                      .type = Type::reference,
-                      .doc = "The widget that has the keyboard; nil: none.",
-                      .reference_class = "Widget"},
-                     [](Widgets& w, Row) { return Value(w.board.focus); },
-                     [](Widgets& w, Row, const Value& v) { take(w.board.focus, v); }),
-            of_board({.name = "focus_shown",
-                      .type = Type::boolean,
-                      .default_value = true,
-                      .doc = "Whether that widget has a ring: after a key or a gamepad's button, not "
-                             "after a click."},
-                     [](Widgets& w, Row) { return Value(w.board.focus_shown); },
-                     [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
-            of_board({.name = "held",
-                      .type = Type::reference,
-                      .doc = "The widget that the player holds down; nil: none.",
-                      .reference_class = "Widget"},
-                     [](Widgets& w, Row) { return Value(w.board.held); },
-                     [](Widgets& w, Row, const Value& v) { take(w.board.held, v); })}};
+            of_board(
+                {.name = "scale",
+                 .type = Type::number,
+                 .default_value = 0.0,
+                 .range = {0, 16},
+                 .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
+                        "720 high."},
+                [](Widgets& w, Row) { return Value(w.board.scale); },
+                [](Widgets& w, Row, const Value& v) {
+                    w.board.scale = v.as_double();
+                    w.stale = true;
+                }),
+            of_board(
+                {.name = "focus",
+                 .type = Type::reference,
+                 .doc = "The widget that has the keyboard; nil: none.",
+                 .reference_class = "Widget"},
+                [](Widgets& w, Row) { return Value(w.board.focus); },
+                [](Widgets& w, Row, const Value& v) { take(w.board.focus, v); }),
+            of_board(
+                {.name = "focus_shown",
+                 .type = Type::boolean,
+                 .default_value = true,
+                 .doc = "Whether that widget has a ring: after a key or a gamepad's button, not "
+                        "after a click."},
+                [](Widgets& w, Row) { return Value(w.board.focus_shown); },
+                [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
+            of_board(
+                {.name = "held",
+                 .type = Type::reference,
+                 .doc = "The widget that the player holds down; nil: none.",
+                 .reference_class = "Widget"},
+                [](Widgets& w, Row) { return Value(w.board.held); },
+                [](Widgets& w, Row, const Value& v) { take(w.board.held, v); })}};
     service_ = tree_->create(tree_->define(std::move(described)), tree_->root(), "interface");
     tree_->create(themes.of(), service_, "theme");
 }

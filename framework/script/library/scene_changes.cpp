@@ -51,8 +51,9 @@ property::ClassDescriptor transition_class() {
             {.name = "kind",
              .type = Type::text,
              .default_value = "fade",
-             .doc = "fade: through a color. wipe: the color moves across the screen. iris: a circle "
-                    "closes and opens.",
+             .doc =
+                 "fade: through a color. wipe: the color moves across the screen. iris: a circle "
+                 "closes and opens.",
              .enumerators = transition_kinds},
             {.name = "seconds",
              .type = Type::number,
@@ -70,12 +71,18 @@ property::ClassDescriptor transition_class() {
              .default_value = property::Color{0, 0, 0, 1},
              .range = {0, 1},
              .doc = "What covers the screen."},
-            {.name = "to", .type = Type::text, .default_value = "", .doc = "The name of the scene."},
+            {.name = "to",
+             .type = Type::text,
+             .default_value = "",
+             .doc = "The name of the scene."},
             {.name = "done",
              .type = Type::boolean,
              .default_value = false,
              .doc = "Whether the scene is replaced."},
-            {.name = "args", .type = Type::nil, .doc = "What `enter` gets.", .any_type = true,
+            {.name = "args",
+             .type = Type::nil,
+             .doc = "What `enter` gets.",
+             .any_type = true,
              .hidden = true},
             {.name = "named",
              .type = Type::boolean,
@@ -97,10 +104,9 @@ void require_scene(Machine& machine, const std::string& name) {
     std::vector<std::string> known = scene_file_names(machine);
     for (const Class* of : machine.tree.classes())
         if (class_of_scene(machine, of->name())) known.push_back(of->name());
-    throw Error(ErrorKind::unknown_name,
-                "go_to_scene: there is no scene \"" + name +
-                    "\", neither a class of the game nor a file scenes/" + name + ".json" +
-                    property::suggestion(name, known));
+    throw Error(ErrorKind::unknown_name, "go_to_scene: there is no scene \"" + name +
+                                             "\", neither a class of the game nor a file scenes/" +
+                                             name + ".json" + property::suggestion(name, known));
 }
 
 Handle make_scene(Machine& machine, const std::string& name) {
@@ -284,8 +290,9 @@ void advance_transition(Machine& machine, double seconds) {
         // A picture of the covered screen comes before the new scene, however long a frame takes.
         progress = 0.5;
         tree.set(now, "done", true);
-        change_at_barrier(machine, tree.get(now, "to").text(),
-                          {.value = tree.get(now, "args"), .named = tree.get(now, "named").boolean()});
+        change_at_barrier(
+            machine, tree.get(now, "to").text(),
+            {.value = tree.get(now, "args"), .named = tree.get(now, "named").boolean()});
     }
     if (progress >= 1)
         tree.destroy(now);

@@ -97,7 +97,8 @@ std::string scene_file_named(Machine& machine, const std::string& name) {
 std::vector<std::string> scene_file_names(Machine& machine) {
     std::vector<std::string> names;
     for (std::string name : assets_of(machine).names(endings)) {
-        if (name == "game.json" || name == "modules.json" || name.ends_with(".tweaks.json")) continue;
+        if (name == "game.json" || name == "modules.json" || name.ends_with(".tweaks.json"))
+            continue;
         if (name.starts_with("scenes/")) name.erase(0, 7);
         names.push_back(name.substr(0, name.size() - endings[0].size()));
     }

@@ -22,7 +22,7 @@ struct Environment {
     struct Made {
         std::uint64_t first_timer = 0, end_timer = 0, first_connection = 0, end_connection = 0;
     } made_by_scene{};
-    property::Handle it;                // the selected instance
+    property::Handle it;  // the selected instance
 };
 
 }  // namespace fettle::script

@@ -48,11 +48,12 @@ const std::vector<GlobalDoc>& global_docs() {
          "something that it reads has changed. If it raises an error, the error is reported "
          "once, the module continues with the last value, and reading the property raises the "
          "error. More than 50 million instructions are an error, too."},
-        {"go_to_scene",
-         "go_to_scene(name: string, options?: table)",
-         "Replaces game.scene at the next barrier. The name is that of a class of the game, of which "
+        {"go_to_scene", "go_to_scene(name: string, options?: table)",
+         "Replaces game.scene at the next barrier. The name is that of a class of the game, of "
+         "which "
          "an instance is made, or of a scene file: \"level_2\" is scenes/level_2.json or "
-         "level_2.json. What the old scene owns ends with it: its instances with their timers, tweens, "
+         "level_2.json. What the old scene owns ends with it: its instances with their timers, "
+         "tweens, "
          "coroutines, sounds and handlers, and what its `enter` began. Options: transition = "
          "\"fade\", \"wipe\", \"iris\" or \"none\"; seconds, of real time (0.5); color; args: what "
          "`enter` gets, a value of a property or a table of them by name."},
@@ -222,10 +223,12 @@ const std::vector<GlobalDoc>& callback_docs() {
          "The window got another size, in pixels."},
         {"focus", "focus(focused: boolean)", "The window got the keyboard, or lost it."},
         {"enter", "enter(args: any)",
-         "The scene that go_to_scene named is now game.scene; args are those of the call. Not called "
+         "The scene that go_to_scene named is now game.scene; args are those of the call. Not "
+         "called "
          "if the class of the scene has a function of that name."},
         {"leave", "leave()",
-         "The scene is about to be replaced and still complete. Not called if the class of the scene "
+         "The scene is about to be replaced and still complete. Not called if the class of the "
+         "scene "
          "has a function of that name."},
         {"reloaded", "reloaded(files: string[])",
          "Files of the game have changed while it runs, and the game uses them now; start() is not "
@@ -249,8 +252,7 @@ const std::vector<GlobalDoc>& class_callback_docs() {
          "Called for every picture, at the place of the instance in the order of z."},
         {"enter", "enter(self: Object, args: any)",
          "The instance is now game.scene; args are those of go_to_scene."},
-        {"leave", "leave(self: Object)",
-         "The instance is game.scene and about to be replaced."},
+        {"leave", "leave(self: Object)", "The instance is game.scene and about to be replaced."},
     };
     return docs;
 }

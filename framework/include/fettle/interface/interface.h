@@ -1,6 +1,6 @@
 #pragma once
-// The interface of a game: panels, buttons, sliders and other widgets on the screen, as instances of
-// the tree. They only use the tree, the input of the game and the painter, so a game without a
+// The interface of a game: panels, buttons, sliders and other widgets on the screen, as instances
+// of the tree. They only use the tree, the input of the game and the painter, so a game without a
 // window has the same state.
 
 #include <functional>
