@@ -36,6 +36,7 @@ end
 local function shown(value, exact, depth)
     depth = depth or 0
     if type(value) == "string" then return "\"" .. value .. "\"" end
+    if value ~= value and type(value) == "number" then return "nan" end
     if exact and math.type(value) == "float" then return string.format("%.17g", value) end
     if type(value) ~= "table" or depth > 4 then return tostring(value) end
     local parts, length = {}, 0
@@ -99,12 +100,13 @@ end
 
 function expectations:near(wanted, tolerance)
     tolerance = tolerance or 0.001
+    if type(tolerance) ~= "number" then error("near needs a tolerance that is a number, not " .. shown(tolerance), 2) end
     local apart = distance(self.value, wanted)
     if not apart then
         error("near compares two numbers or two vecs, not " .. shown(self.value) .. " with " .. shown(wanted), 2)
     end
     if not (apart <= tolerance) then
-        error(both(wanted, self.value) .. ", which is " .. tostring(apart) .. " away; " .. tostring(tolerance) ..
+        error(both(wanted, self.value) .. ", which is " .. shown(apart) .. " away; " .. tostring(tolerance) ..
             " is allowed", 2)
     end
 end
@@ -130,15 +132,24 @@ function expectations:falsy()
 end
 
 function expectations:contains(part)
-    local found = type(self.value) == "string" and string.find(self.value, part, 1, true)
-    if type(self.value) ~= "string" then
-        for _, each in pairs(self.value) do found = found or equal(each, part, 0) end
+    local found = false
+    if type(self.value) == "string" then
+        if type(part) ~= "string" then error("contains needs a part that is a text, not " .. shown(part), 2) end
+        found = string.find(self.value, part, 1, true)
+    else
+        local ok = pcall(function()
+            for _, each in pairs(self.value) do found = found or equal(each, part, 0) end
+        end)
+        if not ok then error("contains needs a text or a table, not " .. shown(self.value), 2) end
     end
     if not found then error("expected " .. shown(part) .. " in " .. shown(self.value), 2) end
 end
 
 function expectations:fails(part)
     if type(self.value) ~= "function" then error("fails needs a function: expect(function() ... end):fails()", 2) end
+    if part ~= nil and type(part) ~= "string" then
+        error("fails needs a part of the message, not " .. shown(part), 2)
+    end
     local ok, why = pcall(self.value)
     if ok then error("expected an error, and there was none", 2) end
     if part and not string.find(tostring(why), part, 1, true) then
@@ -192,6 +203,9 @@ end
 function t:wait_until(condition, seconds)
     seconds = seconds or 10
     check_number(seconds, "t:wait_until needs a time in seconds", 2)
+    if type(condition) ~= "function" then
+        error("t:wait_until needs a function that returns whether it has come true, not " .. shown(condition), 2)
+    end
     for _ = 1, math.ceil(seconds / game.time.dt - 1e-9) do
         if condition() then return end
         coroutine.yield()

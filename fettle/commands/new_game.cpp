@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -103,6 +105,19 @@ void write_annotations(const fs::path& folder) {
     write_new(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
 }
 
+/// As it has to be typed as an argument.
+std::string for_shell(const std::string& text) {
+    const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return std::isalnum(byte) != 0 || byte >= 0x80 ||
+               std::string_view("_-./+,:@%=").find(c) != std::string_view::npos;
+    });
+    if (plain) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 void make(const fs::path& folder, const std::string& pattern, const std::string& name) {
     for (const std::string& from : {std::string(common_files), pattern})
         fs::copy(templates() / from, folder,
@@ -121,7 +136,9 @@ int new_game(const NewGameOptions& options) {
     fs::path folder = fs::absolute(options.folder).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();
     std::error_code error;
-    if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
+    // Also a link that leads nowhere is something.
+    if (fs::exists(fs::symlink_status(folder, error)) &&
+        (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
         throw FileError(options.folder.string() +
                         ": there is something already, so nothing was made");
     const std::string name = folder.filename().string();
@@ -137,9 +154,9 @@ int new_game(const NewGameOptions& options) {
         fs::remove_all(draft, error);
         throw;
     }
-    const std::string shown = options.folder.string();
-    print_line(shown + ": a game to begin with. Play it with fettle run " + shown +
-               ", test it with fettle test " + shown);
+    const std::string typed = for_shell(options.folder.string());
+    print_line(typed + ": a game to begin with. Play it with fettle run " + typed +
+               ", test it with fettle test " + typed);
     return success;
 }
 

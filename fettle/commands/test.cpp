@@ -5,6 +5,8 @@
 #include <memory>
 #include <system_error>
 
+#include <fettle/property/storage/scene.h>
+
 #include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
@@ -83,7 +85,12 @@ class Suite {
 
   private:
     void run(const std::string& file) {
-        const TestList list = list_tests(options_, file);
+        TestList list;
+        try {
+            list = list_tests(options_, file);
+        } catch (const property::FileError& error) {  // a pipe, a folder
+            list.outcome = {.file = file, .name = {}, .message = error.what()};
+        }
         // Nothing can be tested if the game or the file cannot be loaded.
         if (!list.outcome.passed) return add(list.outcome);
         for (const std::string& name : list.names) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fettle/property/native.h>
+#include <fettle/property/spelling.h>
 
 namespace fettle::module {
 
@@ -124,7 +125,7 @@ void bind_column(property::Property& property, BridgedProperty& kept) {
     const auto native = static_cast<Native>(kept.native.native);
     if (type_of(native) != property.type ||
         (native == Native::enumeration && property.enumerators.empty()))
-        throw wrong("a " + std::string(property::type_name(property.type)) +
+        throw wrong(property::with_article(property::type_name(property.type)) +
                     " does not lie in a column of that native type");
     const std::size_t stride = kept.native.stride;
     if (stride != 0 && (stride < size_of(native) || stride > property::largest_stride))

@@ -7,6 +7,7 @@
 
 #include <fettle/property/ended_class.h>
 #include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
 
 #include <bodies/body_class.h>
 #include <fields/field_classes.h>
@@ -24,9 +25,10 @@ const property::Class& require_class(const Hosting& hosting, Handle instance,
                                      const property::Class& wanted) {
     const property::Class& is = hosting.tree.class_of(instance);
     if (!is.is_a(wanted))
-        throw property::Error(
-            property::ErrorKind::wrong_type,
-            hosting.tree.path(instance) + ": expected a " + wanted.name() + ", got a " + is.name());
+        throw property::Error(property::ErrorKind::wrong_type,
+                              hosting.tree.path(instance) + ": expected " +
+                                  property::with_article(wanted.name()) + ", got " +
+                                  property::with_article(is.name()));
     return is;
 }
 

@@ -197,6 +197,16 @@ TEST_CASE("actions have strength and directions of their own") {
     CHECK(game.get("input.gas.strength").number() == 0.25);
 }
 
+TEST_CASE("bindings that are assigned again make an action that was deleted") {
+    Game game(jumper);
+    game.runtime.run(
+        "input.jump:delete() input.actions.jump = { 'space', 'mouse.left', "
+        "'gamepad.a' } input.jump.held = true",
+        "test");
+    CHECK(game.errors.empty());
+    CHECK(game.get("input.jump.held").boolean());
+}
+
 TEST_CASE("bindings that cannot be are refused with the nearest spelling") {
     Game game;
     CHECK_THAT(failure(game, "input.actions.jump = { 'spcae' }"),

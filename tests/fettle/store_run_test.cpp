@@ -100,7 +100,7 @@ TEST_CASE("what cannot be in the store is refused with its path") {
     CHECK(contains(out, "store.w: a World cannot be in the store, because it ends with the run"));
     CHECK(contains(out, "store.c: "));
     CHECK(contains(out, "store.clear: this is a function of the store"));
-    CHECK(contains(out, "a key in the store is a text or a whole number, not a number"));
+    CHECK(contains(out, "a key in the store is a text or a whole number, not 1.5"));
     CHECK(contains(out, "a key in the store is a text or a whole number, not a table"));
     CHECK(contains(out, "nested at most 100 deep"));
     CHECK(contains(out, "false\tfalse\t"));
@@ -172,6 +172,42 @@ TEST_CASE("a run that is killed leaves the whole store of a moment") {
         program.end();
         CHECK(run(folder, "print(store.n == store.list[2], store.n > 0)").out == "true\ttrue\n");
     }
+}
+
+TEST_CASE("a table that names another one thousands of times is refused before it is copied") {
+    const Folder folder;
+    const std::string out = run(folder, R"(
+        store.big = {}
+        for i = 1, 10 do store.big[i] = string.rep("x", 1000000) end
+        local many = {}
+        for i = 1, 100000 do many[i] = store.big end
+        print(pcall(function() store.many = many end))
+        print(store.many)
+    )")
+                                .out;
+    CHECK(contains(out, "store.many: the store would have more than 16 MiB"));
+    CHECK(contains(out, "nil\n"));
+}
+
+TEST_CASE("in a formula the store is neither read nor written and the error says so") {
+    const Folder folder;
+    const std::string out = run(folder, R"(
+        local list = store.list
+        store.list = { 1 }
+        list = store.list
+        local function try(f)
+            world.x = formula(f)
+            print((select(2, pcall(function() return world.x end))))
+        end
+        try(function() return #list end)
+        try(function() list[1] = 2 return 1 end)
+        try(function() return tostring(list) end)
+    )",
+                                {"--eval", "world.x = nil"})
+                                .out;
+    CHECK(contains(out, "it cannot read a store"));
+    CHECK(contains(out, "it cannot assign to a store"));
+    CHECK(contains(out, "it cannot call tostring"));
 }
 
 }  // namespace store_run_test

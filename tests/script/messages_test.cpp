@@ -390,4 +390,35 @@ TEST_CASE("a path contains no control characters") {
     CHECK(s.get(path + ".mass").as_double() == 1);
     CHECK(s.prints("print(" + path + ".name == \"" + name + "\")") == "true");
 }
+
+TEST_CASE("nouns have the right article") {
+    Stage s;
+    s.run("Actor = class('Actor', Body) {} world.ball = Body {}");
+    CHECK_THAT(s.fails("ipairs(Actor {})"), contains("not an Actor"));
+    CHECK_THAT(s.fails("world.ball = 3"), contains("is a Body that hangs here"));
+    using fettle::property::with_article;
+    CHECK(with_article("Action") == "an Action");
+    CHECK(with_article("Body") == "a Body");
+    CHECK(with_article("integer") == "an integer");
+    CHECK(with_article("Unit") == "a Unit");
+    CHECK(with_article("Umbrella") == "an Umbrella");
+    CHECK(with_article("") == "a ");
+}
+
+TEST_CASE("values that no property holds are named by what they are") {
+    Stage s;
+    CHECK_THAT(s.fails("game.x = { formula(function() return 1 end) }"),
+               contains("game.x: a formula is no value of a property"));
+    CHECK_THAT(s.fails("game.x = snapshot()"), contains("a snapshot is no value"));
+    CHECK_THAT(s.fails("game.x = watch('game.z', print)"), contains("a connection is no value"));
+}
+
+TEST_CASE("an error in a library is reported at the line of the script that called it") {
+    Stage s;
+    s.runtime->add_library("tools", "function half(b)\n    b.mass = b.wight / 2\nend\n");
+    const std::string message = s.fails("\nworld.ball = Body {}\nhalf(world.ball)");
+    CHECK_THAT(message, starts_with("main.lua:3: world.ball.wight"));
+    CHECK_THAT(message, !contains("tools"));
+}
+
 }  // namespace messages_test

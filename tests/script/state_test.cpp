@@ -171,7 +171,7 @@ TEST_CASE("states that call each other without end are an error and no crash") {
     s.run(
         "A = class('A', Object) { states = { a = { enter = function(self) self:state('b') end }, "
         "b = { enter = function(self) self:state('a') end } } } world.a = A {}");
-    CHECK_THAT(s.fails("world.a:state('a')"), contains("overflow"));
+    CHECK_THAT(s.fails("world.a:state('a')"), contains("were entered by each other"));
     s.step(2);
 }
 
@@ -193,6 +193,44 @@ TEST_CASE("a variable declared with state is a property of the game") {
     CHECK(s.prints("print(score)") == "8");
 }
 
+TEST_CASE("a state that a script adds later is one as the others") {
+    Stage s;
+    s.run(door);
+    s.step();
+    s.run("Door.states.stuck = { enter = function(self) print('stuck') end }");
+    CHECK(s.prints("world.door:state('stuck') print(world.door:state())") ==
+          "leave shut to stuck|stuck|stuck");
+    s.run("Door.states.stuck = nil");
+    CHECK_THAT(s.fails("world.door:state('stuck')"), contains("Door has no state \"stuck\""));
+}
+
+TEST_CASE("a state is checked again when it is entered") {
+    Stage s;
+    s.run(door);
+    s.step();
+    s.run("Door.states.open.enter = 3");
+    CHECK_THAT(s.fails("world.door:state('open')"),
+               contains("Door.states.open.enter: expected a function, got an integer"));
+    s.run("Door.states.open = { entr = print }");
+    CHECK_THAT(s.fails("world.door:state('open')"), contains("did you mean \"enter\"?"));
+    CHECK(s.prints("print(world.door:state())") == "shut");
+}
+
+TEST_CASE("states that enter each other without end are an error that names the instance") {
+    Stage s;
+    s.run(R"(
+        Lamp = class("Lamp", Body) { current_state = "off", states = {
+            off = { enter = function(self) self:state("on") end },
+            on = { enter = function(self) self:state("off") end },
+        } }
+        world.lamp = Lamp {}
+    )");
+    CHECK_THAT(s.fails("world.lamp:state('on')"),
+               contains("world.lamp: more than 40 states were entered by each other"));
+    s.run("Lamp.states.off.enter = nil");
+    CHECK(s.prints("world.lamp:state('on') print(world.lamp:state())") == "off");
+}
+
 TEST_CASE("names that a variable in the tree cannot have are refused") {
     Stage s;
     CHECK_THAT(s.fails("state('random', 0)"), contains("is a function of Fettle"));
@@ -201,6 +239,9 @@ TEST_CASE("names that a variable in the tree cannot have are refused") {
     CHECK_THAT(s.fails("state('step', 0)"), contains("is the name of a callback"));
     CHECK_THAT(s.fails("state('a b', 0)"), contains("is no name for a variable"));
     CHECK_THAT(s.fails("state('name', 0)"), contains("is part of every game"));
+    CHECK_THAT(s.fails("state('delete', 0)"), contains("is part of every game"));
+    CHECK_THAT(s.fails("state('_ENV', 0)"), contains("is no name for a variable"));
+    CHECK_THAT(s.fails("state('it', 0)"), contains("has a meaning of its own in the console"));
     CHECK_THAT(s.fails("state('nothing')"), contains("needs a value to begin with"));
     CHECK_THAT(s.fails("state('fn', print)"), contains("state: fn"));
     CHECK_THAT(s.fails("mine = 3 state('mine', 0)"), contains("is a variable already"));

@@ -335,13 +335,21 @@ TEST_CASE("tweens are part of a snapshot") {
 TEST_CASE("a game that has its own child called tweens is told") {
     Game s;
     CHECK_THAT(s.fails("game.tweens = Object {} tween(ball, 'mass', 2, 1)"),
-               contains("tweens are below game.tweens, but that is a Object of the game"));
+               contains("tweens are below game.tweens, but that is an Object of the game"));
 }
 
 TEST_CASE("a formula can make no tween") {
     Game s;
     s.run("ball.mass = formula(function() tween(ball, 'friction', 1, 1) return 1 end)");
     CHECK_THAT(s.prints("print(ball:problem('mass'))"), contains("cannot call tween"));
+}
+
+TEST_CASE("a property that takes any value can be set to nil") {
+    Game s;
+    s.run("t = Tween {} t.to = 3 t.to = nil t.from = nil");
+    CHECK(s.prints("print(t.to, t.from)") == "nil\tnil");
+    s.run("edit('e', function() t.to = 5 end) undo()");
+    CHECK(s.prints("print(t.to)") == "nil");
 }
 
 }  // namespace tween_test

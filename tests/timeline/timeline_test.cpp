@@ -406,4 +406,19 @@ TEST_CASE("names given after going back are the same as before") {
         CHECK(name.size() > std::string_view("body_9").size());
     }
 }
+
+TEST_CASE("looking at the past leaves what is known about deletions as it was") {
+    Playing game(
+        "world.a = Body {} gone = world.a "
+        "function step() if time.step == 5 then gone:delete() end end");
+    game.play(10);
+    const std::string ask = "print(select(2, pcall(function() return gone.mass end)))";
+    game.runtime->run(ask, "ask");
+    game.loop->timeline().review(0, [](std::int64_t) {});
+    game.runtime->run(ask, "ask");
+    REQUIRE(game.printed.size() == 2);
+    CHECK_THAT(game.printed[0], contains("was deleted at step 5 by test:1"));
+    CHECK(game.printed[1] == game.printed[0]);
+}
+
 }  // namespace timeline_test

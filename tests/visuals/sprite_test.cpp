@@ -199,6 +199,28 @@ TEST_CASE_METHOD(Gallery, "snapshots contain the frame and its time") {
     CHECK(draw().size() == 1);
 }
 
+TEST_CASE_METHOD(Gallery, "the state hash is that of the sprites and not of their past") {
+    std::vector<Handle> all;
+    for (int i = 0; i < 4; ++i) {
+        all.push_back(make("Sprite", hero));
+        tree.set(all.back(), "columns", Value(8));
+        tree.set(all.back(), "frames_per_second", Value(10.0 + i));
+        step(5);
+    }
+    const Snapshot four = tree.snapshot();
+    tree.destroy(all[0]);
+    tree.destroy(all[3]);
+    const Snapshot two = tree.snapshot();
+    const std::uint64_t hash = visuals.hash();
+    tree.restore(four);
+    CHECK(visuals.hash() != hash);
+    tree.restore(two);
+    CHECK(visuals.hash() == hash);
+    step(20);
+    tree.restore(Snapshot::from_bytes(two.to_bytes()));
+    CHECK(visuals.hash() == hash);
+}
+
 TEST_CASE_METHOD(Gallery, "a file of Aseprite has frames and animations and times") {
     write("hero.json", exported());
     const Handle s = make("Sprite", {{"image", "hero.json"}, {"pixels_per_unit", 1.0}});

@@ -224,9 +224,11 @@ void Input::State::sync_action(std::string_view name) {
         if (action) tree.destroy(action);
         return;
     }
+    const Value value = tree.peek(actions_instance, *bindings);
+    if (action && actions[tree.row(action)].value == value) return;
     if (!action) action = tree.create(*action_class, input_instance, name);
     Action& state = actions[tree.row(action)];
-    state.value = tree.peek(actions_instance, *bindings);
+    state.value = value;
     try {
         state.bindings = parse_action(state.value);
     } catch (const std::invalid_argument&) {

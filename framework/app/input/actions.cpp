@@ -50,6 +50,10 @@ const std::vector<std::string>& all_names() {
     // A gamepad's number does not matter for the spelling.
     std::string plain = name;
     if (plain.starts_with("gamepad_") && plain.size() > 9 && plain[9] == '.') plain.erase(7, 2);
+    if (plain != name && std::ranges::find(all_names(), plain) != all_names().end())
+        throw std::invalid_argument("no key, button or axis is called \"" + name +
+                                    "\": there are gamepad_1 to gamepad_" +
+                                    std::to_string(Input::gamepad_count));
     throw std::invalid_argument("no key, button or axis is called \"" + name + "\"" +
                                 property::suggestion(plain, all_names()));
 }

@@ -44,8 +44,9 @@ std::string expectation_in(const Property& property, Type type, const Range& ran
         case Type::color:
             return "a color" + nil;
         case Type::reference:
-            return property.reference_class.empty() ? "an instance or nil"
-                                                    : "a " + property.reference_class + " or nil";
+            return property.reference_class.empty()
+                       ? "an instance or nil"
+                       : with_article(property.reference_class) + " or nil";
         case Type::list:
             return (property.element == Type::nil
                         ? "a list"

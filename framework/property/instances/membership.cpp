@@ -2,6 +2,7 @@
 // A property of another class or tree would access memory that does not belong to it.
 
 #include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
 
 #include "instances.h"
 
@@ -40,7 +41,7 @@ void Instances::refuse_foreign(Handle handle, const Property& property) const {
             (property.owner != nullptr && classes.find(property.owner->name()) != property.owner
                  ? " of another tree"
                  : "") +
-            ", and the instance a " + of.name());
+            ", and the instance " + with_article(of.name()));
 }
 
 void Instances::require_own(const Class& of) const {
@@ -72,7 +73,7 @@ void Instances::require_method(Handle handle, const Method& method) const {
         throw Error(ErrorKind::unknown_name,
                     tree.path(handle) + " has no such method: \"" + method.name + "\" is of " +
                         (method.owner == nullptr ? "no class" : method.owner->name()) +
-                        ", and the instance a " + of.name());
+                        ", and the instance " + with_article(of.name()));
 }
 
 /// Instances that only a module or the framework can make stay where they were made: a scene file

@@ -39,7 +39,8 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
         }
     };
     of_module([&] { changes.queue_deletion(self, of, cause); });
-    if (remember)
+    // A deletion that a journey in time repeats has its tombstone already, with the true cause.
+    if (remember && !changes.replaying)
         instances.tombstones.add({self, &of, nodes[index].name.text(), tree.path(self), cause});
     changes.shadows.forget(tree, self);
     if (nodes[index].has_formula)

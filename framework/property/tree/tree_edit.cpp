@@ -115,7 +115,8 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     if (value.is_nil() && !property.nullable && property.type != Type::reference) {
         if (property.binding.kind == BindingKind::ad_hoc)
             return remove_ad_hoc(instance, property.name);
-        return reset(instance, property);
+        // `reset` writes a default without a binding of its own by this function.
+        if (!property.default_value.is_nil()) return reset(instance, property);
     }
     const Pin pin(s.lifetime, "a binding of a property");
     const Value next = s.instances.coerce(instance, property, value);
@@ -128,7 +129,11 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
         node.has_formula && s.formulas.find({instance.index, property.symbol}) != nullptr;
     const bool stands = property.binding.overridden == nullptr ||
                         property.binding.overridden(property.binding.context, node.row);
-    if (old == next && stands && !had_formula) return;
+    if (old == next && stands && !had_formula) {
+        // What the property stands for may be gone: a deleted action, for example.
+        if (rules != nullptr) rules->changed(instance, property.name);
+        return;
+    }
     try {
         s.instances.write(instance.index, node, property, next);
     } catch (...) {

@@ -115,8 +115,8 @@ int component_index(Type type, const std::string& name) {
     if (whole.is(Type::vec2)) has = " has the parts x and y";
     if (whole.is(Type::color)) has = " has the parts r, g, b and a";
     if (whole.is(Type::list)) has = " has the elements 1 to " + std::to_string(whole.list().size());
-    throw Error(ErrorKind::unknown_name, what + ": a " + std::string(type_name(whole.type())) +
-                                             has + ", not " + segment_text(segment));
+    throw Error(ErrorKind::unknown_name, what + ": " + with_article(type_name(whole.type())) + has +
+                                             ", not " + segment_text(segment));
 }
 
 }  // namespace

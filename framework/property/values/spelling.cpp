@@ -94,4 +94,13 @@ std::string suggestion(std::string_view name, std::span<const std::string> candi
     return found.empty() ? std::string() : " (did you mean \"" + found + "\"?)";
 }
 
+std::string with_article(std::string_view noun) {
+    const auto vowel_at = [&](std::size_t at) {
+        return at < noun.size() && std::string_view("aeiou").find(lower(noun[at])) != noun.npos;
+    };
+    // "a Unit" and "a User", but "an Umbrella".
+    const bool you = !noun.empty() && lower(noun[0]) == 'u' && !vowel_at(1) && vowel_at(2);
+    return (vowel_at(0) && !you ? "an " : "a ") + std::string(noun);
+}
+
 }  // namespace fettle::property

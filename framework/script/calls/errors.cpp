@@ -41,6 +41,7 @@ std::string traceback_of(lua_State* L, int level) {
         lua_getinfo(L, "Slnt", &frame);
         // The C function through which the host calls Lua.
         if (frame.what[0] == 'C' && (!frame.name || !*frame.name)) continue;
+        if (is_library(frame)) continue;
         if (++shown > max_frames) {
             text += "  ...\n";
             break;
@@ -70,7 +71,7 @@ std::string locals_of(lua_State* L, lua_Debug& frame) {
 bool script_frame(lua_State* L, int level, lua_Debug& frame) {
     for (; lua_getstack(L, level, &frame); ++level) {
         lua_getinfo(L, "Sl", &frame);
-        if (frame.currentline > 0) return true;
+        if (frame.currentline > 0 && !is_library(frame)) return true;
     }
     return false;
 }

@@ -23,13 +23,14 @@ void check_variable(lua_State* L, Machine& machine, const std::string& name) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ErrorKind::bad_name, "state: \"" + name + "\" " + why);
     };
-    if (!property::is_identifier(name)) refuse("is no name for a variable");
+    if (!property::is_identifier(name) || name == "_ENV") refuse("is no name for a variable");
+    if (name == "it" || name == "_") refuse("has a meaning of its own in the console");
     if (among(callback_names(), name)) refuse("is the name of a callback");
     const property::Tree& tree = machine.tree;
     if (tree.child(tree.root(), name)) refuse("is a child of game");
     if (tree.find_class(name) != nullptr) refuse("is a class");
     if (tree.class_of(tree.root()).property(name) != nullptr ||
-        tree.class_of(tree.root()).method(name) != nullptr)
+        tree.class_of(tree.root()).method(name) != nullptr || among(generic_names(), name))
         refuse("is part of every game");
     push_registry(L, machine.globals.table);
     push_text(L, name);

@@ -1,9 +1,11 @@
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/spelling.h>
 
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/sources.h>
 #include <lua/stack.h>
 
 namespace fettle::script {
@@ -12,7 +14,7 @@ std::string position(lua_State* L) {
     lua_Debug frame;
     for (int level = 0; lua_getstack(L, level, &frame); ++level) {
         lua_getinfo(L, "Sl", &frame);
-        if (frame.currentline > 0)
+        if (frame.currentline > 0 && !is_library(frame))
             return std::string(frame.short_src) + ":" + std::to_string(frame.currentline) + ": ";
     }
     return {};
@@ -81,16 +83,26 @@ void raise_text(lua_State* L, const char* message) {
 
 namespace {
 
-std::string running_function(lua_State* L) {
+/// What the running function does, behind "cannot": "call undo", "assign to a store".
+std::string running_action(lua_State* L) {
     lua_Debug frame;
-    if (lua_getstack(L, 0, &frame) == 0) return "this";
+    if (lua_getstack(L, 0, &frame) == 0) return "call this";
     luaL_checkstack(L, 4, "name of a function");
     lua_getinfo(L, "nf", &frame);
     const lua_CFunction function = lua_tocfunction(L, -1);
     lua_pop(L, 1);
     const auto& names = machine_of(L).lua.function_names;
-    if (const auto noted = names.find(function); noted != names.end()) return noted->second;
-    return frame.name != nullptr ? frame.name : "this";
+    if (const auto noted = names.find(function); noted != names.end())
+        return "call " + noted->second;
+    if (frame.name == nullptr) return "call this";
+    const std::string_view name = frame.name;
+    if (std::string_view(frame.namewhat) != "metamethod") return "call " + std::string(name);
+    std::string object = "this";
+    if (luaL_getmetafield(L, 1, "__name") == LUA_TSTRING) {
+        object = property::with_article(view_at(L, -1));
+        lua_pop(L, 1);
+    }
+    return (name == "newindex" ? "assign to " : "read ") + object;
 }
 
 void note_names_of(lua_State* L, const std::string& library) {
@@ -116,7 +128,7 @@ void note_names(lua_State* L) {
 
 void require_changeable(lua_State* L) {
     const property::Tree& tree = machine_of(L).tree;
-    if (!tree.changeable()) tree.require_changeable("call " + running_function(L));
+    if (!tree.changeable()) tree.require_changeable(running_action(L));
 }
 
 void require_no_formula(lua_State* L) {

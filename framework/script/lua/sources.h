@@ -11,6 +11,17 @@
 
 namespace fettle::script {
 
+/// The name of a chunk of Lua that is part of the framework: errors in it are reported at the
+/// script's line that called it.
+inline std::string library_chunk(const std::string& name) {
+    return "[" + name + "]";
+}
+
+/// Needs the field `source` (lua_getinfo with "S").
+inline bool is_library(const lua_Debug& frame) {
+    return frame.source[0] == '@' && frame.source[1] == '[';
+}
+
 struct Sources {
     property::GameFiles& files;
     std::filesystem::path folder;                        // of the game; empty if there is none

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include <fettle/property/spelling.h>
+
 #include <calls/protected.h>
 #include <lua/machine.h>
 #include <motion/ease.h>
@@ -35,8 +37,8 @@ Handle Tweens::holder() {
     if (const Handle known = tree.child(tree.root(), tweens_name)) {
         if (&tree.class_of(known) == &classes_.holder) return known;
         throw Error(ErrorKind::bad_name, std::string("tween: tweens are below game.") +
-                                             tweens_name + ", but that is a " +
-                                             tree.class_of(known).name() +
+                                             tweens_name + ", but that is " +
+                                             property::with_article(tree.class_of(known).name()) +
                                              " of the game; give it another name");
     }
     return tree.create(classes_.holder, tree.root(), tweens_name);

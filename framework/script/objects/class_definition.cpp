@@ -149,8 +149,8 @@ void add_state_properties(ScriptClasses::Definition& definition) {
         } else if (given->type != property.type) {
             throw Error(ErrorKind::wrong_type,
                         definition.name + "." + property.name +
-                            ": a class with states has the name of a state there, not a " +
-                            std::string(property::type_name(given->type)));
+                            ": a class with states has the name of a state there, not " +
+                            property::with_article(property::type_name(given->type)));
         }
     }
 }

@@ -5,6 +5,8 @@
 // was called last, so a state that was assigned (by a script, the console, an undo) is entered at
 // the next step, and one that a snapshot restored is not entered again.
 
+#include <algorithm>
+
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -25,6 +27,7 @@ namespace {
 
 constexpr const char* current_name = "current_state";
 constexpr const char* entered_name = "entered_state";
+constexpr int most_nested = 40;  // changes of states in `enter` and `leave`; Lua allows some 60
 const std::vector<std::string> functions_of_state = {"enter", "leave", "step"};
 
 /// Throws unless the table at the top of the stack describes a state.
@@ -91,11 +94,17 @@ bool ScriptClasses::has_states(const Class& of) const {
 }
 
 std::vector<std::string> ScriptClasses::states_of(const Class& of) const {
+    lua_State* L = machine_.lua.running;
+    luaL_checkstack(L, 4, "states");
     std::vector<std::string> names;
-    for (const Class* c = &of; c != nullptr; c = c->base())
-        if (const auto found = infos_.find(c); found != infos_.end())
-            for (const std::string& name : found->second.state_names)
-                if (!among(names, name)) names.push_back(name);
+    for (const Class* c = &of; c != nullptr; c = c->base()) {
+        if (!push_states(L, *c)) continue;
+        for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1))
+            if (lua_type(L, -2) == LUA_TSTRING) names.push_back(string_at(L, -2));
+        lua_pop(L, 1);
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 
@@ -107,8 +116,7 @@ void ScriptClasses::set_states(lua_State* L, const Class& of) {
                                                   of.name() + "\", ...) { states = { ... } }");
     if (!lua_istable(L, -1)) refuse_type(L, -1, where + ": needs a table of states by name");
     const int table = lua_gettop(L);
-    const std::vector<std::string> names = sorted_keys(L, table, where);
-    for (const std::string& name : names) {
+    for (const std::string& name : sorted_keys(L, table, where)) {
         if (!property::is_identifier(name))
             throw Error(ErrorKind::bad_name, where + ": \"" + name + "\" is no name for a state");
         push_text(L, name);
@@ -119,7 +127,6 @@ void ScriptClasses::set_states(lua_State* L, const Class& of) {
     Info& own = info(of);
     luaL_unref(L, LUA_REGISTRYINDEX, own.states);
     own.states = luaL_ref(L, LUA_REGISTRYINDEX);
-    own.state_names = names;
     any_states_ = true;
     lua_pushcfunction(L, guarded<effect<state_function>>);
     note_name(L, guarded<effect<state_function>>, "state");
@@ -160,6 +167,14 @@ void ScriptClasses::require_state(const Class& of, const std::string& where,
     if (!name.empty() && !among(known, name))
         throw Error(ErrorKind::unknown_name, where + ": " + of.name() + " has no state \"" + name +
                                                  "\"" + property::suggestion(name, known));
+    lua_State* L = machine_.lua.running;
+    for (const Class* c = &of; c != nullptr; c = c->base()) {
+        if (!push_states(L, *c)) continue;
+        push_text(L, name);
+        if (lua_rawget(L, -2) != LUA_TNIL)
+            check_state(L, c->name() + ".states" + property::path_suffix(name));
+        lua_pop(L, 2);
+    }
 }
 
 /// Calls `leave` of the state that was entered, then `enter` of the current one.
@@ -185,6 +200,17 @@ void ScriptClasses::enter_state(lua_State* L, Handle self) {
 }
 
 void ScriptClasses::change_state(lua_State* L, Handle self, const std::string& name) {
+    struct Nested {
+        int& depth;
+        explicit Nested(int& d) : depth(d) { ++depth; }
+        ~Nested() { --depth; }
+    } nested(changing_states_);
+    if (changing_states_ > most_nested)
+        throw Error(ErrorKind::bad_structure, machine_.tree.path(self) + ": more than " +
+                                                  std::to_string(most_nested) +
+                                                  " states were entered by each other, the last "
+                                                  "is \"" +
+                                                  name + "\"");
     require_state(machine_.tree.class_of(self), machine_.tree.path(self), name);
     machine_.tree.set(self, current_name, name);
     enter_state(L, self);

@@ -1,6 +1,7 @@
 #include <string>
 
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 
 #include <lua/budget.h>
 #include <lua/guard.h>
@@ -77,9 +78,9 @@ Value sum(const Value& a, const Value& b, const std::string& where) {
     }
     if (a.is_numeric() && b.is_numeric()) return a.as_double() + b.as_double();
     if (a.is(Type::vec2) && b.is(Type::vec2)) return Vec2(a.vec2() + b.vec2());
-    throw Error(ErrorKind::wrong_type, where + ": a " + std::string(property::type_name(b.type())) +
-                                           " cannot be added to a " +
-                                           std::string(property::type_name(a.type())));
+    throw Error(ErrorKind::wrong_type,
+                where + ": " + property::with_article(property::type_name(b.type())) +
+                    " cannot be added to " + property::with_article(property::type_name(a.type())));
 }
 
 int add_all(lua_State* L) {

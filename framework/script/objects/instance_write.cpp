@@ -49,8 +49,8 @@ void write_child(lua_State* L, Machine& machine, Handle instance, Handle child,
     const Handle orphan = orphan_at(L, machine.tree);
     if (!orphan)
         throw Error(ErrorKind::bad_structure,
-                    path_of(machine.tree, instance, name) + ": is a " +
-                        machine.tree.class_of(child).name() +
+                    path_of(machine.tree, instance, name) + ": is " +
+                        property::with_article(machine.tree.class_of(child).name()) +
                         " that hangs here; assign a new instance to replace it or nil to delete "
                         "it, not " +
                         (box ? machine.tree.path(box->handle) + ", which has its place elsewhere"

@@ -78,8 +78,9 @@ int call_method(lua_State* L) {
                     method.name + ": call it with a colon, as in ball:" + method.name + "(...)");
     const Class& of = machine.tree.class_of(self->handle);
     if (of.method(method.symbol) != &method)
-        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": a " + of.name() +
-                                               " has no " + method.name);
+        throw Error(ErrorKind::wrong_type, machine.tree.path(self->handle) + ": " +
+                                               property::with_article(of.name()) + " has no " +
+                                               method.name);
     if (method.effect != property::Effect::nothing && !machine.tree.changeable())
         machine.tree.require_changeable("call " + method.name);
     if (are_named(L, method)) put_in_order(L, machine.tree.path(self->handle), method);

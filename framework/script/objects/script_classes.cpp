@@ -163,7 +163,6 @@ void ScriptClasses::forget_functions() {
         own.functions = LUA_NOREF;
         if (own.states != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.states);
         own.states = LUA_NOREF;
-        own.state_names.clear();
         own.function_names.clear();
         own.connected.clear();
     }

@@ -56,6 +56,8 @@ class ScriptClasses {
     bool push_states(lua_State* L, const property::Class& of) const;
     /// Whether the class or one of its bases has states.
     bool has_states(const property::Class& of) const;
+    /// The names of the states that the class and its bases have now, in order: scripts may add
+    /// some to `states` at any time.
     std::vector<std::string> states_of(const property::Class& of) const;
     /// Leaves the state of the instance and enters the other, at once. Throws for an unknown one.
     void change_state(lua_State* L, property::Handle self, const std::string& name);
@@ -103,7 +105,6 @@ class ScriptClasses {
         int states = LUA_NOREF;     // table of the class's own states
         bool scripted = false;
         std::vector<std::string> function_names;
-        std::vector<std::string> state_names;
         std::vector<std::string> connected;  // events with a handler for this class
         // Defaults that differ from those in the tree, because the class was defined again.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
@@ -125,6 +126,7 @@ class ScriptClasses {
     void adopt(property::Handle instance, bool announce);
     bool push_state_function(lua_State* L, const property::Class& of, std::string_view state,
                              const char* name) const;
+    /// Throws for an unknown state, and for one whose table holds something else than functions.
     void require_state(const property::Class& of, const std::string& where,
                        const std::string& name) const;
     void enter_state(lua_State* L, property::Handle self);
@@ -139,6 +141,7 @@ class ScriptClasses {
     std::unordered_map<const property::Class*, Earlier> earlier_;
     bool any_functions_ = false;
     bool any_states_ = false;
+    int changing_states_ = 0;                  // changes of states in progress
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // size at which deleted members are removed

@@ -193,7 +193,8 @@ bool Runtime::load(const std::filesystem::path& game) {
     forget_game(machine);
     machine.sources.folder = folder;
     state_->game_file = file;
-    for (const auto& [name, chunk] : state_->libraries) run_chunk(machine, chunk, name, "library");
+    for (const auto& [name, chunk] : state_->libraries)
+        run_chunk(machine, chunk, library_chunk(name), "library");
     bool ok = state_->top_level.load(
         [&] { return run_chunk(machine, text, file.filename().string(), "load"); });
     if (ok) ok = machine.classes.deliver_ready() && call_ready(machine, "start", {});
@@ -236,7 +237,7 @@ void Runtime::add_library(const std::string& name, std::string_view chunk) {
     Machine& machine = live();
     const Life::Use use(machine.life);
     state_->libraries.emplace_back(name, chunk);
-    run_chunk(machine, std::string(chunk), name, "library");
+    run_chunk(machine, std::string(chunk), library_chunk(name), "library");
 }
 
 double Runtime::random() {

@@ -52,65 +52,83 @@ Store::Key key_at(lua_State* L, int index, const std::string& where) {
     const lua_Integer number =
         lua_type(L, index) == LUA_TNUMBER ? lua_tointegerx(L, index, &whole) : 0;
     if (whole != 0) return std::int64_t{number};
-    throw Error(
-        ErrorKind::wrong_type,
-        where + ": a key in the store is a text or a whole number, not " + describe_type(L, index));
+    const bool fraction = lua_type(L, index) == LUA_TNUMBER;
+    throw Error(ErrorKind::wrong_type,
+                where + ": a key in the store is a text or a whole number, not " +
+                    (fraction ? short_text(L, index) : describe_type(L, index)));
 }
 
-Store::Entry entry_of(const Value& value) {
-    if (!value.is(Type::list)) return {.value = value};
-    Store::Entry table{.content = std::make_shared<Store::Content>()};
-    std::int64_t place = 0;
-    for (const Value& each : value.list()) table.content->entries[++place] = entry_of(each);
-    return table;
-}
+/// Makes an entry of a value of Lua. A table may name another one many times, so its size is
+/// limited while it is copied.
+class Filling {
+  public:
+    Filling(lua_State* L, const std::string& path) : L_(L), path_(path) {}
 
-/// A copy of a table that is in the store already.
-Store::Entry copy_of(const Store& store, Store::Table of) {
-    Store::Entry table{.content = std::make_shared<Store::Content>()};
-    for (const auto& [key, entry] : store.entries(of))
-        table.content->entries[key] = entry.content ? copy_of(store, entry.table) : entry;
-    return table;
-}
-
-Store::Entry entry_at(lua_State* L, int index, int depth, const std::string& path);
-
-Store::Entry table_at(lua_State* L, int index, int depth, const std::string& path) {
-    // A table that contains itself ends here, too.
-    if (depth >= Store::depth_limit || lua_checkstack(L, 4) == 0)
-        throw Error(ErrorKind::rejected, path + ": tables in the store are nested at most " +
-                                             std::to_string(Store::depth_limit) + " deep");
-    Store::Entry table{.content = std::make_shared<Store::Content>()};
-    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
-        machine_of(L).budget.charge(L, 10);
-        const Store::Key key = key_at(L, -2, path);
-        const auto* const name = std::get_if<std::string>(&key);
-        const std::string inner =
-            path + (name != nullptr ? property::path_suffix(*name)
-                                    : "[" + std::to_string(std::get<std::int64_t>(key)) + "]");
-        table.content->entries[key] = entry_at(L, lua_gettop(L), depth + 1, inner);
+    Store::Entry entry_at(int index, int depth, const std::string& path) {
+        if (lua_type(L_, index) == LUA_TTABLE) return table_at(index, depth, path);
+        if (const auto* box = store_at(L_, index)) return copy_of(store_of(L_), box->table);
+        if (instance_at(L_, index) != nullptr || class_object_at(L_, index) != nullptr)
+            throw Error(ErrorKind::wrong_type,
+                        path + ": " + describe_type(L_, index) +
+                            " cannot be in the store, because it ends with the run; put its name "
+                            "or its values there");
+        const int type = lua_type(L_, index);
+        const bool plain = type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER ||
+                           type == LUA_TSTRING || vec_at(L_, index) != nullptr ||
+                           color_at(L_, index) != nullptr || list_at(L_, index) != nullptr;
+        if (!plain)
+            throw Error(ErrorKind::wrong_type,
+                        path + ": " + describe_type(L_, index) +
+                            " cannot be in the store; it holds texts, numbers, booleans, vecs, "
+                            "colors and tables of these");
+        return entry_of(to_value(L_, index));
     }
-    return table;
-}
 
-Store::Entry entry_at(lua_State* L, int index, int depth, const std::string& path) {
-    if (lua_type(L, index) == LUA_TTABLE) return table_at(L, index, depth, path);
-    if (const auto* box = store_at(L, index)) return copy_of(store_of(L), box->table);
-    if (instance_at(L, index) != nullptr || class_object_at(L, index) != nullptr)
-        throw Error(ErrorKind::wrong_type,
-                    path + ": " + describe_type(L, index) +
-                        " cannot be in the store, because it ends with the run; put its name or "
-                        "its values there");
-    const int type = lua_type(L, index);
-    const bool plain = type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER ||
-                       type == LUA_TSTRING || vec_at(L, index) != nullptr ||
-                       color_at(L, index) != nullptr || list_at(L, index) != nullptr;
-    if (!plain)
-        throw Error(ErrorKind::wrong_type, path + ": " + describe_type(L, index) +
-                                               " cannot be in the store; it holds texts, numbers, "
-                                               "booleans, vecs, colors and tables of these");
-    return entry_of(to_value(L, index));
-}
+  private:
+    void put(Store::Entry& table, const Store::Key& key, Store::Entry entry) {
+        machine_of(L_).budget.charge(L_, 10);
+        bytes_ += Store::size_of(key, entry.value);
+        if (bytes_ > Store::size_limit) Store::refuse_size(path_);
+        table.content->entries[key] = std::move(entry);
+    }
+
+    Store::Entry entry_of(const Value& value) {
+        if (!value.is(Type::list)) return {.value = value};
+        Store::Entry table{.content = std::make_shared<Store::Content>()};
+        std::int64_t place = 0;
+        for (const Value& each : value.list()) put(table, ++place, entry_of(each));
+        return table;
+    }
+
+    /// A copy of a table that is in the store already.
+    Store::Entry copy_of(const Store& store, Store::Table of) {
+        Store::Entry table{.content = std::make_shared<Store::Content>()};
+        for (const auto& [key, entry] : store.entries(of))
+            put(table, key, entry.content ? copy_of(store, entry.table) : entry);
+        return table;
+    }
+
+    Store::Entry table_at(int index, int depth, const std::string& path) {
+        // A table that contains itself ends here, too.
+        if (depth >= Store::depth_limit || lua_checkstack(L_, 4) == 0)
+            throw Error(ErrorKind::rejected, path + ": tables in the store are nested at most " +
+                                                 std::to_string(Store::depth_limit) + " deep");
+        Store::Entry table{.content = std::make_shared<Store::Content>()};
+        for (lua_pushnil(L_); lua_next(L_, index) != 0; lua_pop(L_, 1)) {
+            const Store::Key key = key_at(L_, -2, path);
+            const auto* const name = std::get_if<std::string>(&key);
+            const std::string inner =
+                path + (name != nullptr ? property::path_suffix(*name)
+                                        : "[" + std::to_string(std::get<std::int64_t>(key)) + "]");
+            put(table, key, entry_at(lua_gettop(L_), depth + 1, inner));
+        }
+        return table;
+    }
+
+    lua_State* L_;
+    const std::string& path_;  // of the whole entry
+    std::size_t bytes_ = 0;
+};
 
 // --- Methods
 
@@ -179,7 +197,7 @@ int store_newindex(lua_State* L) {
     const Store::Key key = key_at(L, 2, "store");
     const std::string path = store.path(self, key);
     lua_settop(L, 3);
-    Store::Entry entry = entry_at(L, 3, 0, path);
+    Store::Entry entry = Filling(L, path).entry_at(3, 0, path);
     const std::string before =
         machine.recording.active ? entry_text(machine, store.find(self, key)) : std::string();
     store.set(self, key, std::move(entry));
@@ -281,11 +299,13 @@ void open_store(lua_State* L, Machine& machine) {
     add_pure<effect<store_newindex>>(L, "__newindex");
     add_pure<varying<store_length>>(L, "__len");
     add_pure<store_equal>(L, "__eq");
-    add_pure<store_tostring>(L, "__tostring");
+    add_pure<varying<store_tostring>>(L, "__tostring");
     add_pure<varying<store_pairs>>(L, "__pairs");
     name_metatable(L, "store");
     note_name(L, guarded<effect<store_clear>>, "clear");
     note_name(L, guarded<varying<store_has>>, "has");
+    note_name(L, guarded<varying<store_pairs>>, "pairs");
+    note_name(L, guarded<varying<store_tostring>>, "tostring");
     machine.boxes.store = luaL_ref(L, LUA_REGISTRYINDEX);
     push_table(L, Store::root);
     lua_setfield(L, -2, "store");

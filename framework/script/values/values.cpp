@@ -214,8 +214,22 @@ void push_value(lua_State* L, const Value& value, const Origin& origin) {
 
 // --- From Lua
 
+namespace {
+
+/// By the name of its metatable: "a formula", "a snapshot".
+std::string object_noun(lua_State* L, int index) {
+    if (!lua_checkstack(L, 3) || luaL_getmetafield(L, index, "__name") == LUA_TNIL)
+        return "an object";
+    const std::string name = lua_type(L, -1) == LUA_TSTRING ? string_at(L, -1) : "object";
+    lua_pop(L, 1);
+    return property::with_article(name);
+}
+
+}  // namespace
+
 std::string describe_type(lua_State* L, int index) {
-    if (const auto* box = instance_at(L, index)) return "a " + box->members->of.name();
+    if (const auto* box = instance_at(L, index))
+        return property::with_article(box->members->of.name());
     if (vec_at(L, index)) return "a vec";
     if (color_at(L, index)) return "a color";
     if (list_at(L, index)) return "a list";
@@ -238,7 +252,7 @@ std::string describe_type(lua_State* L, int index) {
         case LUA_TTHREAD:
             return "a coroutine";
         default:
-            return "an object";
+            return object_noun(L, index);
     }
 }
 

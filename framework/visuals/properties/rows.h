@@ -29,6 +29,7 @@ class Rows {
         free_.push_back(row);
     }
     T& operator[](property::Row row) { return rows_[row]; }
+    const T& operator[](property::Row row) const { return rows_[row]; }
     auto begin() { return rows_.begin(); }
     auto end() { return rows_.end(); }
     auto begin() const { return rows_.begin(); }

@@ -145,6 +145,8 @@ void Sprites::step(double dt) {
 }
 
 void Sprites::report() {
+    // In an order that does not depend on the rows: a restore gives the same instances other rows.
+    std::ranges::sort(ended_, {}, &Handle::index);
     for (const Handle self : ended_)
         if (tree_->alive(self) && tree_->listens(self, *finished_))
             tree_->emit(self, *finished_, {});
@@ -153,10 +155,13 @@ void Sprites::report() {
 
 std::uint64_t Sprites::hash() const {
     std::uint64_t hash = 0;
-    for (const Row& row : rows_) {
+    const property::Class& sprite = tree_->class_named("Sprite");
+    tree_->each_below(tree_->root(), [&](Handle instance) {
+        if (!tree_->class_of(instance).is_a(sprite)) return;
+        const Row& row = rows_[tree_->row(instance)];
         hash = (hash ^ static_cast<std::uint64_t>(row.frame)) * 0x9e3779b97f4a7c15u;
         hash = (hash ^ std::bit_cast<std::uint64_t>(row.elapsed)) * 0x9e3779b97f4a7c15u;
-    }
+    });
     return hash;
 }
 

@@ -20,6 +20,7 @@ class Sprites {
     void step(double dt);
     /// Emits `finished` for the animations that ended in the step.
     void report();
+    /// Of the sprites in the tree, in its order: a restore gives them other rows.
     std::uint64_t hash() const;
 
   private:

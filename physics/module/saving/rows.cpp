@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fettle/property/restoring.h>
+#include <fettle/property/spelling.h>
 
 namespace fettle::physics_module {
 namespace {
@@ -129,7 +130,7 @@ void check_rows(const Hosting& hosting, const RestoredObjects& objects,
     Rows rows(hosting, objects);
     property::each_restored(hosting.tree, [&](Handle self, const Class& is, Row row) {
         if (!rows.fits(self, is, row))
-            from.fail("a " + is.name() + " has a row that is not its own");
+            from.fail(property::with_article(is.name()) + " has a row that is not its own");
     });
     from.require(rows.all_claimed(), "an object of an instance that has another");
     for (const std::span<const Ties> all : objects.ties)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/acceptance.h>
+#include <fettle/property/spelling.h>
 
 #include <bindings/bindings.h>
 #include <worlds/world_class.h>
@@ -162,8 +163,8 @@ std::vector<physics::Shape> shapes_of(Hosting& hosting, const Value& value, cons
     const Row row = hosting.tree.row(instance);
     if (is.is_a(*hosting.shape_class)) return {hosting.shape(row)};
     if (is.is_a(*hosting.body_class)) return hosting.body(row).shapes();
-    throw std::invalid_argument(std::string(what) + ": expected a shape or a body, got a " +
-                                is.name());
+    throw std::invalid_argument(std::string(what) + ": expected a shape or a body, got " +
+                                property::with_article(is.name()));
 }
 
 Result overlap(Hosting& hosting, HostedWorld& hosted, Arguments a) {

@@ -20,8 +20,9 @@ class AddedRules {
     /// Called before a value is written to an added property, or adds it. Throws Error to refuse
     /// it. Must not change the tree.
     virtual void check(Handle instance, std::string_view name, const Value& value) const = 0;
-    /// Called after an added property was written or removed. May change the tree. It is not called
-    /// by a restore, and by an undo only where that writes the property.
+    /// Called after an added property was written, also with the value that it has already, or was
+    /// removed. May change the tree. It is not called by a restore, and by an undo only where that
+    /// writes the property.
     virtual void changed(Handle instance, std::string_view name) = 0;
 };
 

@@ -30,6 +30,9 @@ std::string nearest(std::string_view name, std::span<const std::string> candidat
 /// ` (did you mean "mass"?)` or "".
 std::string suggestion(std::string_view name, std::span<const std::string> candidates);
 
+/// The noun with its indefinite article: "a Body", "an Action".
+std::string with_article(std::string_view noun);
+
 }  // namespace fettle::property
 
 FETTLE_PROPERTY_END

@@ -2,6 +2,7 @@
 
 #include <fettle/property/coercion.h>
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
 #include <scenes/scene_plan.h>
@@ -36,8 +37,9 @@ class SceneCheck {
         const std::size_t offset =
             planned.name != nullptr ? planned.name->begin : planned.node->begin;
         if (planned.parent == ScenePlan::none && !of.creatable())
-            document_.fail(ErrorKind::bad_structure, offset,
-                           plan_.path(index) + ": a " + of.name() + " cannot be created");
+            document_.fail(
+                ErrorKind::bad_structure, offset,
+                plan_.path(index) + ": " + with_article(of.name()) + " cannot be created");
         if (planned.parent != ScenePlan::none && planned.name != nullptr)
             check_name(index, document_.text(*planned.name), offset);
         for (const Node* section : {planned.properties, planned.ad_hoc})

@@ -167,12 +167,13 @@ class SceneLoader {
         const Handle own = parent && !name.empty() ? tree_.child(parent, name) : Handle{};
         if (own) {
             if (&tree_.class_of(own) == &wanted) return own;
-            throw Error(ErrorKind::bad_structure, "is made by its parent, as a " +
-                                                      tree_.class_of(own).name() + ", not a " +
-                                                      wanted.name());
+            throw Error(ErrorKind::bad_structure, "is made by its parent, as " +
+                                                      with_article(tree_.class_of(own).name()) +
+                                                      ", not " + with_article(wanted.name()));
         }
         if (!wanted.creatable()) {
-            throw Error(ErrorKind::bad_structure, "a " + wanted.name() + " cannot be created");
+            throw Error(ErrorKind::bad_structure,
+                        with_article(wanted.name()) + " cannot be created");
         }
         return tree_.create(wanted, parent, name);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
 #include <files/durable_file.h>
@@ -69,7 +70,7 @@ class SceneWriter {
         }
         if (!tree_.class_of(top_).creatable()) {
             throw Error(ErrorKind::bad_structure,
-                        tree_.path(top_) + " is a " + tree_.class_of(top_).name() +
+                        tree_.path(top_) + " is " + with_article(tree_.class_of(top_).name()) +
                             ", which loading a scene could not create again");
         }
         instance(top_, 0, 1);

@@ -178,6 +178,18 @@ void check_entry(const Store::Key& key, const Store::Entry& entry, int depth,
 
 }  // namespace
 
+std::size_t Store::size_of(const Key& key, const Value& value) {
+    std::size_t size = 32;
+    if (const auto* const name = std::get_if<std::string>(&key)) size += name->size();
+    if (value.is(Type::text)) size += value.text().size();
+    return size;
+}
+
+void Store::refuse_size(const std::string& path) {
+    throw Error(ErrorKind::rejected, path + ": the store would have more than " +
+                                         std::to_string(size_limit >> 20) + " MiB");
+}
+
 void Store::set(Table table, const Key& key, Entry entry) {
     const Place& in = place(table);
     const bool removes = !entry.content && entry.value.is_nil();
@@ -190,9 +202,7 @@ void Store::set(Table table, const Key& key, Entry entry) {
         return;
     const std::size_t before = there ? store_size(key, found->second) : 0;
     const std::size_t after = removes ? 0 : store_size(key, entry);
-    if (after > before && bytes_ - before + after > size_limit)
-        throw Error(ErrorKind::rejected, path(table, key) + ": the store would have more than " +
-                                             std::to_string(size_limit >> 20) + " MiB");
+    if (after > before && bytes_ - before + after > size_limit) refuse_size(path(table, key));
     entry.table = 0;
     const Key top = table == root ? key : in.top;
     if (there) drop(found->second);

@@ -185,9 +185,7 @@ Store::Content store_content(const std::string& text) {
 }
 
 std::size_t store_size(const Store::Key& key, const Store::Entry& entry) {
-    std::size_t size = 32;
-    if (const auto* const name = std::get_if<std::string>(&key)) size += name->size();
-    if (entry.value.is(Type::text)) size += entry.value.text().size();
+    std::size_t size = Store::size_of(key, entry.value);
     if (entry.content)
         for (const auto& [inner, each] : entry.content->entries) size += store_size(inner, each);
     return size;

@@ -2,6 +2,7 @@
 // created, deleted or moved. Further edits of the same object change its entry.
 
 #include <fettle/property/exception_text.h>
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/tweaks.h>
 
 #include <algorithm>
@@ -305,7 +306,7 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
                                                         : entry(Kind::deleted, home, {}, instance);
     deletion.row.instance = home;
     deletion.row.now = path;
-    deletion.row.was_text = "a " + tree.class_of(instance).name();
+    deletion.row.was_text = with_article(tree.class_of(instance).name());
     deletion.row.now_text = "deleted";
     deletion.gone = false;
     deletion.deletion = deletion.with = nullptr;

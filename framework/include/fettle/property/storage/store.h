@@ -44,6 +44,10 @@ class Store {
 
     static constexpr std::size_t size_limit = std::size_t{16} << 20;  // bytes, estimated
     static constexpr int depth_limit = 100;                           // nested tables
+    /// The estimated bytes of an entry without those below it.
+    static std::size_t size_of(const Key& key, const Value& value);
+    /// Refuses more than `size_limit` bytes at `path`.
+    [[noreturn]] static void refuse_size(const std::string& path);
 
     struct Options {
         /// In place of the file, for a replay: the text that the file had.
