@@ -7,7 +7,7 @@
 # Exit status 77, with the reason in the last line: the case cannot run here.
 set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-cases=(sdl2 python python_installed python_demo guide)
+cases=(sdl2 python python_installed python_demo love love_demo guide)
 
 if [[ ${1:-} == --list ]]; then
     printf '%s\n' "${cases[@]}"
@@ -88,12 +88,41 @@ case_python_demo() {
     shows "$folder/pygame.png" tomato gold dimgray
 }
 
-# The page of the guide, with the blocks that need the packages of these hosts.
+# love_game FOLDER: a copy of a game of bindings/love with the library in it.
+love_game() {
+    needs love
+    rm -rf -- "$folder/$1"
+    mkdir -p -- "$folder/$1"
+    cp -- "$project/bindings/love/$1"/*.lua "$folder/$1/"
+    "$project/bindings/love/install.sh" "$library" "$project/bindings/c/include" "$folder/$1"
+}
+
+case_love() {
+    love_game tests
+    timeout 120 love "$folder/tests"
+    timeout 120 love "$folder/tests" --love  # love.physics itself passes the same tests
+}
+
+case_love_demo() {
+    needs_python pygame
+    love_game demo
+    export XDG_DATA_HOME=$folder/love
+    in_display love "$folder/demo" --frames 120 demo.png
+    shows "$folder/love/love/demo/demo.png" "#ff6347" gold skyblue
+    in_display love "$folder/demo" --speed
+    in_display love "$folder/demo" --speed --love
+}
+
+# The pages of the guide, with the blocks that need the packages of these hosts.
 case_guide() {
     [[ -x $build/bin/fettle ]] || cannot "the guide installs all of Fettle, which ./check builds"
     needs_python cffi
     needs_python numpy
-    "$project/tests/documents/follow.sh" --hosts docs/guide/c-and-python.md "$build" "$folder/guide"
+    needs love
+    local page
+    for page in c-and-python love; do
+        "$project/tests/documents/follow.sh" --hosts "docs/guide/$page.md" "$build" "$folder/guide-$page"
+    done
 }
 
 "case_$1"

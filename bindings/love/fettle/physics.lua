@@ -1,0 +1,214 @@
+-- The calls of love.physics on Fettle's bodies: in a game of LÖVE,
+--
+--     love.physics = require "fettle.physics"
+--
+-- Differences that a game can notice: beginContact, endContact and postSolve are called when the step is done, so they may
+-- destroy bodies; only preSolve is called inside it, and must not. A chain is solid on both sides, as in LÖVE.
+
+local fettle = require "fettle"
+local units = require "fettle.units"
+local shapes = require "fettle.shapes"
+local joints = require "fettle.joints"
+local Contact = require "fettle.contact"
+local ffi, lib, check = fettle.ffi, fettle.lib, fettle.check
+
+local physics = { newBody = require "fettle.body" }
+for _, module in ipairs { shapes, joints } do
+    for name, f in pairs(module) do
+        if name:find "^new" then physics[name] = f end
+    end
+end
+
+function physics.setMeter(pixels)
+    if not (pixels >= 1) then error("expected at least 1 pixel, got " .. tostring(pixels), 2) end
+    units.meter = pixels
+end
+function physics.getMeter() return units.meter end
+
+local World = {}
+World.__index = World
+
+function physics.newWorld(x, y, sleep)
+    local def = fettle.define("fettle_world_def")
+    def.gravity.x, def.gravity.y = (x or 0) / units.meter, (y or 0) / units.meter
+    def.sleeping = sleep ~= false
+    local out = ffi.new("fettle_world*[1]")
+    check(lib.fettle_world_create(def, out), 2)
+    local pointer = ffi.gc(out[0], lib.fettle_world_destroy)
+    -- Objects by slot: a number is a key, an id of 64 bits is not.
+    return setmetatable({ pointer = pointer, bodies = {}, fixtures = {}, callbacks = {} }, World)
+end
+
+function World:isDestroyed() return self.destroyed or false end
+function World:destroy()
+    check(lib.fettle_world_destroy(ffi.gc(self.pointer, nil)), 2)
+    self.destroyed = true
+end
+
+function World:getGravity()
+    local g = fettle.get("fettle_vec2", function(world, _, out) return lib.fettle_world_gravity(world, out) end,
+        self.pointer, nil)
+    return g.x * units.meter, g.y * units.meter
+end
+function World:setGravity(x, y) check(lib.fettle_world_set_gravity(self.pointer, x / units.meter, y / units.meter), 2) end
+function World:setSleepingAllowed(allowed) check(lib.fettle_world_set_sleeping(self.pointer, allowed), 2) end
+function World:isLocked() return self.calling or false end
+
+function World:fixture_of(id)
+    local known = self.fixtures[lib.fettle_slot(id)]
+    return known and known.id == id and known.fixture or nil
+end
+function World:body_of(id)
+    local known = self.bodies[lib.fettle_slot(id)]
+    return known and known.id == id and known or nil
+end
+
+function World:getBodies()
+    local found = {}
+    for _, id in ipairs(fettle.ids(lib.fettle_world_bodies, self.pointer)) do found[#found + 1] = self:body_of(id) end
+    return found
+end
+function World:getBodyCount() return #self:getBodies() end
+
+function World:getContacts()
+    local count, room = ffi.new("uint32_t[1]"), 64
+    local out
+    repeat
+        if count[0] > room then room = count[0] end
+        out = ffi.new("fettle_contact[?]", room)
+        check(lib.fettle_world_contacts(self.pointer, out, room, count), 2)
+    until count[0] <= room
+    local found = {}
+    for i = 0, count[0] - 1 do
+        local c = out[i]
+        found[#found + 1] = Contact.new(self:fixture_of(c.shape_a), self:fixture_of(c.shape_b),
+            { normal = c.normal, point = c.points[0].point, friction = c.friction, restitution = c.restitution })
+    end
+    return found
+end
+
+-- A function that C calls must not raise: the error is kept and raised when the call is over.
+local function guarded(world, f, ...)
+    local ok, message = pcall(f, ...)
+    if not ok and not world.failed then world.failed = { message } end
+    return ok and message
+end
+
+-- LuaJIT must not compile calls of C that call back.
+local function uncompiled(f)
+    jit.off(f, true)
+    return f
+end
+
+local function raise(world)
+    local failed = world.failed
+    world.failed = nil
+    if failed then error(failed[1], 0) end
+end
+
+function World:setCallbacks(begin, ended, pre, post)
+    self.callbacks = { begin = begin, ended = ended, pre = pre, post = post }
+    if self.pre_callback then
+        check(lib.fettle_world_set_before_solve(self.pointer, nil, nil), 2)
+        self.pre_callback:free()
+        self.pre_callback = nil
+    end
+    if pre then
+        self.pre_callback = ffi.cast("fettle_contact_callback", function(_, _, edit)
+            local a, b = self:fixture_of(edit.shape_a), self:fixture_of(edit.shape_b)
+            if a and b then guarded(self, pre, a, b, Contact.new(a, b, edit, edit)) end
+        end)
+        check(lib.fettle_world_set_before_solve(self.pointer, self.pre_callback, nil), 2)
+    end
+    check(lib.fettle_world_set_persist_events(self.pointer, post ~= nil), 2)
+end
+function World:getCallbacks()
+    local c = self.callbacks
+    return c.begin, c.ended, c.pre, c.post
+end
+
+-- Calls `f` for each event of an array in which both fixtures are known.
+local function each(world, array, count, f, more)
+    if not f then return end
+    local calls = {}  -- all first: a callback may change the world
+    for i = 0, count - 1 do
+        local e = array[i]
+        local a, b = world:fixture_of(e.shape_a), world:fixture_of(e.shape_b)
+        if a and b then calls[#calls + 1] = { a, b, more(a, b, e) } end
+    end
+    for _, call in ipairs(calls) do f(unpack(call)) end
+end
+
+local flat = { normal = { x = 0, y = 0 }, point = { x = 0, y = 0 }, friction = 0, restitution = 0 }
+local function plain(a, b, e) return Contact.new(a, b, e) end
+local function without_values(a, b) return Contact.new(a, b, flat) end
+local function with_impulse(a, b, e) return Contact.new(a, b, e), e.impulse * units.meter, 0 end
+
+-- LÖVE reports what a sensor overlaps as contacts.
+local function each_sensor(world, array, count, f)
+    local pairs_of = {}
+    for i = 0, count - 1 do pairs_of[i] = { shape_a = array[i].sensor, shape_b = array[i].visitor } end
+    each(world, pairs_of, count, f, without_values)
+end
+
+local function report(world)
+    local told, c = ffi.new("fettle_events"), world.callbacks
+    if not (c.begin or c.ended or c.post) then return end
+    check(lib.fettle_world_events(world.pointer, told), 3)
+    each(world, told.contact_begin, told.contact_begin_count, c.begin, plain)
+    each_sensor(world, told.sensor_begin, told.sensor_begin_count, c.begin)
+    each(world, told.contact_end, told.contact_end_count, c.ended, without_values)
+    each_sensor(world, told.sensor_end, told.sensor_end_count, c.ended)
+    each(world, told.contact_begin, told.contact_begin_count, c.post, with_impulse)
+    each(world, told.contact_persist, told.contact_persist_count, c.post, with_impulse)
+end
+
+World.update = uncompiled(function(self, dt)
+    self.calling = true
+    local code = lib.fettle_world_step(self.pointer, dt)
+    self.calling = false
+    raise(self)
+    check(code, 2)
+    report(self)
+end)
+
+--- Calls f(fixture) for each fixture in a box, until it returns false.
+World.queryBoundingBox = uncompiled(function(self, left, top, right, bottom, f)
+    local m = units.meter
+    local box = ffi.new("fettle_aabb[1]", { { { left / m, top / m }, { right / m, bottom / m } } })
+    local function find(...) return lib.fettle_world_query_aabb(...) end
+    local seen = {}
+    for _, id in ipairs(fettle.ids(find, self.pointer, box, nil)) do
+        local fixture = self:fixture_of(id)
+        if fixture and not seen[fixture] then
+            seen[fixture] = true
+            if f(fixture) == false then return end
+        end
+    end
+end)
+
+--- Calls f(fixture, x, y, normal x, normal y, fraction) for each hit, nearest first. It returns the fraction at which the ray
+--- ends: 0 ends it, 1 goes on; -1 ignores the hit.
+World.rayCast = uncompiled(function(self, x1, y1, x2, y2, f)
+    local m, count, room = units.meter, ffi.new("uint32_t[1]"), 64
+    local hits
+    repeat
+        if count[0] > room then room = count[0] end
+        hits = ffi.new("fettle_ray_hit[?]", room)
+        check(lib.fettle_world_cast_ray_all(self.pointer, x1 / m, y1 / m, x2 / m, y2 / m, nil, hits, room, count), 2)
+    until count[0] <= room
+    local reach = 1
+    for i = 0, count[0] - 1 do
+        local hit = hits[i]
+        local fixture = self:fixture_of(hit.shape)
+        if hit.fraction > reach then return end
+        if fixture then
+            local answer = f(fixture, hit.point.x * m, hit.point.y * m, hit.normal.x, hit.normal.y, hit.fraction)
+            if answer == 0 then return end
+            if answer and answer > 0 then reach = math.min(reach, answer) end
+        end
+    end
+end)
+
+physics.newFixture = shapes.newFixture
+return physics

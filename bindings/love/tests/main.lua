@@ -1,0 +1,224 @@
+-- What a game of LÖVE expects of love.physics, tried with Fettle's bodies; with the argument --love with LÖVE's own, which
+-- shows that the tests expect the right thing. Exit status 1 if one fails.
+
+local tests, own = {}, false
+
+local function near(value, expected, tolerance, what)
+    if not value or math.abs(value - expected) > (tolerance or 1e-3) then
+        error(("%s: expected %s, got %s"):format(what or "number", expected, tostring(value)), 2)
+    end
+end
+
+local function run(world, steps)
+    for _ = 1, steps do world:update(1 / 60) end
+end
+
+local function box(world, x, y, kind, width, height)
+    local body = love.physics.newBody(world, x, y, kind)
+    return body, love.physics.newFixture(body, love.physics.newRectangleShape(width or 30, height or width or 30), 1)
+end
+
+function tests.lengths_are_in_pixels()
+    local world = love.physics.newWorld(0, 300)
+    local body, fixture = box(world, 100, 50, "dynamic")
+    near(body:getMass(), 1)
+    run(world, 60)
+    local x, y = body:getPosition()
+    near(x, 100)
+    near(y, 50 + 150, 6, "fall in a second")
+    local vx, vy = body:getLinearVelocity()
+    near(vy, 300, 1, "velocity")
+    near(select(2, world:getGravity()), 300)
+    assert(body:getType() == "dynamic" and fixture:getShape():getType() == "polygon")
+    assert(#body:getFixtures() == 1 and body:getFixtures()[1] == fixture)
+end
+
+function tests.a_box_rests_on_a_chain_and_on_an_edge_from_both_windings()
+    for _, points in ipairs { { 0, 100, 200, 100 }, { 200, 100, 0, 100 } } do
+        for _, shape in ipairs { love.physics.newChainShape(false, points), love.physics.newEdgeShape(unpack(points)) } do
+            local world = love.physics.newWorld(0, 300)
+            love.physics.newFixture(love.physics.newBody(world, 0, 0), shape)
+            local body = box(world, 100, 60, "dynamic")
+            run(world, 120)
+            near(body:getY(), 85, 1, "height")
+        end
+    end
+end
+
+function tests.impulses_and_forces_are_in_pixels()
+    local world = love.physics.newWorld(0, 0)
+    local body = box(world, 0, 0, "dynamic")
+    body:applyLinearImpulse(60, 0)
+    near(body:getLinearVelocity(), 60)
+    for _ = 1, 60 do
+        body:applyForce(0, 30)
+        world:update(1 / 60)
+    end
+    near(select(2, body:getLinearVelocity()), 30, 0.1)
+    body:setAngularVelocity(0)
+    body:applyAngularImpulse(body:getInertia())
+    near(body:getAngularVelocity(), 1, 1e-2)
+    body:applyTorque(body:getInertia() * 60)
+    world:update(1 / 60)
+    near(body:getAngularVelocity(), 2, 1e-2)
+end
+
+function tests.callbacks_tell_fixtures_and_contacts()
+    local world = love.physics.newWorld(0, 300)
+    local _, ground = box(world, 0, 100, "static", 300, 20)
+    local body, fixture = box(world, 0, 50, "dynamic")
+    ground:setUserData("ground")
+    local begun, ended, solved, impulse = 0, 0, 0, 0
+    world:setCallbacks(function(a, b, contact)
+        assert(a:getUserData() == "ground" or b:getUserData() == "ground")
+        assert(math.abs(select(2, contact:getNormal())) > 0.9)
+        begun = begun + 1
+    end, function() ended = ended + 1 end, function() solved = solved + 1 end,
+        function(_, _, _, normal) impulse = math.max(impulse, normal) end)
+    run(world, 120)
+    assert(begun == 1 and ended == 0 and solved > 5 and impulse > 0)
+    body:setPosition(0, -500)
+    body:setAwake(true)  -- Fettle's setters do that themselves
+    run(world, 2)
+    assert(ended == 1)
+    world:setCallbacks(nil, nil, function(_, _, contact) contact:setEnabled(false) end)
+    body:setPosition(0, 60)
+    run(world, 60)
+    assert(body:getY() > 150 and fixture:getBody() == body)
+end
+
+function tests.an_error_in_a_callback_comes_out_of_update()
+    local world = love.physics.newWorld(0, 300)
+    box(world, 0, 100, "static", 300, 20)
+    box(world, 0, 76, "dynamic")
+    world:setCallbacks(nil, nil, function() error("too hard") end)
+    local ok, message = pcall(run, world, 30)
+    assert(not ok and message:find "too hard")
+    if not own then
+        world:setCallbacks(nil, nil, nil)
+        run(world, 30)
+    end
+end
+
+function tests.rays_and_boxes_find_fixtures()
+    local world = love.physics.newWorld(0, 0)
+    local _, near_one = box(world, 100, 0, "static")
+    local _, far_one = box(world, 200, 0, "static")
+    local hits = {}
+    world:rayCast(0, 0, 300, 0, function(fixture, x, y, nx)
+        hits[fixture] = x
+        near(nx, -1)
+        return 1
+    end)
+    near(hits[near_one], 85, 0.5)
+    near(hits[far_one], 185, 0.5)
+    local found = {}
+    world:queryBoundingBox(90, -5, 110, 5, function(fixture)
+        found[#found + 1] = fixture
+        return true
+    end)
+    assert(#found == 1 and found[1] == near_one)
+    assert(near_one:testPoint(100, 0) and not near_one:testPoint(150, 0))
+    near(near_one:getBoundingBox(), 85, 1)
+end
+
+function tests.joints_hold_and_drive()
+    local world = love.physics.newWorld(0, 0)
+    local hub = box(world, 0, 0, "static")
+    local arm = box(world, 60, 0, "dynamic")
+    local pin = love.physics.newRevoluteJoint(hub, arm, 0, 0)
+    pin:setMotorSpeed(2)
+    pin:setMaxMotorTorque(1e6)
+    pin:setMotorEnabled(true)
+    run(world, 60)
+    near(pin:getJointAngle(), 2, 0.1, "angle")
+    local x, y = arm:getPosition()
+    near(math.sqrt(x * x + y * y), 60, 1, "radius")
+    near(pin:getAnchors(), 0, 0.5)
+    local other = box(world, 0, 200, "dynamic")
+    local rod = love.physics.newDistanceJoint(hub, other, 0, 0, 0, 200)
+    near(rod:getLength(), 200, 0.1)
+    rod:setLength(150)
+    local slider = box(world, 300, 0, "dynamic")
+    local rail = love.physics.newPrismaticJoint(hub, slider, 300, 0, 1, 0)
+    rail:setLimits(-30, 30)
+    slider:setLinearVelocity(500, 0)
+    run(world, 60)
+    near(rail:getJointTranslation(), 30, 2, "limit")
+    near(select(2, other:getPosition()), 150, 2, "rod")
+    local mouse = love.physics.newMouseJoint(other, other:getPosition())
+    mouse:setTarget(50, 50)
+    mouse:destroy()
+    for _, joint in ipairs { love.physics.newWeldJoint(hub, other, 0, 0), love.physics.newRopeJoint(hub, other, 0, 0, 0, 0, 90),
+        love.physics.newWheelJoint(hub, other, 0, 0, 0, 1) } do
+        assert(not joint:isDestroyed() and #joint:getType() > 0)
+        joint:destroy()
+    end
+end
+
+function tests.filters_say_who_collides()
+    local world = love.physics.newWorld(0, 300)
+    local _, ground = box(world, 0, 100, "static", 300, 20)
+    local body, fixture = box(world, 0, 50, "dynamic")
+    ground:setCategory(2)
+    fixture:setMask(2)
+    assert(ground:getCategory() == 2 and fixture:getMask() == 2)
+    run(world, 90)
+    assert(body:getY() > 150)
+    local other, sensor = box(world, 0, 50, "dynamic")
+    sensor:setSensor(true)
+    assert(sensor:isSensor())
+    run(world, 90)
+    assert(other:getY() > 150)
+end
+
+function tests.properties_are_kept()
+    local world = love.physics.newWorld(0, 0)
+    local body, fixture = box(world, 10, 20, "dynamic")
+    body:setLinearDamping(0.5)
+    body:setFixedRotation(true)
+    body:setBullet(true)
+    body:setAngle(0.25)
+    body:setUserData(world)
+    fixture:setFriction(0.75)
+    fixture:setRestitution(0.5)
+    near(body:getLinearDamping(), 0.5)
+    near(body:getAngle(), 0.25)
+    near(fixture:getFriction(), 0.75)
+    near(fixture:getRestitution(), 0.5)
+    assert(body:isFixedRotation() and body:isBullet() and body:getUserData() == world)
+    local x, y = body:getWorldPoint(10, 0)
+    near(x, 10 + 10 * math.cos(0.25))
+    near(y, 20 + 10 * math.sin(0.25))
+    near(body:getLocalPoint(x, y), 10)
+    body:setType "kinematic"
+    assert(body:getType() == "kinematic" and world:getBodyCount() == 1)
+end
+
+function tests.what_was_destroyed_is_an_error()
+    local world = love.physics.newWorld(0, 0)
+    local body, fixture = box(world, 0, 0, "dynamic")
+    fixture:destroy()
+    assert(fixture:isDestroyed() and #body:getFixtures() == 0)
+    body:destroy()
+    assert(body:isDestroyed() and not pcall(body.getPosition, body) and not pcall(body.setAngle, body, 1))
+    world:destroy()
+    assert(world:isDestroyed() and not pcall(world.update, world, 1))
+end
+
+function love.load(arguments)
+    own = arguments[1] == "--love"
+    if not own then love.physics = require "fettle.physics" end
+    local names, failed = {}, 0
+    for name in pairs(tests) do names[#names + 1] = name end
+    table.sort(names)
+    for _, name in ipairs(names) do
+        local ok, message = xpcall(tests[name], debug.traceback)
+        if not ok then
+            failed = failed + 1
+            print(name .. ": " .. message)
+        end
+    end
+    print(("%d tests, %d failed"):format(#names, failed))
+    love.event.quit(failed == 0 and 0 or 1)
+end
