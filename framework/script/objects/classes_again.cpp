@@ -26,7 +26,6 @@ void ScriptClasses::begin_again() {
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
         earlier.states = std::exchange(own.states, LUA_NOREF);
         earlier.function_names = std::exchange(own.function_names, {});
-        earlier.state_names = std::exchange(own.state_names, {});
         if (own.scripted) earlier.properties = own_properties(*of);
     }
     chains_.clear();
@@ -40,7 +39,6 @@ void ScriptClasses::end_again(bool keep) {
             std::swap(own.functions, earlier.functions);
             std::swap(own.states, earlier.states);
             own.function_names = std::move(earlier.function_names);
-            own.state_names = std::move(earlier.state_names);
             if (own.scripted) property::redefine(machine_.tree, *of, std::move(earlier.properties));
         }
         luaL_unref(L, LUA_REGISTRYINDEX, earlier.functions);

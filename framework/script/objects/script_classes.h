@@ -113,7 +113,7 @@ class ScriptClasses {
     /// What `end_again` may bring back.
     struct Earlier {
         int functions = LUA_NOREF, states = LUA_NOREF;
-        std::vector<std::string> function_names, state_names;
+        std::vector<std::string> function_names;
         std::vector<property::Property> properties;  // of the class itself
     };
     std::vector<property::Property> own_properties(const property::Class& of) const;
