@@ -8,8 +8,8 @@ return {
       ink = color("#0c0a1e"), glow = color("#ffd9a034"), edge = color("#7a74b8"), length = 75, cap = 520, toughness = 2, tempo = 8, root = 3,
       waves = { { "shade", 0, 75, 4, 9 }, { "spitter", 8, 75, 0.3, 1.2 }, { "moth", 25, 75, 2, 8 }, { "brute", 30, 75, 0.4, 1.8 },
                 { "shade", 75, 250, 4, 50 }, { "spitter", 75, 250, 0.4, 3 } } },
-    { name = "Ember Field", goal = "A thousand come. Keep the light!", boss = "The Eclipse", boss_hp = 1300, ground = "art/embers.png",
-      ink = color("#14060e"), glow = color("#ffb27a34"), edge = color("#d05a48"), length = 80, cap = 1000, toughness = 3.4, tempo = 7, root = 5,
+    { name = "Ember Field", goal = "A thousand come. Keep the light!", boss = "The Eclipse", boss_hp = 1200, ground = "art/embers.png",
+      ink = color("#14060e"), glow = color("#ffb27a34"), edge = color("#d05a48"), length = 80, cap = 1000, toughness = 2.4, tempo = 7, root = 5,
       waves = { { "shade", 0, 45, 8, 20 }, { "moth", 10, 80, 4, 14 }, { "spitter", 15, 80, 0.5, 2 }, { "brute", 20, 80, 1, 3 },
-                { "shade", 45, 80, 45, 90 }, { "shade", 80, 250, 40, 150 }, { "moth", 80, 250, 8, 30 } } },
+                { "shade", 45, 80, 45, 100 }, { "shade", 80, 250, 35, 150 }, { "moth", 80, 250, 8, 30 } } },
 }

@@ -10,7 +10,7 @@ local kinds = {
 local gem_colors = { color("#5ef2c4"), color("#5ab8ff"), color("#ff9f5a"), color("#ff6fa8") }
 
 Enemy = class("Enemy", Body) { kind = "", hp = 1.0, speed = 2.0, damage = 5, worth = 1, turn = 0, charge = 0.0, locked_rotation = true }
-Boss = class("Boss", Enemy) { kind = "brute", max_hp = 1.0, speed = 2.2, damage = 22, way = vec(0, 0) }
+Boss = class("Boss", Enemy) { kind = "brute", max_hp = 1.0, speed = 2.2, way = vec(0, 0) }
 Gem = class("Gem", Body) { type = "static", worth = 1, flying = false, z = -50 }
 Orb = class("Orb", Body) { type = "kinematic", z = 5 }
 
@@ -79,7 +79,7 @@ function Enemy:die()
     night.crowd, night.kills, night.score = night.crowd - 1, night.kills + 1, night.score + 10 * self.worth * night.arena
     effects.burst(self.position, kinds[self.kind].color, 4 + self.worth)
     sounds.pop:play { pitch = 0.8 + 0.4 * random() }
-    enemies.drop(self.position, random() < 0.012 and world.hero.hp < 0.7 * world.hero.max_hp and 0 or self.worth)
+    enemies.drop(self.position, random() < 0.02 and world.hero.hp < 0.7 * world.hero.max_hp and 0 or self.worth)
     self:delete()
 end
 
@@ -112,7 +112,7 @@ function Orb:sensor_begin(event) return event.other == world.hero and event.othe
 function enemies.boss()
     local arena = arenas[night.arena]
     night.boss, night.crowd = true, night.crowd + 1
-    world.swarm:add(Boss { hp = arena.boss_hp, max_hp = arena.boss_hp, position = hidden_place(),
+    world.swarm:add(Boss { hp = arena.boss_hp, max_hp = arena.boss_hp, damage = 10 + 5 * night.arena, position = hidden_place(),
         common.disc(1.3, common.ENEMY, common.SOLID - common.STONE, false, 8), look = common.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
     sounds.roar:play()
     effects.banner(arena.boss, "appears")
