@@ -9,7 +9,7 @@ end
 
 -- Calls draw(pen, t) in each picture, with t from 0 to 1 during its life.
 local function add(list, life, draw)
-    if #lists[list] < 300 then table.insert(lists[list], { age = 0, life = life, draw = draw }) end
+    if #lists[list] < (list == PLAIN and 60 or 300) then table.insert(lists[list], { age = 0, life = life, draw = draw }) end
 end
 
 function effects.burst(at, tint, count)

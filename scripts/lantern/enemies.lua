@@ -1,5 +1,5 @@
 -- Enemies walk to the hero, push each other, and drop gems. Bosses rush, and shoot in rings.
-local common, effects, arenas = require "common", require "effects", require "arenas"
+local bodies, effects, arenas = require "bodies", require "effects", require "arenas"
 local enemies, tau = {}, 2 * math.pi
 local kinds = {
     shade = { hp = 2, speed = 2.3, damage = 8, worth = 1, radius = 0.36, size = 1.15, frames = "1-4", color = color("#9a7cf0") },
@@ -16,10 +16,10 @@ Orb = class("Orb", Body) { type = "kinematic", z = 5 }
 
 local function hidden_place()                    -- in the arena, and out of sight
     for _ = 1, 30 do
-        local at = common.hero_at + common.toward(random() * tau, view.width * (0.56 + 0.12 * random()))
-        if math.abs(at.x) < common.half.x - 1 and math.abs(at.y) < common.half.y - 1 then return at end
+        local at = bodies.hero_at + bodies.toward(random() * tau, view.width * (0.56 + 0.12 * random()))
+        if math.abs(at.x) < bodies.half.x - 1 and math.abs(at.y) < bodies.half.y - 1 then return at end
     end
-    return common.hero_at * -0.9
+    return bodies.hero_at * -0.9
 end
 
 function enemies.spawn(name, at)
@@ -28,7 +28,7 @@ function enemies.spawn(name, at)
     local enemy = world.swarm:add(Enemy {
         kind = name, hp = kind.hp * arenas[night.arena].toughness, speed = kind.speed * (0.9 + 0.2 * random()), damage = kind.damage,
         worth = kind.worth, turn = random(0, 7), position = at or hidden_place(), charge = 1 + 2 * random(),
-        common.disc(kind.radius, common.ENEMY, common.SOLID), look = common.look(kind.frames, kind.size, 0.16 * kind.size) })
+        bodies.disc(kind.radius, bodies.ENEMY, bodies.SOLID), look = bodies.look(kind.frames, kind.size, 0.16 * kind.size) })
     enemy.look.frame = random(4)
 end
 
@@ -44,13 +44,13 @@ end
 
 function Enemy:step(dt)
     local at = self.position
-    local to = common.hero_at - at
+    local to = bodies.hero_at - at
     local far = to:length() + 0.01
     local want = to * (self.speed / far)
     if not night.running then                    -- they dance round the light
         want = (vec(-to.y, to.x) * 0.8 + to * (far > 9 and 0.5 or -0.6)) * (self.speed / far)
     elseif self.kind == "moth" then
-        want = want + vec(-want.y, want.x) * (0.9 * math.sin(common.now * 3 + self.turn))
+        want = want + vec(-want.y, want.x) * (0.9 * math.sin(bodies.now * 3 + self.turn))
     elseif self.kind == "spitter" then
         want = far < 6.5 and want * -0.6 or far < 8 and vec(-want.y, want.x) or want
         self.charge = self.charge - dt
@@ -60,7 +60,7 @@ function Enemy:step(dt)
         end
     end
     self.velocity = self.velocity:lerp(want, 0.12)
-    if (common.count + self.turn) % 8 ~= 0 then return end
+    if (bodies.count + self.turn) % 8 ~= 0 then return end
     self.look.flip_x, self.z = to.x < 0, -0.01 * at.y
     if far > 24 and night.running then self.position = hidden_place() end
 end
@@ -88,15 +88,15 @@ function enemies.drop(at, worth)
     local gems = world.gems:children()
     local old = worth > 0 and #gems > 300 and gems[random(#gems)]
     if old and old.worth > 0 then old.worth = old.worth + worth return end
-    local gem = world.gems:add(Gem { position = at, worth = worth, common.disc(0.3, common.GEM, common.HERO, true),
-        look = common.look(worth == 0 and "28" or "25", worth == 0 and 0.8 or 0.55 + 0.05 * math.min(worth, 6)) })
+    local gem = world.gems:add(Gem { position = at, worth = worth, bodies.disc(0.3, bodies.GEM, bodies.HERO, true),
+        look = bodies.look(worth == 0 and "28" or "25", worth == 0 and 0.8 or 0.55 + 0.05 * math.min(worth, 6)) })
     if worth > 0 then gem.look.tint = gem_colors[worth < 2 and 1 or worth < 5 and 2 or worth < 20 and 3 or 4] end
 end
 
 function Gem:fly() self.type, self.flying = "kinematic", true end
 function Gem:step()
     if not self.flying then return end
-    local to = common.hero_at - self.position
+    local to = bodies.hero_at - self.position
     self.velocity = self.velocity:lerp(to:normalized() * 16, 0.2)
     if to:length() > 0.6 then return end
     world.hero:take(self.worth)
@@ -104,7 +104,7 @@ function Gem:step()
 end
 
 function enemies.shoot(at, velocity)
-    world.shots:add(Orb { position = at, velocity = velocity, common.disc(0.24, common.SHOT, common.HERO, true), look = common.look("27", 1) })
+    world.shots:add(Orb { position = at, velocity = velocity, bodies.disc(0.24, bodies.SHOT, bodies.HERO, true), look = bodies.look("27", 1) })
 end
 function Orb:ready() self:after(6, function(orb) orb:delete() end) end
 function Orb:sensor_begin(event) return event.other == world.hero and event.other:hurt(10) and self:delete() end
@@ -113,18 +113,18 @@ function enemies.boss()
     local arena = arenas[night.arena]
     night.boss, night.crowd = true, night.crowd + 1
     world.swarm:add(Boss { hp = arena.boss_hp, max_hp = arena.boss_hp, damage = 10 + 5 * night.arena, position = hidden_place(),
-        common.disc(1.3, common.ENEMY, common.SOLID - common.STONE, false, 8), look = common.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
+        bodies.disc(1.3, bodies.ENEMY, bodies.SOLID - bodies.STONE, false, 8), look = bodies.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
     sounds.roar:play()
     effects.banner(arena.boss, "appears")
 end
 
 -- It hunts, aims, rushes, and then shoots a ring; `charge` is the time since it began to hunt.
 function Boss:step(dt)
-    local at, now, hunt, to = self.position, self.charge + dt, self.hp < 0.5 * self.max_hp and 1.6 or 2.4, common.hero_at - self.position
+    local at, now, hunt, to = self.position, self.charge + dt, self.hp < 0.5 * self.max_hp and 1.6 or 2.4, bodies.hero_at - self.position
     self.charge, self.z = now, -0.01 * at.y
     if now < hunt then
         self.velocity = self.velocity:lerp(to:normalized() * self.speed, 0.08)
-        for i = 1, night.arena == 3 and common.count % 14 == 0 and 3 or 0 do enemies.shoot(at, common.toward(common.now * 1.7 + i * tau / 3, 4.2)) end
+        for i = 1, night.arena == 3 and bodies.count % 14 == 0 and 3 or 0 do enemies.shoot(at, bodies.toward(bodies.now * 1.7 + i * tau / 3, 4.2)) end
     elseif now < hunt + 0.65 then
         self.way, self.velocity, self.look.tint = to:normalized(), self.velocity * 0.85, color("#ff9d8a")
     elseif now < hunt + 1.35 then
@@ -132,14 +132,14 @@ function Boss:step(dt)
         self.velocity = self.way * (11 + 2 * night.arena)
     else
         self.charge, self.look.tint = 0, color("white")
-        for i = 1, 8 + 4 * night.arena do enemies.shoot(at, common.toward(i * tau / (8 + 4 * night.arena), 4)) end
-        for i = 1, night.arena == 2 and 8 or 0 do enemies.spawn("shade", at + common.toward(i * tau / 8, 2.5)) end
+        for i = 1, 8 + 4 * night.arena do enemies.shoot(at, bodies.toward(i * tau / (8 + 4 * night.arena), 4)) end
+        for i = 1, night.arena == 2 and 8 or 0 do enemies.spawn("shade", at + bodies.toward(i * tau / 8, 2.5)) end
     end
 end
 
 function Boss:die()
     night.score = night.score + 2000 * night.arena
-    for _ = 1, 24 do enemies.drop(self.position + common.toward(random() * tau, 2.5 * random()), 3 * night.arena) end
+    for _ = 1, 24 do enemies.drop(self.position + bodies.toward(random() * tau, 2.5 * random()), 3 * night.arena) end
     effects.burst(self.position, color("#ffd166"), 60)
     effects.ring(self.position, 9, color("#ffd166"))
     if settings.shake then view:shake(0.6, 1) end

@@ -1,12 +1,12 @@
 -- The keeper of the lantern: walks, dashes, collects, is hurt.
-local common, effects = require "common", require "effects"
+local bodies, effects = require "bodies", require "effects"
 
 Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, wait = 0.0, xp = 0, level = 1, way = vec(1, 0), locked_rotation = true }
 
 function Hero:need() return 4 + 3 * self.level + self.level * self.level // 6 end
 
 local function wanted()                          -- keys or a stick, or to the pointer while its left button is held
-    local way, to = input.move, input.mouse.world - common.hero_at
+    local way, to = input.move, input.mouse.world - bodies.hero_at
     return way:length() > 0.05 and way or input.mouse.left and to:length() > 0.3 and to:normalized() or vec(0, 0)
 end
 
@@ -23,10 +23,10 @@ function Hero:step(dt)
     end
     self.velocity = self.dash > 0 and self.way * 19 or self.velocity:lerp(way * 5.2 * (1 + 0.08 * arms.level("swift")), 0.3)
     if self.dash > 0 then effects.burst(at, color("#ff9f4a"), 1) end
-    look.tint = self.mercy > 0 and self.dash == 0 and common.count % 8 < 4 and color("#ff8080") or color("white")
+    look.tint = self.mercy > 0 and self.dash == 0 and bodies.count % 8 < 4 and color("#ff8080") or color("white")
     self.hp = math.min(self.max_hp, self.hp + dt * 0.3 * arms.level("heart"))
-    for _, gem in ipairs(common.around(at, 1.9 * (1 + 0.4 * arms.level("magnet")), common.GEM)) do gem:fly() end
-    local enemy = self.mercy == 0 and common.around(at, 0.44, common.ENEMY)[1]
+    for _, gem in ipairs(bodies.around(at, 1.9 * (1 + 0.4 * arms.level("magnet")), bodies.GEM)) do gem:fly() end
+    local enemy = self.mercy == 0 and bodies.around(at, 0.44, bodies.ENEMY)[1]
     if enemy then self:hurt(enemy.damage) end
 end
 
@@ -42,8 +42,8 @@ end
 
 function Hero:take(worth)                        -- a gem, or a heart, which is worth 0
     if worth == 0 then self.hp = math.min(self.max_hp, self.hp + 25) return sounds.heal:play() end
-    night.streak = common.now - night.streak_at < 0.5 and math.min(night.streak + 1, 14) or 0
-    night.streak_at, night.score, self.xp = common.now, night.score + 2 * worth, self.xp + worth
+    night.streak = bodies.now - night.streak_at < 0.5 and math.min(night.streak + 1, 14) or 0
+    night.streak_at, night.score, self.xp = bodies.now, night.score + 2 * worth, self.xp + worth
     sounds.gem:play { pitch = 2 ^ (night.streak / 12) }
     local offer = self.xp >= self:need() and night.menu == "" and night.running and arms.offer() or {}
     if #offer == 0 then return end

@@ -6,7 +6,7 @@ Night = class("Night", Object) {
 game.night, game.settings = Night {}, Object { effects = 0.8, music = 0.5, shake = true }
 for name, value in pairs(store.settings or {}) do settings[name] = value end
 
-local common, effects, arenas, enemies = require "common", require "effects", require "arenas", require "enemies"
+local bodies, effects, arenas, enemies = require "bodies", require "effects", require "arenas", require "enemies"
 require "hero"
 require "weapons"
 local play_music, menu = require "music", require "menus"
@@ -18,11 +18,11 @@ for name, keys in pairs {
     menu_left = { "left", "a", "gamepad.dpad_left", "gamepad.left_x-" }, menu_right = { "right", "d", "gamepad.dpad_right", "gamepad.left_x+" },
 } do input.actions[name] = keys end
 
-world.gravity, world.bounds = vec(0, 0), { -common.half, common.half }
+world.gravity, world.bounds = vec(0, 0), { -bodies.half, bodies.half }
 world.ground = Layer { z = -100, repeat_x = 8, repeat_y = 8, Sprite { size = vec(8, 8) } }
 for _, name in ipairs { "stones", "gems", "swarm", "lights", "shots", "arms" } do world[name] = Object {} end
 view.height, view.background, view.follow_damping = 18, color("#05030c"), 0.12
-view.limits = { -common.half - vec(2, 2), common.half + vec(2, 2) }
+view.limits = { -bodies.half - vec(2, 2), bodies.half + vec(2, 2) }
 
 function Night:enter(index)
     local arena = arenas[index]
@@ -30,12 +30,12 @@ function Night:enter(index)
     self.arena, self.clock, self.crowd, self.boss, self.rest, self.curtain = index, 0, 0, false, 0, 1
     self:tween("curtain", 0, 0.7)
     world.ground.sprite.image, world.hero.light.tint, world.hero.position, view.center = arena.ground, arena.glow, vec(0, 0), vec(0, 0)
-    common.refresh()
+    bodies.refresh()
     for _ = 1, 44 do
-        local at, size = vec(random(-1.0, 1.0) * common.half.x, random(-1.0, 1.0) * common.half.y) * 0.95, random(1.8, 3.0)
+        local at, size = vec(random(-1.0, 1.0) * bodies.half.x, random(-1.0, 1.0) * bodies.half.y) * 0.95, random(1.8, 3.0)
         if at:length() > 5 then
-            world.stones:add(Body { type = "static", position = at, z = -0.01 * at.y, common.disc(size * 0.2, common.STONE, common.SOLID),
-                common.look(tostring(index), size, size * 0.3, "props", 3, 1) })
+            world.stones:add(Body { type = "static", position = at, z = -0.01 * at.y, bodies.disc(size * 0.2, bodies.STONE, bodies.SOLID),
+                bodies.look(tostring(index), size, size * 0.3, "props", 3, 1) })
         end
     end
     effects.banner(arena.name, arena.goal)
@@ -45,7 +45,7 @@ local function reset()
     world.arms:children():delete()
     for _, name in ipairs(arms.order) do world.arms[name] = Arm {} end
     if world:has("hero") then world.hero:delete() end
-    world.hero = Hero { common.disc(0.36, common.HERO, common.SOLID, false, 30), look = common.look("17-20", 1.35, 0.2),
+    world.hero = Hero { bodies.disc(0.36, bodies.HERO, bodies.SOLID, false, 30), look = bodies.look("17-20", 1.35, 0.2),
         light = Sprite { image = "art/glow.png", size = vec(17, 17), blend = "add", z = -40 } }
     view.follow = world.hero
     night:enter(night.first)
@@ -103,12 +103,12 @@ function start()
     night.first = store.unlocked or 1
     reset()
     effects.banner("", "")
-    for i = 1, 50 do enemies.spawn(({ "shade", "shade", "moth", "spitter", "brute" })[i % 5 + 1], common.toward(i * 2.4, 9 + i % 5)) end
+    for i = 1, 50 do enemies.spawn(({ "shade", "shade", "moth", "spitter", "brute" })[i % 5 + 1], bodies.toward(i * 2.4, 9 + i % 5)) end
 end
 
 function step()
-    common.refresh()
-    play_music(common.count)
+    bodies.refresh()
+    play_music(bodies.count)
 end
 
 function update(dt, real_dt)
@@ -118,7 +118,7 @@ function update(dt, real_dt)
 end
 
 function draw(pen)
-    pen.box(vec(0, 0), 2 * common.half.x, 2 * common.half.y, false, arenas[night.arena].edge, 4)
+    pen.box(vec(0, 0), 2 * bodies.half.x, 2 * bodies.half.y, false, arenas[night.arena].edge, 4)
     effects.draw(pen, 1)
     effects.draw(pen, 2)
     menu.draw(pen)

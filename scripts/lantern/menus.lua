@@ -134,7 +134,7 @@ function menu.draw(pen)
     pen.screen(function()
         image(pen, "dark", middle, 400, 2.5 * middle, 1160, arenas[night.arena].ink)
         if night.running then draw_bars(pen) end
-        effects.draw(pen, 3)
+        if night.menu == "" then effects.draw(pen, 3) end
         if night.menu ~= "" then draw_menu(pen) end
         if night.curtain > 0 then box(pen, middle, 400, 2 * middle, 800, color(0.02, 0.01, 0.05, night.curtain)) end
     end)

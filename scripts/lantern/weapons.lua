@@ -1,5 +1,5 @@
 -- Weapons and gifts. A weapon fires by itself; its function returns the seconds until it fires again.
-local common, effects = require "common", require "effects"
+local bodies, effects = require "bodies", require "effects"
 arms = { order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" } }
 
 function arms.level(name) return world.arms[name].level end
@@ -7,10 +7,10 @@ local function hurt(enemy, damage, from, push)
     enemy:hurt(damage * (1 + 0.16 * arms.level("might")), (enemy.position - from):normalized() * push)
 end
 local function hurt_all(at, radius, damage, push)
-    for _, enemy in ipairs(common.around(at, radius, common.ENEMY)) do hurt(enemy, damage, at, push) end
+    for _, enemy in ipairs(bodies.around(at, radius, bodies.ENEMY)) do hurt(enemy, damage, at, push) end
 end
 local function some(radius, count)               -- up to so many enemies nearby, by chance
-    local near, chosen = common.around(common.hero_at, radius, common.ENEMY), {}
+    local near, chosen = bodies.around(bodies.hero_at, radius, bodies.ENEMY), {}
     for i = 1, math.min(count, #near) do chosen[i] = table.remove(near, random(#near)) end
     return chosen
 end
@@ -20,17 +20,17 @@ Spark = class("Spark", Body) { type = "kinematic", damage = 1.0, pierce = 0, z =
 
 function Spark:sensor_begin(event)
     if not self:alive() or not event.other:alive() then return end
-    hurt(event.other, self.damage, common.hero_at, 4)
+    hurt(event.other, self.damage, bodies.hero_at, 4)
     if self.pierce == 0 then self:delete() else self.pierce = self.pierce - 1 end
 end
 
 local function sparks(level)
-    local near, count = world:closest(common.hero_at, 11, common.ENEMY), 1 + level // 2
+    local near, count = world:closest(bodies.hero_at, 11, bodies.ENEMY), 1 + level // 2
     if not near then return 0.1 end
     for i = 1, count do
-        local way = (near.body.position - common.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
-        world.shots:add(Spark { position = common.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2, damage = 1 + 0.45 * level,
-            common.disc(0.26, common.SHOT, common.ENEMY, true), look = common.look("26", 1) }):after(0.9, function(spark) spark:delete() end)
+        local way = (near.body.position - bodies.hero_at):normalized():rotated(0.16 * (i - (count + 1) / 2))
+        world.shots:add(Spark { position = bodies.hero_at, velocity = way * 15, angle = way:angle(), pierce = level // 2, damage = 1 + 0.45 * level,
+            bodies.disc(0.26, bodies.SHOT, bodies.ENEMY, true), look = bodies.look("26", 1) }):after(0.9, function(spark) spark:delete() end)
     end
     sounds.shot:play { pitch = 0.95 + 0.1 * random() }
     return 0.62 - 0.06 * level
@@ -38,25 +38,25 @@ end
 
 local function orbit(level)
     for _ = #world.lights:children(), level do
-        world.lights:add(Spark { position = common.hero_at, pierce = 1000000000, common.disc(0.42, common.SHOT, common.ENEMY, true),
-            look = common.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
+        world.lights:add(Spark { position = bodies.hero_at, pierce = 1000000000, bodies.disc(0.42, bodies.SHOT, bodies.ENEMY, true),
+            look = bodies.look("", 1.3, 0, "flame", 4, 1) }).look.blend = "add"
     end
     for i, fly in ipairs(world.lights:children()) do
-        local at = common.hero_at + common.toward(common.now * 3.4 + 2 * math.pi * i / (level + 1), 2 + 0.2 * level)
+        local at = bodies.hero_at + bodies.toward(bodies.now * 3.4 + 2 * math.pi * i / (level + 1), 2 + 0.2 * level)
         fly.velocity, fly.damage = (at - fly.position) / time.dt, 0.8 + 0.6 * level
     end
     return 0
 end
 
 local function nova(level)
-    hurt_all(common.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
-    effects.ring(common.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
+    hurt_all(bodies.hero_at, 2.8 + 0.45 * level, 1.2 + 0.9 * level, 10)
+    effects.ring(bodies.hero_at, 2.8 + 0.45 * level, color("#ffd98a"))
     sounds.nova:play()
     return 3 - 0.25 * level
 end
 
 local function storm(level)
-    local from, struck = common.hero_at, some(8.5, 1 + 2 * level)
+    local from, struck = bodies.hero_at, some(8.5, 1 + 2 * level)
     for _, enemy in ipairs(struck) do
         local at = vec(enemy.position)
         effects.lightning(from, at)
