@@ -42,6 +42,7 @@ inline constexpr const char* every_class = R"(
     world.plan = Plan {}
     world.plan.mine = 3
     world.other = World { Body { Circle {} } }
+    world.camera = Camera {}
     loose = Body { Box {} }
 )";
 

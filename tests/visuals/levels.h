@@ -47,7 +47,10 @@ struct Land : Gallery {
                      .properties = {{.name = "width", .type = Type::number},
                                     {.name = "height", .type = Type::number}}});
         tree.define({.name = "Chain",
-                     .properties = {{.name = "points", .type = Type::list, .element = Type::vec2},
+                     .properties = {{.name = "points",
+                                     .type = Type::list,
+                                     .range = {-1e3, 1e3},
+                                     .element = Type::vec2},
                                     {.name = "closed", .type = Type::boolean},
                                     {.name = "friction", .type = Type::number},
                                     {.name = "restitution", .type = Type::number},

@@ -484,4 +484,17 @@ TEST_CASE_METHOD(Land, "a restored map has the collisions of its cells") {
     CHECK(chains(top).size() == 2);
 }
 
+TEST_CASE_METHOD(Land, "a map that is too large for its body leaves nothing half made") {
+    define_bodies();
+    const Handle top = map("level.tmj", 1e-3);
+    step(2);
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems.front(), contains("collisions"));
+    CHECK(chains(top).empty());
+    CHECK(tree.size() == 4);  // the game, the map, its layer, its body
+    tree.set(top, "pixels_per_unit", Value(16.0));
+    step(1);
+    CHECK(chains(top).size() == 1);
+}
+
 }  // namespace tilemap_test

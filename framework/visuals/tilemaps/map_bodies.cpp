@@ -52,6 +52,22 @@ std::string key_of(const WantedChain& chain) {
     return key;
 }
 
+void add_chain(property::Tree& tree, const property::Class& of, Handle body,
+               const WantedChain& wanted) {
+    const Handle made = tree.create(of);
+    try {
+        tree.set(made, "points", wanted.points);
+        tree.set(made, "closed", Value(wanted.closed));
+        tree.set(made, "friction", Value(wanted.friction));
+        tree.set(made, "restitution", Value(wanted.restitution));
+        tree.set(made, "visible", Value(false));
+        tree.move(made, body);
+    } catch (...) {
+        tree.destroy(made);
+        throw;
+    }
+}
+
 }  // namespace
 
 std::vector<Handle> Tilemaps::solid_layers(Handle map) const {
@@ -125,15 +141,7 @@ void Tilemaps::update_bodies(Handle map) {
         }
         for (const auto& [key, chains] : there)
             for (const Handle chain : chains) tree_->destroy(chain);
-        for (const WantedChain* chain : missing) {
-            const Handle made = tree_->create(*chain_class);
-            tree_->set(made, "points", chain->points);
-            tree_->set(made, "closed", Value(chain->closed));
-            tree_->set(made, "friction", Value(chain->friction));
-            tree_->set(made, "restitution", Value(chain->restitution));
-            tree_->set(made, "visible", Value(false));
-            tree_->move(made, body);
-        }
+        for (const WantedChain* chain : missing) add_chain(*tree_, *chain_class, body, *chain);
     } catch (const std::exception& error) {
         tell(map, std::string("collisions: ") + error.what());
     }
