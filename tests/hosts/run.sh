@@ -30,7 +30,9 @@ shows() {
     "$python" - "$@" <<'END'
 import sys
 import pygame
-picture = pygame.image.load(sys.argv[1])
+loaded = pygame.image.load(sys.argv[1])
+picture = pygame.Surface(loaded.get_size(), 0, 32)
+picture.blit(loaded, (0, 0))
 for color in sys.argv[2:]:
     pixels = pygame.mask.from_threshold(picture, pygame.Color(color), (12, 12, 12, 255)).count()
     print(f"{color}: {pixels} pixels")

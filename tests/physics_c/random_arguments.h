@@ -156,12 +156,13 @@ class Arguments {
     template <class Def>
     requires requires(const Def& def) { def.size; }
     const Def* pointer(const Def*) {
-        Def& def = *reinterpret_cast<Def*>(definition_);
+        std::byte* const bytes = room();
+        Def& def = *reinterpret_cast<Def*>(bytes);
         begin(def);
         if (below(3) == 0) {
             // Any byte may be anything, also of members that should be true or false.
             for (uint32_t i = 0; i < 1 + below(6); ++i)
-                definition_[below(sizeof def)] = std::byte(random_());
+                bytes[below(sizeof def)] = std::byte(random_());
         }
         mend(def);
         return &def;
@@ -213,12 +214,15 @@ class Arguments {
         if constexpr (requires(Out out) { out.size; }) begin(*reinterpret_cast<Out*>(scratch()));
         return reinterpret_cast<Out*>(scratch());
     }
+    /// Memory for one input; a call has at most four.
+    std::byte* room() { return inputs_[next_++ % std::size(inputs_)]; }
     std::byte* scratch() { return scratch_.data(); }
 
     template <class Value>
     const Value* store(const Value& value) {
-        std::memcpy(definition_, &value, sizeof value);
-        return reinterpret_cast<const Value*>(definition_);
+        std::byte* const bytes = room();
+        std::memcpy(bytes, &value, sizeof value);
+        return reinterpret_cast<const Value*>(bytes);
     }
     fettle_world** world_list() {
         for (auto& one : world_list_) one = worlds_[below(3)];
@@ -246,7 +250,8 @@ class Arguments {
     fettle_vec2 points_[64] = {};
     fettle_id id_list_[128] = {};
     fettle_world* world_list_[16] = {};
-    alignas(16) std::byte definition_[512] = {};
+    alignas(16) std::byte inputs_[4][512] = {};
+    uint32_t next_ = 0;
 };
 
 }  // namespace random_arguments
