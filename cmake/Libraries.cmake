@@ -62,7 +62,10 @@ function(fettle_library name text)
   else()
     # What it lacks is an error here, not in the program of whoever links it.
     set(exports "${PROJECT_SOURCE_DIR}/cmake/exports.map")
-    target_link_options(${target} PRIVATE LINKER:-z,defs "LINKER:--version-script=${exports}")
+    target_link_options(${target} PRIVATE "LINKER:--version-script=${exports}")
+    if(NOT FETTLE_SANITIZE)  # clang puts the functions of its sanitizers into programs only
+      target_link_options(${target} PRIVATE LINKER:-z,defs)
+    endif()
     set_target_properties(${target} PROPERTIES LINK_DEPENDS "${exports}")
   endif()
   if(NOT FETTLE_INSTALL)
