@@ -1,5 +1,6 @@
 #include <fettle/interface/interface.h>
 
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -23,7 +24,7 @@ struct Interface::State {
           picture(widgets, layout, binding, player) {
         widgets.answers = {
             .lay_out = [this] { player.lay_out(); },
-            .hovered = [this](property::Row row) { return player.hovers(widgets[row]); }};
+            .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; }};
     }
     Widgets widgets;
     Layout layout;
@@ -68,9 +69,31 @@ void Interface::report(property::Tree&) {
     state_->binding.update_all();
 }
 
-/// Its values are those of the tree.
+/// What the player can change.
 std::uint64_t Interface::hash() const {
-    return 0;
+    // The sum over all widgets, because after a restore they may be in other rows.
+    std::uint64_t sum = 0, hash = 0;
+    const auto add = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; };
+    const auto add_handle = [&add](property::Handle each) {
+        add(std::uint64_t{each.generation} << 32 | each.index);
+    };
+    for (const Widget& widget : state_->widgets) {
+        if (!widget.self) continue;
+        sum += std::exchange(hash, 0);
+        add_handle(widget.self);
+        add(std::bit_cast<std::uint64_t>(widget.value));
+        add(std::bit_cast<std::uint64_t>(widget.scroll));
+        add(static_cast<std::uint64_t>(widget.caret));
+        add(static_cast<std::uint64_t>(widget.selected));
+        add((widget.on ? 1u : 0u) | (widget.visible ? 2u : 0u) | (widget.disabled ? 4u : 0u) |
+            (widget.listening ? 8u : 0u));
+        for (const char c : widget.text) add(static_cast<unsigned char>(c));
+    }
+    const Board& board = state_->widgets.board;
+    sum += std::exchange(hash, 0);
+    add_handle(board.focus);
+    add_handle(board.held);
+    return sum + hash;
 }
 
 void Interface::on_problem(std::function<void(const std::string&)> tell) {

@@ -21,8 +21,8 @@ class Player {
     void handle(const app::Act& act, bool taken);
     void frame(const property::Vec2& mouse, const property::Vec2& screen);
     void lay_out() { layout_.update(screen_); }
-    /// Whether the mouse is over the widget and nothing covers it.
-    bool hovers(const Widget& widget);
+    /// The widget that a click would be on; null if there is none.
+    const Widget* hovered() { return under(at(mouse_)); }
 
   private:
     // Where things are.

@@ -41,10 +41,6 @@ Widget* Player::list_under(const Vec2& point) {
     return nullptr;
 }
 
-bool Player::hovers(const Widget& widget) {
-    return under(at(mouse_)) == &widget;
-}
-
 void Player::press(const Vec2& point) {
     Widget* const widget = under(point);
     Widget* const before = focused();

@@ -35,12 +35,13 @@ void Picture::advance(double seconds) {
         value += (to - value) * part;
         if (std::abs(to - value) < 0.004) value = to;
     };
+    const Widget* const hovered = player_.hovered();
     for (const Row row : layout_.shown()) {
         Widget& widget = widgets_[row];
         if (!is_active(widget.kind)) continue;
         const bool held = widgets_.board.held == widget.self;
         const bool focused = widgets_.board.focus == widget.self;
-        towards(widget.hover, !widget.disabled && (held || player_.hovers(widget)) ? 1 : 0);
+        towards(widget.hover, !widget.disabled && (held || &widget == hovered) ? 1 : 0);
         towards(widget.press, held ? 1 : 0);
         towards(widget.ring, focused && widgets_.board.focus_shown ? 1 : 0);
         if (widget.switched < 0)
