@@ -2055,7 +2055,7 @@ Action = {}
 ---@field muted color Text of less importance, such as a placeholder. · 0 to 1 · default color("#aab6c9")
 ---@field on_accent color Text on the color `accent`. · 0 to 1 · default color("#ffffff")
 ---@field padding number Distance between the edge of a panel and what is in it. · px · 0 to 1000 · default 22
----@field panel color Background of panels. · 0 to 1 · default color("#1c222ef7")
+---@field panel color Background of panels. · 0 to 1 · default color("#1c222e")
 ---@field radius number Radius of corners. · px · 0 to 1000 · default 9
 ---@field shade color What is behind a modal widget is covered by it. · 0 to 1 · default color("#05070b99")
 ---@field spacing number Distance between the widgets of a row, a column or a list. · px · 0 to 1000 · default 10

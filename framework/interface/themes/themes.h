@@ -12,7 +12,7 @@ namespace fettle::interface {
 
 struct Theme {
     property::Handle self{};
-    property::Color panel{0.110f, 0.133f, 0.180f, 0.97f};
+    property::Color panel{0.110f, 0.133f, 0.180f, 1};
     property::Color control{0.196f, 0.231f, 0.302f, 1};
     property::Color field{0.071f, 0.086f, 0.118f, 1};
     property::Color accent{0.184f, 0.435f, 0.929f, 1};
