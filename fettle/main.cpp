@@ -13,6 +13,7 @@
 #include <command_line/version.h>
 #include <commands/docs.h>
 #include <commands/new_game.h>
+#include <commands/package.h>
 #include <commands/repl.h>
 #include <commands/run.h>
 #include <commands/test.h>
@@ -41,8 +42,8 @@ int program(int argc, char** argv) {
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
     app.allow_extras();
-    const Command commands[] = {add_run(app),   add_test(app), add_new_game(app),
-                                add_where(app), add_repl(app), add_docs(app)};
+    const Command commands[] = {add_run(app),     add_test(app), add_new_game(app), add_where(app),
+                                add_package(app), add_repl(app), add_docs(app)};
     if (argc < 2) return refuse("expected a command, as in fettle run");
     if (const std::string wrong = command_problem(app, argv[1]); !wrong.empty())
         return refuse(wrong);

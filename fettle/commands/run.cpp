@@ -17,6 +17,7 @@
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
 #include <commands/gallery.h>
+#include <game/archive.h>
 #include <game/file_errors.h>
 #include <game/game_path.h>
 #include <game/game_window.h>
@@ -73,11 +74,15 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     return status;
 }
 
-/// Applies the time limit of `--budget` to each call into the scripts. Returns false without that
-/// option.
+/// Applies the time limit of `--budget`, or that of a sandbox, to each call into the scripts.
+/// Returns false if there is none.
 bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
-    if (options.budget) runtime.limit_calls(static_cast<double>(*options.budget) / 1000, {});
-    return options.budget.has_value();
+    constexpr std::uint64_t in_sandbox = 2000;  // ms
+    const auto limit = options.budget    ? options.budget
+                       : options.sandbox ? std::optional(in_sandbox)
+                                         : std::nullopt;
+    if (limit) runtime.limit_calls(static_cast<double>(*limit) / 1000, {});
+    return limit.has_value();
 }
 
 int run_headless(const RunOptions& options, Gallery* gallery) {
@@ -91,6 +96,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
                                 (!options.steps || turn < *options.steps);
          ++turn) {
         if (EndRequest::asked() != 0) close(session);
+        session.follow_files();
         loop.turn();
         if (gallery != nullptr && gallery->take_choice())
             session.note("open_game: a run without a window stays in the gallery");
@@ -172,6 +178,13 @@ class WindowRun {
         session_ = std::make_unique<Session>(
             options_, &window().clipboard(),
             [this](const script::ScriptError& error) { error_screen_.show(error); });
+        session_->on_error_over([this](const script::ScriptError* error) {
+            if (error == nullptr) return error_screen_.hide_over();
+            if (!error_screen_.error()) return error_screen_.show_over(*error);
+            // In place of the error that had stopped the game.
+            error_screen_.hide();
+            error_screen_.show(*error);
+        });
         if (in_gallery()) {
             gallery_->connect(*session_);
             session_->add_layer(*gallery_);
@@ -199,6 +212,7 @@ class WindowRun {
         for (app::InputEvent event; window().poll(event);)
             if (!goes_back(event) && !game_window_.handle(event, *session_)) loop.handle(event);
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
+        follow_files();
         if (reload_) return false;
         loop.frame(seconds, options_.steps.value_or(INT64_MAX));
         error_screen_.came_back();
@@ -224,6 +238,13 @@ class WindowRun {
         window().present();
         if (saves) session_->saves().finish(thumbnail(window().pixels()));
         return last;
+    }
+
+    void follow_files() {
+        using Followed = Session::Followed;
+        const Followed followed = session_->follow_files();
+        if (followed == Followed::restart) reload_ = true;
+        if (followed == Followed::changed) error_screen_.hide();
     }
 
     bool in_gallery() const { return gallery_ != nullptr && options_.game == gallery_->game(); }
@@ -336,6 +357,7 @@ int run_replay(RunOptions options) {
 
 constexpr std::uint64_t max_steps = 1'000'000'000'000'000;
 constexpr std::uint64_t max_milliseconds = 1'000'000'000;
+constexpr std::uint64_t max_megabytes = 1'000'000;
 
 /// Parses "N:LUA": a step and a chunk of Lua.
 std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
@@ -368,6 +390,9 @@ int run(const RunOptions& given) {
             if (!file.empty()) require_file(file, "a file to write");
         if (!options.record.empty()) require_recording_or_nothing(options.record);
         if (!options.replay.empty()) return run_replay(options);
+        if (!options.record.empty() && is_archive(options.game))
+            return complain(bad_usage, "--record needs a game that is no archive");
+        options.follow = options.reload.value_or(!options.headless);
         const bool in_gallery = options.game.empty();
         if (in_gallery && !options.record.empty())
             return complain(bad_usage, "--record needs the path of a game");
@@ -407,6 +432,12 @@ Command add_run(CLI::App& app) {
            [](RunOptions& to, const std::string& text) {
                to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
            });
+    command.add_flag_callback(
+        "--reload", [options] { options->reload = true; },
+        "Read files again that change while the game runs, also without a window");
+    command.add_flag_callback(
+        "--no-reload", [options] { options->reload = false; },
+        "Go on with the files as they were when the game began");
     command.add_flag("--headless", options->headless,
                      "No window; fixed steps as fast as they go; print() goes to stdout");
     option("--steps",
@@ -445,6 +476,16 @@ Command add_run(CLI::App& app) {
            [](RunOptions& to, const std::string& text) {
                to.budget = whole_number("--budget", text, 1, max_milliseconds);
            });
+    command.add_flag("--sandbox", options->sandbox,
+                     "Do not trust the game: limits for memory, time, instances, handlers, timers, "
+                     "output and files; no native modules");
+    option(
+        "--memory",
+        "Stop scripts that use more than so many MB, for themselves and for what they add to the "
+        "game (with --sandbox 512 unless given)",
+        [](RunOptions& to, const std::string& text) {
+            to.memory = whole_number("--memory", text, 1, max_megabytes);
+        });
     option("--seed", "Of random(); without it that of game.json, or 0",
            [](RunOptions& to, const std::string& text) {
                to.seed = whole_number("--seed", text, 0, UINT64_MAX);

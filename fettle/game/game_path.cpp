@@ -5,6 +5,8 @@
 
 #include <fettle/property/storage/game_files.h>
 
+#include <game/archive.h>
+
 namespace fettle::program {
 
 namespace fs = std::filesystem;
@@ -79,6 +81,11 @@ fs::path found_game(const fs::path& named) {
     }
     if (!fs::is_directory(named, error)) {
         require_file(named, script);
+        if (is_archive(named)) {
+            if (read_archive(named, "main.lua").empty())
+                throw FileError(named.string() + ": this archive is no game, it has no main.lua");
+            return fs::canonical(named) / "main.lua";
+        }
         return fs::is_symlink(named, error) ? fs::canonical(named) : named;
     }
     const fs::path main = named / "main.lua";
@@ -124,6 +131,11 @@ bool mentions_quit(const fs::path& game, std::span<const std::string> chunks) {
     constexpr std::string_view word = "quit";
     for (const std::string& chunk : chunks)
         if (has_word(chunk, word)) return true;
+    if (const fs::path archive = archive_of(game); !archive.empty()) {
+        for (const auto& [name, content] : read_archive(archive))
+            if (name.ends_with(".lua") && has_word(content, word)) return true;
+        return false;
+    }
     std::error_code error;
     property::GameFiles files;
     files.stay_below(folder_of(game));

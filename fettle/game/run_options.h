@@ -20,6 +20,8 @@ struct RunOptions {
     std::vector<std::pair<std::uint64_t, std::string>> at{};       // step, chunk
     std::vector<std::pair<std::uint64_t, std::string>> console{};  // step, command
     std::optional<std::uint64_t> budget{};  // ms; limit of each call into the scripts
+    bool sandbox = false;                   // the game is not trusted
+    std::optional<std::uint64_t> memory{};  // MB; limit of what the scripts may use
     std::optional<std::uint64_t> seed{};    // of random(); none: that of game.json, else 0
     bool developer = false;                 // for the console, where game.json asks for it
     std::vector<std::string> modules{};     // files or names, in addition to the game's manifest
@@ -27,6 +29,8 @@ struct RunOptions {
     bool hash = false;
     std::filesystem::path record{};    // recording to write; empty: none
     std::filesystem::path replay{};    // recording to play instead of a new run; empty: none
+    std::optional<bool> reload{};      // given on the command line
+    bool follow = false;               // read files again that change while the game runs
     bool isolated = false;             // reads and writes no store, no saves and no tweaks
     std::optional<TestChoice> test{};  // the run is this test
 };

@@ -14,8 +14,10 @@
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
 #include <game/answer.h>
+#include <game/archive.h>
 #include <game/game_path.h>
 #include <game/game_window.h>
+#include <game/quota.h>
 #include <game/recorded_files.h>
 
 namespace fettle::program {
@@ -24,6 +26,13 @@ namespace {
 
 constexpr std::string_view icon_setting = "game.json: icon";
 constexpr std::array<std::string_view, 5> image_endings = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+
+/// The game. Throws FileError if it is not trusted and has native modules, before these run.
+const std::filesystem::path& without_modules_in_sandbox(const RunOptions& options) {
+    if (options.sandbox && (!options.modules.empty() || !manifest(options.game).empty()))
+        throw FileError("--sandbox: a game in a sandbox cannot plug in native modules");
+    return options.game;
+}
 
 }  // namespace
 
@@ -45,7 +54,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
       errors_(std::move(errors)),
       replayed_(replayed),
       assets_(files_, folder_of(options.game), assets()),
-      modules_(options.game, options.modules),
+      modules_(without_modules_in_sandbox(options), options.modules),
       visuals_(&assets_),
       interface_(visuals_.media()) {
     make_files();
@@ -71,8 +80,12 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
         tell_error(report);  // the run continues, and the property keeps its last valid value
     });
     make_storage();
+    const GameQuota quota = quota_of(options);
+    if (quota.files > 0) files_.limit_writes(quota.files);
     runtime_ = std::make_unique<script::Runtime>(
         tree_, script::Options{.seed = seed(),
+                               .memory_limit = quota.lua,
+                               .limits = quota.scripts,
                                // No limit here; a window sets one, and so does --budget.
                                .call_seconds = 0,
                                .assets = assets(),
@@ -110,6 +123,7 @@ Session::~Session() {
 /// A recording notes the files that the run reads; a replay gets the recorded content instead.
 void Session::make_files() {
     files_.stay_below(folder_of(options_.game), assets());
+    mount_archive(options_.game, files_);
     if (replayed_ != nullptr) use_recorded_content(*replayed_, options_.game, files_);
     if (isolated()) files_.stay_in_memory();
     if (options_.record.empty()) return;
@@ -153,7 +167,7 @@ void Session::make_storage() {
     // The original run has already written its tweaks and saves, so a replay writes none.
     const bool writes = replayed_ == nullptr && !isolated();
     property::TweakOptions of_tweaks{.files = &files_};
-    if (isolated()) of_tweaks.earlier.emplace();
+    if (isolated() || !archive_of(options_.game).empty()) of_tweaks.earlier.emplace();
     if (replayed_ != nullptr) of_tweaks.earlier = replayed_->start().tweaks;
     tweaks_ = std::make_unique<property::Tweaks>(
         tree_, options_.game, [this](const std::string& warning) { note(warning); },
@@ -166,6 +180,7 @@ void Session::make_storage() {
                         FETTLE_VERSION),
         property::GameSaves::Options{.writes = writes,
                                      .pictures = !options_.headless,
+                                     .space = quota_of(options_).saves,
                                      .warn = [this](const std::string& text) { note(text); }});
     make_store(folder);
 }
@@ -328,7 +343,9 @@ void Session::start() {
     // A replay gets the console's input from the recording.
     if (console_ && options_.replay.empty()) loop_->add(*console_);
 #endif
-    if (!runtime_->load(options_.game) && !runtime_->interrupted()) failed_ = true;
+    loaded_ = runtime_->load(options_.game);
+    if (!loaded_ && !runtime_->interrupted()) failed_ = true;
+    if (follows_files()) watch_.changed(files_.seen());
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)
         note(std::to_string(open) +

@@ -20,6 +20,7 @@
 #include <fettle/script/runtime.h>
 #include <fettle/visuals/visuals.h>
 
+#include <game/file_watch.h>
 #include <game/game_modules.h>
 #include <game/run_options.h>
 
@@ -66,10 +67,27 @@ class Session {
     /// The exit status; it depends on errors and quit().
     int exit_status() const;
     bool failed() const { return failed_; }
+
+    /// What has come of files that changed while the game runs. `restart`: main.lua had failed
+    /// when the game began, so the game must begin again.
+    enum class Followed : std::uint8_t { nothing, changed, failed, restart };
+    /// Reads files again that have changed. Call between frames. Does nothing unless the options
+    /// ask for it, and not in a recorded run: a recording is of one version of the files.
+    Followed follow_files();
+    /// Receives the error of changed files, and null when they have none.
+    void on_error_over(std::function<void(const script::ScriptError*)> sink) {
+        error_over_ = std::move(sink);
+    }
     /// Why the recording of the run is incomplete; "" if it is complete or if there is none.
     std::string recording_problem() const;
 
   private:
+    bool follows_files() const;
+    Followed take_changes(const std::vector<std::filesystem::path>& changed);
+    script::Reloaded reload_code(const std::vector<std::string>& names);
+    script::Reloaded reload_media(const std::vector<std::string>& names);
+    void renew(const std::string& name);
+    void renew_settings();
     void add_modules();
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
@@ -108,6 +126,9 @@ class Session {
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
     std::function<void(std::string_view)> output_;
+    std::function<void(const script::ScriptError*)> error_over_;
+    FileWatch watch_;
+    bool loaded_ = false;                   // main.lua and start() had no error
     std::vector<std::string> early_notes_;  // notes from before the console existed
     std::uint64_t typed_ = 0;               // the last step whose --console commands were run
     bool stepped_ = false;  // the modules have made a step, which is not delivered yet

@@ -195,7 +195,8 @@ const std::vector<DividedPart>& divided_parts() {
              {"command_line", {}},
              {"game", {"command_line"}},
              {"testing", {"command_line", "game"}},
-             {"commands", {"command_line", "game", "testing"}},
+             {"packing", {"command_line", "game"}},
+             {"commands", {"command_line", "game", "testing", "packing"}},
          }},
     };
     return table;

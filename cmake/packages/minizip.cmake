@@ -1,0 +1,12 @@
+# Reads and writes archives of games.
+if(NOT TARGET fettle_minizip)
+  find_path(FETTLE_MINIZIP_HEADERS minizip/zip.h)
+  find_library(FETTLE_MINIZIP_LIBRARY minizip)
+  if(FETTLE_MINIZIP_HEADERS AND FETTLE_MINIZIP_LIBRARY)
+    add_library(fettle_minizip INTERFACE IMPORTED GLOBAL)
+    target_include_directories(fettle_minizip SYSTEM INTERFACE "${FETTLE_MINIZIP_HEADERS}")
+    target_link_libraries(fettle_minizip INTERFACE "${FETTLE_MINIZIP_LIBRARY}")
+  else()
+    set(FETTLE_MISSING "minizip (Debian: libminizip-dev) is needed")
+  endif()
+endif()

@@ -1,0 +1,141 @@
+#include <commands/package.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include <fettle/property/storage/game_settings.h>
+
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <game/file_errors.h>
+#include <game/game_path.h>
+#include <game/settings.h>
+#include <packing/packed_game.h>
+#include <packing/standalone.h>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A name for files: small letters, digits and dashes.
+std::string file_name_of(const std::string& name) {
+    std::string plain;
+    for (const char c : name) {
+        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        const bool letter = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
+        if (letter || (!plain.empty() && plain.back() != '-')) plain += letter ? lower : '-';
+    }
+    while (!plain.empty() && plain.back() == '-') plain.pop_back();
+    return plain.size() < 2 ? "game" : plain;
+}
+
+/// Digits, letters and dots, beginning with a digit.
+std::string version_of(const std::string& version) {
+    std::string plain;
+    for (const char c : version)
+        if ((c >= '0' && c <= '9') || (!plain.empty() && (std::isalpha(c) != 0 || c == '.')))
+            plain += c;
+    return plain.empty() ? "0.1" : plain;
+}
+
+PackageFacts facts_of(const fs::path& game) {
+    const property::GameSettings settings = read_settings(game);
+    const fs::path folder = fs::absolute(game).lexically_normal();
+    std::string name = settings.name;
+    if (name.empty())
+        name = (folder.has_filename() ? folder : folder.parent_path()).stem().string();
+    std::string author;
+    for (const char c : settings.author)
+        if (c >= ' ' && c != '<' && c != '>') author += c;
+    return {.name = on_one_line(name),
+            .id = file_name_of(name),
+            .version = version_of(settings.version),
+            .author = author};
+}
+
+void require_no_modules(const ArchiveFiles& files) {
+    if (files.contains("modules.json"))
+        throw FileError(
+            "modules.json: an archive cannot bring native modules along; use --linux or --deb");
+}
+
+}  // namespace
+
+int package(const PackageOptions& options) {
+    if (options.file.empty() && options.linux_run.empty() && options.deb.empty()) {
+        tell("package: name what to make: --file NAME.fettle, --linux FOLDER or --deb NAME.deb");
+        return bad_usage;
+    }
+    const fs::path game = found_game(options.game);
+    if (!archive_of(game).empty())
+        throw FileError(options.game.string() + ": is an archive already; name the game's folder");
+    const PackageFacts facts = facts_of(game);
+    const ArchiveFiles files = packed_game(game);
+    const std::vector<std::string> problems = problems_of(files, options.made);
+    for (const std::string& problem : problems) tell(problem);
+    if (!problems.empty()) {
+        tell(
+            "nothing was made: the game would not run elsewhere. --made NAME names a file that "
+            "the game makes itself");
+        return file_error;
+    }
+    if (!options.file.empty()) {
+        require_no_modules(files);
+        write_archive(options.file, files);
+        print_line(options.file.string() + ": " + std::to_string(files.size()) +
+                   " files. Play it with fettle run " + options.file.string());
+    }
+    if (!options.linux_run.empty()) {
+        make_folder(options.linux_run, facts, files);
+        print_line(options.linux_run.string() + ": " + facts.id + " in it starts the game");
+    }
+    if (!options.deb.empty()) {
+        make_debian_package(options.deb, facts, files);
+        print_line(options.deb.string() + ": installs /usr/games/" + facts.id);
+    }
+    return success;
+}
+
+Command add_package(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "package", "Make a package of a game for players: one file, a folder, a Debian package.");
+    command.allow_extras();
+    const auto options = std::make_shared<PackageOptions>();
+    const auto option = [&](const char* name, const char* help, auto take) {
+        return command.add_option_function<std::string>(
+            name, [options, take](const std::string& text) { take(*options, text); }, help);
+    };
+    option("path", "A folder with main.lua, or one .lua file",
+           [](PackageOptions& to, const std::string& text) {
+               to.game = checked_text("path", text, "a folder with main.lua, or a .lua file");
+           })
+        ->required();
+    option("--file", "One file, which fettle run plays: NAME.fettle",
+           [](PackageOptions& to, const std::string& text) {
+               to.file = checked_text("--file", text, "a file");
+               if (to.file.extension() != archive_ending)
+                   throw CLI::ValidationError("--file", "expected a name that ends in .fettle");
+           });
+    option("--linux",
+           "A folder that runs without Fettle, or a file NAME.tar.gz with it: it needs a Linux as "
+           "new as this one, X11 and OpenGL",
+           [](PackageOptions& to, const std::string& text) {
+               to.linux_run = checked_text("--linux", text, "a folder that is not there yet");
+           });
+    option("--deb", "A Debian package of that folder: NAME.deb",
+           [](PackageOptions& to, const std::string& text) {
+               to.deb = checked_text("--deb", text, "a file");
+           });
+    option("--made",
+           "The name of a file that the game makes itself, so that it may be missing (repeatable)",
+           [](PackageOptions& to, const std::string& text) {
+               to.made.push_back(checked_text("--made", text, "a name"));
+           })
+        ->trigger_on_parse();
+    return {&command, [options] { return with_file_errors([&] { return package(*options); }); }};
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,145 @@
+#include <game/archive.h>
+
+#include <minizip/unzip.h>
+#include <minizip/zip.h>
+
+#include <algorithm>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fettle/property/storage/game_files.h>
+
+#include <game/game_path.h>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t largest_sum = std::size_t{1} << 30;  // bytes, of all files
+constexpr std::size_t most_files = 50'000;
+constexpr std::size_t longest_name = 1000;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+    throw FileError(file.string() + ": " + why);
+}
+
+bool is_valid_name(const std::string& name) {
+    if (name.empty() || name.size() > longest_name || name.find('\\') != std::string::npos ||
+        name.find('\0') != std::string::npos)
+        return false;
+    const fs::path path(name);
+    if (path.is_absolute() || path.lexically_normal().generic_string() != name) return false;
+    for (const fs::path& part : path)
+        if (part == "..") return false;
+    return true;
+}
+
+struct CloseUnzip {
+    void operator()(void* archive) const { unzClose(archive); }
+};
+
+/// Reads the current file of the archive.
+std::string read_current(void* archive, const fs::path& file, const std::string& name,
+                         std::size_t size) {
+    if (unzOpenCurrentFile(archive) != UNZ_OK) refuse(file, "\"" + name + "\" cannot be unpacked");
+    std::string content(size, '\0');
+    std::size_t filled = 0;
+    while (filled < size) {
+        const int count = unzReadCurrentFile(archive, content.data() + filled,
+                                             static_cast<unsigned>(size - filled));
+        if (count <= 0) break;
+        filled += static_cast<std::size_t>(count);
+    }
+    if (unzCloseCurrentFile(archive) != UNZ_OK || filled != size)
+        refuse(file, "\"" + name + "\" is damaged");
+    return content;
+}
+
+}  // namespace
+
+bool is_archive(const fs::path& file) {
+    std::error_code error;
+    return file.extension() == archive_ending && fs::is_regular_file(file, error);
+}
+
+fs::path archive_of(const fs::path& game) {
+    return is_archive(game.parent_path()) ? game.parent_path() : fs::path();
+}
+
+ArchiveFiles read_archive(const fs::path& file, const std::string& only) {
+    const std::unique_ptr<void, CloseUnzip> archive(unzOpen64(file.c_str()));
+    if (archive == nullptr) refuse(file, "is no archive of a game, or it is damaged");
+    ArchiveFiles files;
+    std::size_t sum = 0, count = 0;
+    for (int status = unzGoToFirstFile(archive.get()); status != UNZ_END_OF_LIST_OF_FILE;
+         status = unzGoToNextFile(archive.get())) {
+        unz_file_info64 info{};
+        std::string name(longest_name + 2, '\0');
+        if (status != UNZ_OK ||
+            unzGetCurrentFileInfo64(archive.get(), &info, name.data(), name.size(), nullptr, 0,
+                                    nullptr, 0) != UNZ_OK)
+            refuse(file, "is damaged");
+        name.resize(std::min<std::size_t>(info.size_filename, name.size()));
+        if (name.ends_with('/')) continue;  // a folder
+        if (!is_valid_name(name)) refuse(file, "has a file with a name that no game may have");
+        if (info.uncompressed_size > property::GameFiles::size_limit ||
+            (sum += info.uncompressed_size) > largest_sum || ++count > most_files)
+            refuse(file, "is too large: a game has at most 1 GiB in " + std::to_string(most_files) +
+                             " files of 64 MiB");
+        if (!only.empty() && name != only) continue;
+        files[name] = read_current(archive.get(), file, name, info.uncompressed_size);
+    }
+    return files;
+}
+
+namespace {
+
+struct CloseZip {
+    void operator()(void* archive) const { zipClose(archive, nullptr); }
+};
+
+void add_file(void* archive, const fs::path& file, const std::string& name,
+              const std::string& content) {
+    zip_fileinfo info{};
+    info.tmz_date.tm_year = 1980;  // the same in every archive
+    info.tmz_date.tm_mday = 1;
+    const bool ok = zipOpenNewFileInZip64(archive, name.c_str(), &info, nullptr, 0, nullptr, 0,
+                                          nullptr, Z_DEFLATED, Z_BEST_COMPRESSION, 0) == ZIP_OK &&
+                    zipWriteInFileInZip(archive, content.data(),
+                                        static_cast<unsigned>(content.size())) == ZIP_OK &&
+                    zipCloseFileInZip(archive) == ZIP_OK;
+    if (!ok) refuse(file, "cannot be written");
+}
+
+}  // namespace
+
+void write_archive(const fs::path& file, const ArchiveFiles& files) {
+    const fs::path draft = file.string() + ".new";
+    std::error_code ignored;
+    try {
+        std::unique_ptr<void, CloseZip> archive(zipOpen64(draft.c_str(), APPEND_STATUS_CREATE));
+        if (archive == nullptr) refuse(file, "cannot be written");
+        for (const auto& [name, content] : files) add_file(archive.get(), file, name, content);
+        if (zipClose(archive.release(), nullptr) != ZIP_OK) refuse(file, "cannot be written");
+        fs::rename(draft, file);
+    } catch (const fs::filesystem_error& error) {
+        fs::remove(draft, ignored);
+        refuse(file, "cannot be written: " + error.code().message());
+    } catch (...) {
+        fs::remove(draft, ignored);
+        throw;
+    }
+}
+
+void mount_archive(const fs::path& game, property::GameFiles& files) {
+    const fs::path archive = archive_of(game);
+    if (archive.empty()) return;
+    for (auto& [name, content] : read_archive(archive))
+        files.put(archive / name, std::move(content));
+    files.stay_in_memory();
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,119 @@
+// The files of a game change while it runs: the session reads them again.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+
+#include <fettle/property/exception_text.h>
+
+#include <game/game_path.h>
+#include <game/game_window.h>
+#include <game/session.h>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files of these kinds are no code: nothing that a script has computed depends on their content.
+bool is_media(const fs::path& file) {
+    constexpr std::array<std::string_view, 13> endings = {".png",  ".jpg", ".jpeg", ".bmp", ".tga",
+                                                          ".ttf",  ".otf", ".ttc",  ".wav", ".ogg",
+                                                          ".flac", ".mp3", ".frag"};
+    const std::string ending = file.extension().string();
+    return std::ranges::find(endings, ending) != endings.end();
+}
+
+std::string join(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+}  // namespace
+
+bool Session::follows_files() const {
+    return options_.follow && replayed_ == nullptr && options_.record.empty() && !isolated();
+}
+
+Session::Followed Session::follow_files() {
+    if (!follows_files() || !watch_.due() || runtime_->running()) return Followed::nothing;
+    const std::vector<fs::path> changed = watch_.changed(files_.seen());
+    return changed.empty() ? Followed::nothing : take_changes(changed);
+}
+
+Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
+    // A game whose main.lua has failed has nothing that could be kept.
+    if (!loaded_) return Followed::restart;
+    const auto begin = std::chrono::steady_clock::now();
+    const fs::path folder = folder_of(options_.game);
+    std::vector<std::string> names;
+    bool code = false;
+    for (const fs::path& file : changed) {
+        const fs::path name = file.lexically_normal().lexically_relative(folder.lexically_normal());
+        names.push_back(name.generic_string());
+        try {
+            renew(names.back());
+        } catch (const std::exception& error) {
+            note("reload: " + property::exception_text(error));
+        }
+        code = code || (!is_media(file) && names.back() != "game.json");
+    }
+    const script::Reloaded result = code ? reload_code(names) : reload_media(names);
+    for (const std::string& line : result.notes) note(line);
+    if (!result.done) {
+        tell_error(*result.error);
+        if (error_over_) error_over_(&*result.error);
+        return Followed::failed;
+    }
+    if (error_over_) error_over_(nullptr);
+    const std::chrono::duration<double, std::milli> lasted =
+        std::chrono::steady_clock::now() - begin;
+    note("reloaded " + join(names) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
+    failed_ = false;
+    if (loop_->halted()) loop_->resume();
+    return Followed::changed;
+}
+
+/// The files may be gone again in the meantime.
+script::Reloaded Session::reload_code(const std::vector<std::string>& names) {
+    try {
+        return runtime_->reload(names);
+    } catch (const std::exception& error) {
+        script::ScriptError report;
+        report.message = property::exception_text(error);
+        report.context = "reload";
+        return {.done = false, .error = report};
+    }
+}
+
+/// The code stays as it is, and is told.
+script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
+    property::List list(names.begin(), names.end());
+    runtime_->call("reloaded", {property::Value(std::move(list))});
+    return {.done = true};
+}
+
+void Session::renew(const std::string& name) {
+    visuals_.renew(name);
+    services_->audio.renew(name);
+    if (name == "game.json") renew_settings();
+}
+
+/// Applies the settings of the window that differ from those before; the others need a restart.
+void Session::renew_settings() {
+    const app::WindowState before = window_state(settings_);
+    settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
+    const app::WindowState now = window_state(settings_);
+    app::WindowState& state = services_->view.window;
+    if (now.title != before.title) state.title = now.title;
+    if (now.size != before.size) state.size = now.size;
+    if (now.fullscreen != before.fullscreen) state.fullscreen = now.fullscreen;
+    if (now.resizable != before.resizable) state.resizable = now.resizable;
+    if (now.vsync != before.vsync) state.vsync = now.vsync;
+}
+
+}  // namespace fettle::program

@@ -1,0 +1,23 @@
+#pragma once
+// What a game may use of the computer.
+
+#include <cstddef>
+#include <cstdint>
+
+#include <fettle/script/runtime.h>
+
+namespace fettle::program {
+
+struct RunOptions;
+
+/// Bytes. 0: no limit.
+struct GameQuota {
+    std::size_t lua = 0;    // memory of the scripts themselves; always limited
+    std::size_t files = 0;  // written to the game's folder
+    std::uintmax_t saves = 0;
+    script::GameLimits scripts{};
+};
+
+GameQuota quota_of(const RunOptions& options);
+
+}  // namespace fettle::program

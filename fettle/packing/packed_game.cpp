@@ -1,0 +1,128 @@
+#include <packing/packed_game.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include <fettle/property/spelling.h>
+#include <fettle/property/storage/game_files.h>
+
+#include <game/game_path.h>
+#include <packing/literal_names.h>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+bool is_left_out(const fs::path& name) {
+    if (*name.begin() == "tests") return true;
+    for (const fs::path& part : name)
+        if (part.string().starts_with('.')) return true;
+    const std::string last = name.filename().string();
+    for (const std::string_view ending : {".tweaks.json", ".sqlite", ".sqlite-wal", ".sqlite-shm",
+                                          archive_ending.data(), ".deb", ".tar.gz", ".recording"})
+        if (last.ends_with(ending)) return true;
+    return false;
+}
+
+/// Looks a name up as a game does.
+class Names {
+  public:
+    explicit Names(const ArchiveFiles& files) {
+        for (const auto& [name, content] : files) all_.push_back(name);
+        shared_ = assets();
+    }
+    bool has(const std::string& name) const {
+        std::error_code error;
+        return std::ranges::binary_search(all_, name) ||
+               (!shared_.empty() && fs::is_regular_file(shared_ / name, error));
+    }
+    std::string hint(const std::string& name) const {
+        const std::string lower = lower_case(name);
+        for (const std::string& each : all_)
+            if (lower_case(each) == lower)
+                return ": the file is called \"" + each +
+                       "\", and upper and lower case are different elsewhere";
+        return ": there is no such file" + property::suggestion(name, all_);
+    }
+
+  private:
+    std::vector<std::string> all_;
+    fs::path shared_;
+};
+
+std::string module_file(std::string name) {
+    std::ranges::replace(name, '.', '/');
+    return name + ".lua";
+}
+
+/// Why the name does not lead to a file; "" if it does. `from`: the file that mentions it.
+std::string problem_of(const LiteralName& name, const std::string& from, bool script,
+                       const Names& names) {
+    const fs::path path(name.name);
+    if (path.is_absolute() || (name.name.size() > 1 && name.name[1] == ':'))
+        return ": an absolute path exists on this computer only";
+    if (name.module) {
+        const std::string file = module_file(name.name);
+        return names.has(file) ? "" : " (" + file + ")" + names.hint(file);
+    }
+    const std::string plain = path.lexically_normal().generic_string();
+    if (names.has(plain)) return {};
+    // Maps and sheets name files beside themselves.
+    const std::string beside =
+        (fs::path(from).parent_path() / path).lexically_normal().generic_string();
+    if (!script && names.has(beside)) return {};
+    return names.hint(script ? plain : beside);
+}
+
+}  // namespace
+
+ArchiveFiles packed_game(const fs::path& game) {
+    const fs::path folder = folder_of(game);
+    property::GameFiles reader;
+    reader.stay_below(folder);
+    ArchiveFiles files;
+    for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
+        const fs::path name = it->path().lexically_relative(folder);
+        if (is_left_out(name)) {
+            if (it->is_directory() && !it->is_symlink()) it.disable_recursion_pending();
+            continue;
+        }
+        if (it->is_directory()) continue;
+        require_file(it->path(), "a file of the game");
+        files[name.generic_string()] = reader.read(it->path());
+    }
+    if (!fs::is_directory(game)) {  // one .lua file: a package begins with main.lua
+        const std::string name = game.filename().string();
+        files = {{"main.lua", reader.read(game)}};
+    }
+    return files;
+}
+
+std::vector<std::string> problems_of(const ArchiveFiles& files,
+                                     const std::vector<std::string>& made) {
+    const Names names(files);
+    std::vector<std::string> problems;
+    for (const auto& [file, content] : files) {
+        const bool script = file.ends_with(".lua");
+        const std::string ending = fs::path(file).extension().string();
+        constexpr std::string_view data[] = {".json", ".tmj", ".tmx", ".tsj", ".tsx"};
+        if (!script && std::ranges::find(data, ending) == std::end(data)) continue;
+        for (const LiteralName& name : script ? names_in_script(content) : names_in_data(content)) {
+            if (name.written || std::ranges::find(made, name.name) != made.end()) continue;
+            const std::string why = problem_of(name, file, script, names);
+            if (!why.empty())
+                problems.push_back(file + ":" + std::to_string(name.line) + ": \"" + name.name +
+                                   "\"" + why);
+        }
+    }
+    return problems;
+}
+
+}  // namespace fettle::program
