@@ -1,0 +1,223 @@
+// `fettle package`: one file, a folder, and what is refused.
+
+#include <catch.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "program.h"
+
+namespace package_test {
+
+using namespace program_test;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A game with a module, a scene, an image and random numbers.
+void write_game(const Folder& folder) {
+    folder.write(
+        "game/main.lua",
+        "local part = require('parts.wall') part.build(world) "
+        "scene.load('crate.json', world, 'crate') "
+        "world.picture = Sprite { image = 'art/hero.tga' } "
+        "for i = 1, 20 do world:add(Body { position = vec(random() * 4, i), Circle { } }) end "
+        "print(world.picture.columns)");
+    folder.write("game/parts/wall.lua",
+                 "local part = {} function part.build(w) w.floor = Body { type = 'static', "
+                 "position = vec(0, -2), Box { width = 20, height = 2 } } end return part");
+    folder.write("game/crate.json",
+                 R"({"fettle_scene": 1, "class": "Body", "children": [{"class": "Circle"}]})");
+    // An uncompressed TGA file of one pixel.
+    std::string pixel(18, '\0');
+    pixel[2] = 2, pixel[12] = 1, pixel[14] = 1, pixel[16] = 32;
+    folder.write("game/art/hero.tga", pixel + std::string("\x10\x20\x30\xff", 4));
+    folder.write("game/game.json",
+                 R"({"name": "Cave of Lamps", "id": "org.example.cave", "version": "1.2"})");
+    folder.write("game/tests/one.lua", "test('x', function() end)");
+}
+
+Outcome hash(const Folder& folder, const std::string& game) {
+    return fettle(folder, {"run", game, "--headless", "--steps", "90", "--hash"});
+}
+
+}  // namespace
+
+TEST_CASE("an archive of a game runs as its folder does") {
+    const Folder folder;
+    write_game(folder);
+    const std::string game = (folder / "game").string();
+    const std::string archive = (folder / "cave.fettle").string();
+    const Outcome made = fettle(folder, {"package", game, "--file", archive});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    const Outcome before = hash(folder, game), packed = hash(folder, archive);
+    INFO(before.err << packed.err);
+    CHECK(before.status == 0);
+    CHECK(packed.status == 0);
+    CHECK_FALSE(before.out.empty());
+    CHECK(packed.out == before.out);
+    const std::string first = folder.text("cave.fettle");
+    REQUIRE(fettle(folder, {"package", game, "--file", archive}).status == 0);
+    CHECK(folder.text("cave.fettle") == first);
+    CHECK(contains(fettle(folder, {"where", archive}).out, "org.example.cave/saves"));
+}
+
+TEST_CASE("errors in an archive have their places and unknown files their nearest names") {
+    const Folder folder;
+    folder.write("game/main.lua", "local name = 'art/hero' require('part')(name .. '.tgaa')");
+    folder.write("game/part.lua",
+                 "return function(name)\n  world.x = Sprite { image = name }\nend");
+    folder.write("game/art/hero.tgaa", "");
+    folder.write("game/art/hero.tga", "no image");
+    REQUIRE(fettle(folder, {"package", (folder / "game").string(), "--file",
+                            (folder / "a.fettle").string()})
+                .status == 0);
+    const Outcome ran = fettle(folder, {"run", (folder / "a.fettle").string(), "--headless",
+                                        "--steps", "1", "--eval", "scene.load('art/hero.tg')"});
+    CHECK(ran.status == 1);
+    CHECK(contains(ran.err, "there is no file \"art/hero.tg\""));
+}
+
+TEST_CASE("a game that would not run elsewhere is not packaged") {
+    const auto [script, message] = GENERATE(table<std::string, std::string>({
+        {"world.a = Sprite { image = 'art/Hero.png' }",
+         "main.lua:1: \"art/Hero.png\": the file is called \"art/hero.png\""},
+        {"\nlocal a = \"art/heroo.png\"",
+         "main.lua:2: \"art/heroo.png\": there is no such file (did you mean \"art/hero.png\"?)"},
+        {"local a = [[/home/me/x.ogg]]", "\"/home/me/x.ogg\": an absolute path"},
+        {"require('parts.none')", "\"parts.none\" (parts/none.lua): there is no such file"},
+        {"require \"Part\"", "\"Part\" (Part.lua): the file is called \"part.lua\""},
+        {"local a = 'C:/x.png'", "an absolute path"},
+    }));
+    CAPTURE(script);
+    const Folder folder;
+    folder.write("game/main.lua", script);
+    folder.write("game/part.lua", "");
+    folder.write("game/art/hero.png", "");
+    const Outcome refused = fettle(
+        folder, {"package", (folder / "game").string(), "--file", (folder / "a.fettle").string()});
+    INFO(refused.err);
+    CHECK(refused.status == 3);
+    CHECK(contains(refused.err, message));
+    CHECK_FALSE(fs::exists(folder / "a.fettle"));
+}
+
+TEST_CASE("comments and files that the game makes do not stop a package") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "-- 'none.png'\n--[[ \"none.ogg\" ]]\nscene.save('mine.json', world) "
+                 "local a = 'made.json' local b = 'it is not a name .png at all?'");
+    const std::string game = (folder / "game").string(), file = (folder / "a.fettle").string();
+    CHECK(fettle(folder, {"package", game, "--file", file}).status == 3);
+    CHECK(fettle(folder, {"package", game, "--file", file, "--made", "made.json"}).status == 0);
+}
+
+TEST_CASE("a damaged archive and one with strange names are refused") {
+    const Folder folder;
+    folder.write("no.fettle", "this is no archive");
+    const Outcome none = hash(folder, (folder / "no.fettle").string());
+    CHECK(none.status == 3);
+    CHECK(contains(none.err, "is no archive of a game, or it is damaged"));
+    write_game(folder);
+    const std::string archive = (folder / "cave.fettle").string();
+    REQUIRE(fettle(folder, {"package", (folder / "game").string(), "--file", archive}).status == 0);
+    std::string bytes = folder.text("cave.fettle");
+    for (std::size_t at = bytes.find("art/hero.tga"); at != std::string::npos;
+         at = bytes.find("art/hero.tga", at + 1))
+        bytes.replace(at, 12, "../../her.tg");
+    folder.write("evil.fettle", bytes);
+    const Outcome evil = hash(folder, (folder / "evil.fettle").string());
+    CHECK(evil.status == 3);
+    CHECK(contains(evil.err, "a name that no game may have"));
+    folder.write("short.fettle", folder.text("cave.fettle").substr(0, 400));
+    CHECK(hash(folder, (folder / "short.fettle").string()).status == 3);
+}
+
+TEST_CASE("a folder for linux runs without anything else") {
+    const Folder folder;
+    write_game(folder);
+    const std::string game = (folder / "game").string(), to = (folder / "shipped").string();
+    const Outcome made = fettle(folder, {"package", game, "--linux", to});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    CHECK(fettle(folder, {"package", game, "--linux", to}).status == 3);  // not twice
+    const std::string expected = hash(folder, game).out;
+    const fs::path own = folder / "shipped/cave-of-lamps";
+    REQUIRE(::access(own.c_str(), X_OK) == 0);
+    if (::geteuid() != 0) {
+        WARN("skipped: only root can change the root folder");
+        return;
+    }
+    // A root folder with a shell, and the libraries that the system itself brings.
+    const std::string script = R"sh(set -e
+root="$1"; mkdir -p "$root"/bin "$root"/game
+cp -a "$2" "$root"/game/out
+copy() { mkdir -p "$root$(dirname "$1")"; cp -L "$1" "$root$1"; }
+copy /bin/sh
+cp -L "$(command -v dirname)" "$(command -v readlink)" "$root"/bin/
+for each in /bin/sh "$(command -v readlink)" "$2"/bin/fettle; do
+    ldd "$each" | sed -n 's/.*=> \(\/[^ ]*\).*/\1/p; s/^[[:space:]]*\(\/[^ ]*\) (.*/\1/p'
+done | sort -u | while read library; do
+    case "$(basename "$library")" in
+    ld-linux*|libc.so*|libm.so*|libdl.so*|libpthread.so*|librt.so*|libgcc_s*|libstdc++*|libGL*|libX11.so*|libxcb*|libXau*|libXdmcp*|libbsd*|libmd*|libselinux*|libpcre*)
+        copy "$library" ;;
+    esac
+done
+PATH=/bin:/sbin:/usr/sbin chroot "$root" /game/out/cave-of-lamps --headless --steps 90 --hash
+)sh";
+    folder.write("chroot.sh", script);
+    const std::string output = (folder / "result").string();
+    const std::string command = "sh " + quoted((folder / "chroot.sh").string()) + " " +
+                                quoted((folder / "root").string()) + " " + quoted(to) + " > " +
+                                quoted(output) + " 2>&1";
+    const int status = std::system(command.c_str());
+    INFO(folder.text("result"));
+    CHECK(status == 0);
+    CHECK(folder.text("result") == expected);
+}
+
+TEST_CASE("a package needs to know what to make") {
+    const Folder folder;
+    folder.write("game/main.lua", "");
+    const std::string game = (folder / "game").string();
+    CHECK(fettle(folder, {"package", game}).status == 2);
+    CHECK(fettle(folder, {"package", game, "--file", "x.zip"}).status == 2);
+    folder.write("game/modules.json", R"({"modules": []})");
+    const Outcome native =
+        fettle(folder, {"package", game, "--file", (folder / "a.fettle").string()});
+    CHECK(native.status == 3);
+    CHECK(contains(native.err, "cannot bring native modules along"));
+}
+
+TEST_CASE("a game in a sandbox is limited and plugs in nothing") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "local t = {} function step() t[#t + 1] = ('x'):rep(1e6) .. #t end");
+    const std::string game = (folder / "game").string();
+    const Outcome memory = fettle(
+        folder, {"run", game, "--headless", "--steps", "1000", "--sandbox", "--memory", "32"});
+    CHECK(memory.status == 1);
+    CHECK(contains(memory.err, "main.lua:1: "));
+    CHECK(contains(memory.err, "may use"));
+    folder.write("game/main.lua", "function step() while true do end end");
+    const Outcome endless =
+        fettle(folder, {"run", game, "--headless", "--steps", "10", "--sandbox"});
+    CHECK(endless.status == 1);
+    CHECK(contains(endless.err, "main.lua:1: stopped: it ran"));
+    folder.write("game/main.lua", "function step() for i = 1, 1e7 do world:add(Body { }) end end");
+    const Outcome bodies =
+        fettle(folder, {"run", game, "--headless", "--steps", "10", "--memory", "64"});
+    CHECK(bodies.status == 1);
+    CHECK(contains(bodies.err, "may use, 64 MB"));
+    folder.write("game/modules.json", R"({"modules": ["wind"]})");
+    const Outcome native = fettle(folder, {"run", game, "--headless", "--steps", "1", "--sandbox"});
+    CHECK(native.status == 3);
+    CHECK(contains(native.err, "cannot plug in native modules"));
+}
+
+}  // namespace package_test

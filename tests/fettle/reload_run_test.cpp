@@ -1,0 +1,96 @@
+// Files of a game change while the program runs it.
+
+#include <catch.h>
+
+#include <csignal>
+#include <thread>
+
+#include "running_program.h"
+
+namespace reload_run_test {
+
+using namespace program_test;
+
+namespace {
+
+/// A headless run that follows its files. The script ends it.
+struct Run {
+    Folder folder;
+    const std::string game = (folder / "game").string();
+
+    RunningProgram begin(const std::vector<std::string>& more = {"--reload"}) {
+        std::vector<std::string> arguments = {"run", game, "--headless", "--steps", "1000000000"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return {folder, arguments};
+    }
+};
+
+/// Notes in the store what happened, which the test can see.
+const std::string tells =
+    "function reloaded(files) store.files = files[1] store.mass = world.ball.mass "
+    "store.played = world.ball.position.y < 0 quit() end ";
+
+}  // namespace
+
+TEST_CASE("a headless run follows its files if it is asked to") {
+    Run run;
+    run.folder.write("game/game.json", R"({"id": "org.example.reload"})");
+    run.folder.write("game/main.lua",
+                     tells +
+                         "world.ball = Body { mass = 2, Circle { } } "
+                         "after(1, function() scene.save('begun.json', world.ball) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua", tells + "world.ball = Body { mass = 3, Circle { } }");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(contains(end.err, "reloaded main.lua in "));
+    const std::string store =
+        run.folder.text("user data/fettle/games/org.example.reload/store.json");
+    CHECK(contains(store, "\"files\": \"main.lua\""));
+    CHECK(contains(store, "\"mass\": 3"));
+    CHECK(contains(store, "\"played\": true"));
+}
+
+TEST_CASE("an error of a changed file is told and the game goes on") {
+    Run run;
+    run.folder.write("game/main.lua",
+                     "world.ball = Body { Circle { } } "
+                     "after(1, function() scene.save('begun.json', world.ball) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua", "world.ball = Body { mas = 3 }");
+    // The run that goes on makes another file when the error is mended.
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    run.folder.write("game/main.lua",
+                     "world.ball = Body { Circle { } } function reloaded() quit() end");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    CHECK(contains(end.err, "Body has no property \"mas\" (did you mean \"mass\"?)"));
+    CHECK(contains(end.err, "reloaded main.lua in "));
+}
+
+TEST_CASE("a run follows no files without the option and none while it is recorded") {
+    Run run;
+    run.folder.write("game/main.lua",
+                     "local first = not store.again store.again = true "
+                     "after(1, function() scene.save('begun.json', world) end) "
+                     "after(1e9, function() end) function reloaded() quit(7) end");
+    const std::vector<std::string> options =
+        GENERATE(std::vector<std::string>{}, std::vector<std::string>{"--reload", "--record", "x"});
+    std::vector<std::string> given;
+    for (const std::string& each : options)
+        given.push_back(each == "x" ? (run.folder / "run.recording").string() : each);
+    RunningProgram program = run.begin(given);
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua", "function reloaded() quit(7) end");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    program.send(SIGTERM);
+    const auto end = program.end();
+    CHECK(end.status == 128 + SIGTERM);
+    CHECK_FALSE(contains(end.err, "reloaded"));
+}
+
+}  // namespace reload_run_test
