@@ -17,6 +17,7 @@
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
 #include <commands/gallery.h>
+#include <commands/run_arguments.h>
 #include <game/archive.h>
 #include <game/file_errors.h>
 #include <game/game_path.h>
@@ -355,30 +356,8 @@ int run_replay(RunOptions options) {
     return finish(session, options, window.get());
 }
 
-constexpr std::uint64_t max_steps = 1'000'000'000'000'000;
 constexpr std::uint64_t max_milliseconds = 1'000'000'000;
 constexpr std::uint64_t max_megabytes = 1'000'000;
-
-/// Parses "N:LUA": a step and a chunk of Lua.
-std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::string& text) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos || colon + 1 == text.size())
-        throw CLI::ValidationError(
-            option, "expected a step and a command, as in 60:print(time.now), got \"" +
-                        on_one_line(text.substr(0, 60)) + "\"");
-    return {whole_number(option, text.substr(0, colon), 1, max_steps), text.substr(colon + 1)};
-}
-
-/// Parses the name of a picture file; its format must be one that can be written.
-std::filesystem::path parse_picture(const std::string& text) {
-    const std::filesystem::path file = checked_text("--screenshot", text, "a file");
-    for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
-        if (file.extension() == known) return file;
-    throw CLI::ValidationError("--screenshot",
-                               "expected a file that ends in .png, .jpg, .bmp or "
-                               ".tga, got \"" +
-                                   on_one_line(text.substr(0, 60)) + "\"");
-}
 
 }  // namespace
 

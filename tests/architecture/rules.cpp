@@ -80,7 +80,7 @@ const std::vector<Part>& parts() {
          {"fettle"},
          {"property", "storage", "physics", "module", "physics_module", "visuals", "script", "app",
           "interface", "console"},
-         {"Eigen", "JSON", "CLI11", "libedit", "POSIX"}},
+         {"Eigen", "JSON", "CLI11", "libedit", "minizip", "POSIX"}},
     };
     return table;
 }
@@ -106,9 +106,11 @@ const std::vector<Library>& libraries() {
         {"Zstandard", std::regex("zstd\\.h"), std::regex("fettle_zstd|PkgConfig::ZSTD|zstd::.*")},
         {"pugixml", std::regex("pugixml\\.hpp"), std::regex("fettle_pugixml|pugixml::.*")},
         {"zlib", std::regex("zlib\\.h"), std::regex("fettle_zlib|ZLIB::.*")},
+        {"minizip", std::regex("minizip/.*"), std::regex("fettle_minizip")},
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
         {"libedit", std::regex("histedit\\.h"), std::regex("fettle_libedit")},
-        {"POSIX", std::regex("(sys/.*|unistd|fcntl|dlfcn|poll|pthread|signal|termios)(\\.h)?"),
+        {"POSIX",
+         std::regex("(sys/.*|unistd|fcntl|dlfcn|link|poll|pthread|signal|spawn|termios)(\\.h)?"),
          std::regex("dl")},
         {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // from the compiler
         {"Catch2", std::regex("catch2/.*"), std::regex("Catch2::.*|fettle_catch")},
