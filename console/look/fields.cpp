@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include <fettle/property/exception_text.h>
+
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 
@@ -194,10 +196,15 @@ std::optional<double> Fields::parse(const std::string& typed, std::string_view u
     char* end = nullptr;
     double value = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == '\0') return value;
-    if (calculate && !text.empty()) {
-        if (auto result = calculate(text)) return result;
-    }
     problem_ = "\"" + typed + "\" is not a number";
+    if (calculate && !text.empty()) try {
+            if (auto result = calculate(text)) {
+                problem_.clear();
+                return result;
+            }
+        } catch (...) {  // of the host; the widgets around the field have to be ended
+            problem_ = property::exception_text();
+        }
     refuse();
     return std::nullopt;
 }

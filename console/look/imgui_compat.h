@@ -1,8 +1,10 @@
 #pragma once
 // Differences between versions of Dear ImGui: passing keys (1.87), setting the clipboard (1.91.1),
-// and making textures (1.92). Only this file depends on the version.
+// ending windows after an exception (1.91.3), and making textures (1.92). Only this file depends on
+// the version.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cstdint>
 #include <string_view>
@@ -135,6 +137,49 @@ inline bool enter_pressed() {
 inline bool escape_pressed() {
     return pressed(ImGuiKey_Escape);
 }
+
+/// Ends the windows, groups, fonts and colors that were begun after its construction and that an
+/// exception left open.
+class Recovery {
+  public:
+#if IMGUI_VERSION_NUM >= 19130
+    Recovery() {
+        ImGui::ErrorRecoveryStoreState(&before_);
+    }
+    void recover() const {
+        bool& asserts = ImGui::GetIO().ConfigErrorRecoveryEnableAssert;
+        const bool asserted = std::exchange(asserts, false);
+        ImGui::ErrorRecoveryTryToRecoverState(&before_);
+        asserts = asserted;
+    }
+
+  private:
+    ImGuiErrorRecoveryState before_;
+#else
+    /// Ends all that is open, so nothing may be open at the construction.
+    void recover() const {
+        const ImGuiContext& context = *ImGui::GetCurrentContext();
+        while (context.FontStack.Size > 0) ImGui::PopFont();
+        while (context.CurrentWindowStack.Size > 1) {
+            end_window_content(context);
+            if ((context.CurrentWindow->Flags & ImGuiWindowFlags_ChildWindow) != 0)
+                ImGui::EndChild();
+            else
+                ImGui::End();
+        }
+        end_window_content(context);
+    }
+
+  private:
+    static void end_window_content(const ImGuiContext& context) {
+        // Groups in a table end before it.
+        while (context.GroupStack.Size >
+               context.CurrentWindowStack.back().StackSizesOnBegin.SizeOfGroupStack)
+            ImGui::EndGroup();
+        ImGui::ErrorCheckEndWindowRecover(nullptr);
+    }
+#endif
+};
 
 /// Selects another font in the current size. To be ended with ImGui::PopFont().
 inline void push_font(ImFont* font) {

@@ -371,7 +371,7 @@ std::string Prompt::expanded(const std::string& command) const {
     return found->second + command.substr(end);
 }
 
-bool Prompt::run(const std::string& command, bool force) {
+bool Prompt::run(const std::string& command, bool force, script::Evaluation* said) {
     if (!interpreter_.evaluate) return true;
     script::Evaluation evaluation;
     try {
@@ -381,12 +381,13 @@ bool Prompt::run(const std::string& command, bool force) {
         evaluation.error->message = property::exception_text(error);
     }
     if (evaluation.incomplete && !force) return false;
+    if (evaluation.incomplete && !evaluation.error)
+        evaluation.error.emplace().message =
+            "the command is not complete: something opened is not closed";
     log_.command(command);
     log_.output(evaluation.lines);
-    if (evaluation.error)
-        log_.error(*evaluation.error);
-    else if (evaluation.incomplete)
-        log_.error("the command is not complete: something opened is not closed");
+    if (evaluation.error) log_.error(*evaluation.error);
+    if (said != nullptr) *said = std::move(evaluation);
     if (clears_) log_.clear();
     clears_ = false;
     return true;

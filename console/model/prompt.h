@@ -36,7 +36,8 @@ class Prompt {
     void submit(bool force);
     /// Runs a command and logs it with its output. False, and nothing has run, if it is incomplete,
     /// unless forced.
-    bool run(const std::string& command, bool force = true);
+    /// `said` gets what the interpreter said.
+    bool run(const std::string& command, bool force = true, script::Evaluation* said = nullptr);
     /// From now on the word at the beginning of a command stands for `command`; if that is empty,
     /// for itself.
     void alias(const std::string& word, const std::string& command);

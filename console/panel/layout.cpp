@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+
+#include <fettle/property/exception_text.h>
 
 #include <inspector/outline.h>
 #include <look/imgui_compat.h>
@@ -29,27 +33,44 @@ void Console::State::frame(double seconds) {
                    std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
                               6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
-    if (options.to_pixels && tree.alive(inspector.selected()))
-        draw_outline(*ImGui::GetBackgroundDrawList(), tree, inspector.selected(), options.to_pixels,
-                     ImGui::GetTime());
+    draw_part([&] {
+        if (options.to_pixels && tree.alive(inspector.selected()))
+            draw_outline(*ImGui::GetBackgroundDrawList(), tree, inspector.selected(),
+                         options.to_pixels, ImGui::GetTime());
+    });
     float right = 0;
     if (settings.flag("inspector")) {
-        right = std::min(settings.number("inspector_width"), width * 0.6f);
-        draw_inspector(width - right - margin, right);
-        right += margin;
+        const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
+        right = inspector_width + margin;
+        draw_part([&] { draw_inspector(width - right, inspector_width); });
     } else {
         inspector_rect = {};
         inspector.editor().end_drag();
     }
-    draw_panel(width - 2 * margin - right, panel_height(), cell);
-    draw_time_bar(inspector_rect.empty() ? 0 : right);
-    draw_observed(inspector_rect.empty() ? 0 : right);
-    prompt_view.draw_menu(cell, ui.bold());
-    context_menu.draw();
+    draw_part([&] { draw_panel(width - 2 * margin - right, panel_height(), cell); });
+    draw_part([&] { draw_time_bar(inspector_rect.empty() ? 0 : right); });
+    draw_part([&] { draw_observed(inspector_rect.empty() ? 0 : right); });
+    draw_part([&] { prompt_view.draw_menu(cell, ui.bold()); });
+    draw_part([&] { context_menu.draw(); });
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     ui.end_frame();
     ui.navigate_with_keys(popup_open);
     building = false;
+}
+
+/// Functions of the host may throw. The other parts are drawn all the same, and the log tells the
+/// error, once although it may come in every frame.
+void Console::State::draw_part(const std::function<void()>& part) {
+    const compat::Recovery recovery;
+    std::string problem;
+    try {
+        return part();
+    } catch (...) {
+        problem = property::exception_text();
+    }
+    recovery.recover();
+    if (problem != part_problem) log.error("console: " + problem);
+    part_problem = problem;
 }
 
 float Console::State::panel_height() {

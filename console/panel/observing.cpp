@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <fettle/app/input.h>
@@ -19,6 +20,7 @@ using property::Value;
 namespace {
 
 constexpr std::size_t max_pins = 50, max_plots = 12;
+constexpr int most_executed = 100;  // files of commands that such files run, between two frames
 constexpr std::int64_t pinned_past = 240;  // steps
 constexpr double longest_reading = 2000;   // ms
 
@@ -36,9 +38,13 @@ script::ConsoleFunctions Observing::functions() {
         prompt_.alias(word, command);
     };
     f.exec = [this](const std::string& text) {
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) waiting_.push_back(line);
-        waiting_.emplace_back();  // ends a command that is not complete
+        if (executing_ && ++executed_ > most_executed)
+            throw property::Error(property::ErrorKind::rejected,
+                                  "exec: files of commands have run " +
+                                      std::to_string(most_executed) + " others: no more are run");
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+        waiting_.push_back(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
+                                                             : text);
     };
     f.clear = [this] { prompt_.clear_log_afterwards(); };
     return f;
@@ -131,32 +137,46 @@ void Observing::between_frames(const Review& review) {
     search_past(review);
 }
 
-/// Runs the lines of a file of commands. A command may have several lines.
+/// Runs the files of commands that wait. A command may add others.
 void Observing::run_waiting() {
-    // A command may add others.
+    executed_ = 0;
+    executing_ = true;
+    while (!waiting_.empty()) {
+        const std::string text = std::move(waiting_.front());
+        waiting_.pop_front();
+        run_commands(text);
+    }
+    executing_ = false;
+}
+
+/// Runs the lines of a file of commands. A command may have several lines.
+void Observing::run_commands(const std::string& text) {
+    std::istringstream lines(text);
     std::string command;
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
-        const bool last = waiting_[i].empty() && i + 1 == waiting_.size();
-        command += (command.empty() ? "" : "\n") + waiting_[i];
+    bool more = true;
+    while (more) {
+        std::string line;  // the last one is empty: it ends a command that is not complete
+        more = static_cast<bool>(std::getline(lines, line));
+        command += (command.empty() ? "" : "\n") + line;
         const bool blank = command.find_first_not_of(" \t\r\n") == std::string::npos;
         const bool comment = !blank && command.find('\n') == std::string::npos &&
                              command.compare(command.find_first_not_of(' '), 2, "--") == 0;
-        if (blank || comment || prompt_.run(std::string(command), last)) command.clear();
+        script::Evaluation said;
+        if (!blank && !comment && !prompt_.run(command, !more, &said)) continue;
+        command.clear();
+        if (!found) continue;
+        for (const std::string& each : said.lines) found(each);
+        if (said.error) found("✗ " + said.error->message);
     }
-    waiting_.clear();
 }
 
 /// The first step that is read: the steps are made again, which must not take long.
 std::int64_t Observing::first_to_read(bool plotted) const {
     const std::int64_t oldest = time_value("oldest", 0), here = time_value("step", 0);
     if (!plotted) return std::max(oldest, here - pinned_past);
-    double each = 0;  // ms
-    try {
-        each = property::get(tree_, "time.timings.modules").as_double();
-    } catch (const std::exception&) {
-        // A game without timings.
-    }
-    const double steps = std::min(1e9, longest_reading / std::max(each, 1e-3));
+    // No clock is asked, so that a replay reads the same steps.
+    const double each = 0.02 + 0.001 * static_cast<double>(tree_.size());  // ms, on common machines
+    const double steps = longest_reading / each;
     return std::max(oldest, here - static_cast<std::int64_t>(steps));
 }
 

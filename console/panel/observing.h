@@ -3,6 +3,7 @@
 // the commands that wait, or that a key or a word stands for.
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -51,6 +52,7 @@ class Observing {
     void break_when(script::Observed condition);
     void bind(const std::string& key, const std::string& command);
     void run_waiting();
+    void run_commands(const std::string& text);
     void read_past(const Review& review);
     std::int64_t first_to_read(bool plotted) const;
     void search_past(const Review& review);
@@ -65,7 +67,9 @@ class Observing {
     Breaks breaks_;
     std::vector<Trace> pins_, plots_;
     std::optional<script::Observed> searched_;
-    std::vector<std::string> waiting_;  // lines of commands
+    std::deque<std::string> waiting_;  // files of commands
+    bool executing_ = false;
+    int executed_ = 0;  // by such files, since they began
     std::map<std::string, std::string> keys_;
 };
 

@@ -73,6 +73,7 @@ struct Console::State {
 
     // --- Appearance (layout.cpp)
     void frame(double seconds);
+    void draw_part(const std::function<void()>& part);
     float panel_height();
     void draw_panel(float width, float height, float cell);
     void draw_title(float cell);
@@ -115,6 +116,7 @@ struct Console::State {
     Rect panel_rect, inspector_rect;
     bool popup_open = false;
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
+    std::string part_problem;                                    // the last one that the log told
     bool building = false;  // a frame is being built; no other may begin inside it
 };
 

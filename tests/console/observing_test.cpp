@@ -292,6 +292,31 @@ TEST_CASE("the commands in a file are run as if they were typed") {
     CHECK(rig.text().find("did you mean \"setup.lua\"") != std::string::npos);
 }
 
+TEST_CASE("files of commands that run each other end with an error") {
+    TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << "x = 1\n";
+    std::ofstream(folder.path / "loop.lua") << "world.ball.mass = world.ball.mass + 1\n"
+                                               "exec 'loop.lua'\n";
+    ObservingRig rig;
+    REQUIRE(rig.runtime.load(folder.path));
+    rig.run("world.ball.mass = 1");
+    rig.run("exec 'loop.lua'");
+    CHECK(rig.value("world.ball.mass") == Value(102.0));
+    CHECK(rig.text().find("exec: files of commands have run 100 others") != std::string::npos);
+}
+
+TEST_CASE("each file of commands ends its own last command") {
+    TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua") << "x = 1\n";
+    std::ofstream(folder.path / "open.lua") << "if true then\n";
+    std::ofstream(folder.path / "marked.lua") << "\xEF\xBB\xBFworld.ball.mass = 7\r\n";
+    ObservingRig rig;
+    REQUIRE(rig.runtime.load(folder.path));
+    rig.run("exec 'open.lua' exec 'marked.lua'");
+    CHECK(rig.value("world.ball.mass") == Value(7.0));
+    CHECK(rig.text().find("the command is not complete") != std::string::npos);
+}
+
 TEST_CASE("clear empties the log") {
     ObservingRig rig;
     rig.run("1 + 1");

@@ -3,6 +3,7 @@
 #include <catch.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fettle/property/drawing.h>
 
@@ -77,6 +78,24 @@ TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the ins
     // The outline has the same width at the ends of the line as elsewhere.
     CHECK(std::abs(lit({x + 1, -2}, 8) - lit({x - 1, -2}, 8)) < 6);
     CHECK(std::abs(lit({x + 2, -5}, 8) - lit({x - 2, -5}, 8)) < 6);
+}
+
+TEST_CASE_METHOD(Haunted,
+                 "a function of the host that throws costs only its own part of the picture") {
+    state().options.to_pixels = [](const Vec2&) -> Vec2 {
+        throw std::runtime_error("no view yet");
+    };
+    draw(3);
+    CHECK(logged("console: no view yet"));
+    CHECK(log_text().find("no view yet") == log_text().rfind("no view yet"));
+    // The panel and its prompt are there and work.
+    type("world.ball.mass = 4");
+    key("enter");
+    CHECK(value("world.ball.mass") == property::Value(4.0));
+    draw();
+    CHECK_FALSE(state().prompt_view.rect().empty());
+    CHECK_FALSE(state().inspector_rect.empty());
+    CHECK(surface.faults() == 0);
 }
 
 }  // namespace outline_test

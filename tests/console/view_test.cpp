@@ -3,7 +3,9 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "catch.h"
@@ -335,6 +337,40 @@ TEST_CASE("errors and printed text of the game are shown in the console") {
     CHECK(rig.logged("main.lua:9"));
     rig.key("grave");
     rig.draw(2);
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("a window that an exception leaves open is ended and the console goes on") {
+    Rig rig;
+    rig.key("grave");
+    rig.console.select(property::resolve(rig.tree, "world.ball").instance);
+    rig.draw(3);
+    rig.state().inspector.editor().define = [](const std::string&,
+                                               const std::string&) -> std::string {
+        throw std::runtime_error("no formulas today");
+    };
+    rig.state().inspector.editor().fields().calculate =
+        [](const std::string&) -> std::optional<double> {
+        throw std::runtime_error("no calculator");
+    };
+    for (const char* typed : {"2+2", "is 2"}) {
+        const ImVec2 at = rig.widget("mass");
+        rig.click(at.x, at.y);
+        rig.draw(2);
+        rig.key("ctrl+a");
+        rig.type(typed);
+        rig.key("enter");
+        rig.draw(3);
+        rig.key("escape");
+        rig.draw(2);
+    }
+    CHECK(rig.logged("console: no formulas today"));
+    CHECK(rig.value("world.ball.mass") == Value(1.0));
+    rig.console.open();  // the second Escape closed it
+    rig.draw();
+    rig.type("world.ball.mass = 5");
+    rig.key("enter");
+    CHECK(rig.value("world.ball.mass") == Value(5.0));
     CHECK(rig.surface.faults() == 0);
 }
 
