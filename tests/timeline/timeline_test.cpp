@@ -421,4 +421,19 @@ TEST_CASE("looking at the past leaves what is known about deletions as it was") 
     CHECK(game.printed[1] == game.printed[0]);
 }
 
+TEST_CASE("the oldest step does not depend on where there was time for a keyframe") {
+    const double share = GENERATE(0.0, 1e9);
+    CAPTURE(share);
+    Playing game("time.rewind_limit = 1.5");
+    game.loop->timeline().set_share(share);
+    game.play(200);
+    CHECK(game.loop->timeline().oldest() == 110);
+    CHECK(property::get(game.tree, "time.oldest") == property::Value(110));
+    game.loop->timeline().go_to(150);
+    game.play(1);
+    CHECK(game.loop->timeline().oldest() == 110);
+    game.play(9);
+    CHECK(game.loop->timeline().oldest() == 110);
+}
+
 }  // namespace timeline_test

@@ -23,6 +23,12 @@ constexpr std::int64_t retry_interval = 600;  // steps
 constexpr std::size_t step_overhead = 256;                  // bytes
 constexpr std::size_t max_history = std::size_t{64} << 20;  // bytes
 
+/// How many steps are kept.
+std::int64_t limit_of(const Clock& clock) {
+    return static_cast<std::int64_t>(
+        std::clamp(std::ceil(clock.rewind_limit / clock.dt), 0.0, 1e15));
+}
+
 double now() {
     const auto since = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double>(since).count();
@@ -291,9 +297,8 @@ void Timeline::thin_out() {
 }
 
 void Timeline::trim() {
-    const auto limit = static_cast<std::int64_t>(
-        std::clamp(std::ceil(clock_.rewind_limit / clock_.dt), 0.0, 1e15));
-    while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit) drop_oldest();
+    while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit_of(clock_))
+        drop_oldest();
     const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
     while (keyframes_.size() > 1 && memory() > room) {
         if (spacing_ < max_spacing && keyframes_.size() > 2 && logged_ < room / 2)
@@ -308,8 +313,12 @@ void Timeline::trim() {
     forget_all();
 }
 
+/// Keyframes are where there was time for them. What can be reached must not depend on that, so
+/// what the first keyframe has beyond the limit is not offered, also after going back.
 std::int64_t Timeline::oldest() const {
-    return keyframes_.empty() ? clock_.step : keyframes_.front().step;
+    if (keyframes_.empty()) return clock_.step;
+    const std::int64_t offered = std::max(newest() - limit_of(clock_), clock_.oldest);
+    return std::max(keyframes_.front().step, std::min(offered, here_));
 }
 
 std::int64_t Timeline::newest() const {
