@@ -183,11 +183,11 @@ case_a_language_that_no_test_can_run_is_a_failure() {
     follow <<'PAGE'
 - in a list
 
-  ```python
+  ```ruby
   print(1)
   ```
 PAGE
-    expect_failure "page.md:3: no test can run a block of python"
+    expect_failure "page.md:3: no test can run a block of ruby"
     follow <<<"<pre>x</pre>"
     expect_failure "no test can run a block of HTML"
 }
