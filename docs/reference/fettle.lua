@@ -457,6 +457,7 @@ Object = {}
 ---@field audio Audio Everything that is heard.
 ---@field console Console The in-game console and inspector.
 ---@field input Input What the player does: keys, mouse, gamepads, and the actions bound to them.
+---@field interface Interface What all widgets have in common.
 ---@field time Time Simulation time: how fast it passes, and how far it is.
 ---@field view View Which part of the world is seen, and what lies over it.
 ---@field world World Bodies below it are simulated together. Its child `step` describes the last step.
@@ -1511,6 +1512,164 @@ local fettle_Layer = {}
 ---@overload fun(members?: table): Layer
 Layer = {}
 
+---set_tile changed a cell.
+---@class Tilemap.cell_changed
+---@field layer TileLayer The layer of the cell.
+---@field x integer Column, from 0.
+---@field y integer Row from the top, from 0.
+---@field tile integer The tile there now.
+---@field before integer The tile before.
+---@field instance Tilemap To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It has instances for its map file. Its collisions follow at the same barrier.
+---@class Tilemap.loaded
+---@field instance Tilemap To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---@class Tilemap : Object
+---@field animation_time number Time since the animations of the tiles began. · s · 0 to 1000000000 · default 0 · simulated
+---@field columns integer Number of cells side by side; 0 for an infinite map. · any integer · read-only
+---@field corner vec Where the lower left corner of the map is in the world; of an infinite map, the upper left corner of cell (0, 0). Objects are placed once, when they are made. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field map string A map file of the Tiled editor in the game's folder (TMJ or TMX). Another name makes the instances of that file in place of those that were made. · any text · default ""
+---@field pixels_per_unit number Pixels of the map in a meter. · px/m · 0.001 to 1000000 · default 32
+---@field rows integer Number of rows of cells; 0 for an infinite map. · any integer · read-only
+---@field size vec Width and height of the map; 0 for an infinite map. · m · any finite vec · read-only
+---@field smooth boolean Whether pixels are mixed when tiles are enlarged; otherwise each is a square. · true or false · default false
+local fettle_Tilemap = {}
+
+---The cell at a point of the world.
+---@param point vec A point in the world. · m
+---@return vec cell Column and row, whole numbers; also outside of the map.
+function fettle_Tilemap:cell_at(point) end
+
+---The middle of a cell.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@return vec point The point in the world. · m
+function fettle_Tilemap:cell_center(x, y) end
+
+---Reads the map file again and makes its instances again. Changed cells stay changed in layers that the file still has.
+function fettle_Tilemap:reload() end
+
+---Changes a cell. Its collisions follow at the next barrier, before the next step.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param tile integer Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@param flips? string As tile_flips returns them; not flipped if it is left out.
+function fettle_Tilemap:set_tile(x, y, tile, layer, flips) end
+
+---The tile of a cell; 0 if it is empty or outside of the layer.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@return integer tile Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+function fettle_Tilemap:tile(x, y, layer) end
+
+---How the tile of a cell is flipped.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+---@return string flips Letters: x for left and right, y for top and bottom, d for the exchange of x and y before these.
+function fettle_Tilemap:tile_flips(x, y, layer) end
+
+---A custom property of a tile, as the editor saved it.
+---@param tile integer Number of a tile in the map, from 1: the first tileset has the first numbers. 0: none.
+---@param name string Name of a custom property, or "class".
+---@return any? value Its value; nil if the tile does not have it.
+function fettle_Tilemap:tile_property(tile, name) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Tilemap, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Tilemap, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Tilemap, event: "loaded", handler: fun(record: Tilemap.loaded)): Connection
+---@overload fun(self: Tilemap, event: "cell_changed", handler: fun(record: Tilemap.cell_changed)): Connection
+function fettle_Tilemap:on(event, handler) end
+
+---A map of the Tiled editor. Its tile layers, image layers and objects become instances below it, and solid tiles a body with smooth outlines. Belongs below a World if bodies are to meet it.
+---@class Class.Tilemap : Class
+---@overload fun(members?: table): Tilemap
+Tilemap = {}
+
+---A layer of tiles of the Tilemap that it is below. The map makes one for each tile layer of its file.
+---@class TileLayer : Object
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field changes string[] The cells that differ from the map file, a text for each row, such as "3: 7=12 8=0": in row 3, column 7 has tile 12 and column 8 none. · any length · default {}
+---@field friction number Friction of its solid tiles. · 0 to 1000000 · default 0.6
+---@field layer integer Number of the layer in the map file, as the editor gave it. · 0 to 1000000000 · default 0
+---@field offset vec Moves the whole layer, its collisions too. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field opacity number Multiplies the opacity of its tiles. · 0 to 1 · default 1
+---@field parallax vec How fast it moves past when the view moves: 1 as the world, 0.5 half as fast, 0 not at all. · -1000 to 1000 · default vec(1, 1)
+---@field restitution number Share of the speed with which bodies bounce off its solid tiles. · 0 to 1 · default 0
+---@field solid boolean Whether bodies meet its solid tiles: those with collision shapes, and those with the custom property `solid`. · true or false · default true
+---@field tint color The colors of its tiles are multiplied by it. · 0 to 1 · default color("#ffffff")
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_TileLayer = {}
+
+---A layer of tiles of the Tilemap that it is below. The map makes one for each tile layer of its file.
+---@class Class.TileLayer : Class
+---@overload fun(members?: table): TileLayer
+TileLayer = {}
+
+---Its last particle has ended, and no other will begin by itself: `rate` is 0, or it is not playing.
+---@class Emitter.finished
+---@field instance Emitter To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---@class Emitter : Object
+---@field angle number Direction in which particles fly: 0 is to the right, pi / 2 upwards. Relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
+---@field area vec Width and height of the shape; pixels in a layer on the screen. · m · 0 to 1000000 · default vec(1, 1)
+---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
+---@field burst integer Number of particles that begin at once, when it is placed or when `playing` becomes true. · 0 to 200000 · default 0
+---@field color color[] Colors over its life, by which those of the image are multiplied. · 0 to 1 · default {color("#ffffff"), color("#ffffff00")}
+---@field count integer Number of particles now. · any integer · read-only, simulated
+---@field damping number Share of their velocity that particles lose in a second, for small values. · 1/s · 0 to 10000 · default 0
+---@field gravity vec Acceleration of all particles; pixels, y down, in a layer on the screen. · m/s² · -1000000 to 1000000 · default vec(0, 0)
+---@field image string An image file in the game's folder; a soft white dot if it is empty. · any text · default ""
+---@field lifetime number Time after which a particle ends. · s · 0.001 to 10000 · default 1
+---@field limit integer Largest number of particles at a time; no further ones begin. · 0 to 200000 · default 1000
+---@field playing boolean Whether new particles begin. Those that have begun live on. · true or false · default true
+---@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field randomness number Share by which lifetime, speed and size of a particle are larger or smaller. · 0 to 1 · default 0.3
+---@field rate number Number of particles that begin in a second. · 1/s · 0 to 1000000 · default 20
+---@field rotation number How fast particles turn, half of them to either side. Unless it is 0, each begins at an angle of its own. · rad/s · -10000 to 10000 · default 0
+---@field seed integer Emitters with the same seed and properties make the same particles. · 0 to 1e+15 · default 0
+---@field shape "point"|"circle"|"ring"|"box" Where particles begin: at its position, anywhere in an ellipse (circle) or a rectangle (box) of the size `area`, or on the line around the ellipse (ring). · "point", "circle", "ring", "box" · default "point"
+---@field size number[] Heights of a particle over its life, at equal distances from its beginning to its end; pixels in a layer on the screen. · m · 0 to 1000000 · default {0.2}
+---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
+---@field space "world"|"local" world: particles stay where they are when the emitter moves on. local: they move and turn with it. · "world", "local" · default "world"
+---@field speed number Speed at which particles begin; pixels in a layer on the screen. · m/s · -1000000 to 1000000 · default 2
+---@field spread number Angle between the outermost directions. 2 pi: all directions. · rad · 0 to 6.283185307179586 · default 6.283185307179586
+---@field visible boolean Whether it is drawn. · true or false · default true
+local fettle_Emitter = {}
+
+---Removes all particles.
+function fettle_Emitter:clear() end
+
+---Lets particles begin at once, in the next step, also while it is not playing.
+---@param count integer Number of particles, up to `limit` at a time.
+function fettle_Emitter:emit(count) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Emitter, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Emitter, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Emitter, event: "finished", handler: fun(record: Emitter.finished)): Connection
+function fettle_Emitter:on(event, handler) end
+
+---Sparks, smoke, rain: many small pictures that begin here, fly, change and end. What it hangs below moves it: a body, a sprite, or any instance with a `position`.
+---@class Class.Emitter : Class
+---@overload fun(members?: table): Emitter
+Emitter = {}
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
@@ -1614,8 +1773,10 @@ Show = {}
 
 ---The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 ---@class GameWindow : Object
+---@field cursor "arrow"|"hand"|"text"|"cross"|"move"|"size_horizontal"|"size_vertical"|"wait"|"help"|"not_allowed" Form of the pointer of the mouse over the window. · "arrow", "hand", "text", "cross", "move", "size_horizontal", "size_vertical", "wait", "help", "not_allowed" · default "arrow" · not saved
 ---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
 ---@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
+---@field grab_mouse boolean Whether the pointer of the mouse is kept inside the window while the window has the keyboard. · true or false · default false · not saved
 ---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
 ---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
 ---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
@@ -2042,6 +2203,432 @@ function fettle_Action:on(event, handler) end
 ---@overload fun(members?: table): Action
 Action = {}
 
+---Another picture of the world in a part of the window, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
+---@class Camera : Object
+---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
+---@field background color? The color behind everything; nil: that of the view. · 0 to 1 · default nil · may be nil
+---@field center vec The point of the world in its middle, unless it follows something. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field follow Object? The instance in its middle; nil: `center`. · any instance · default nil
+---@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1000000 · default 20
+---@field viewport vec[] The part of the window that it fills: the upper left and the lower right corner, as parts of width and height from the top left. Without two different corners, it shows nothing. · 0 to 1 · default {vec(0, 0), vec(1, 1)}
+---@field visible boolean Whether its picture is drawn. · true or false · default true
+local fettle_Camera = {}
+
+---Where it shows a point of the world.
+---@param point vec In the world. · m
+---@return vec pixels From the top left corner of the window, y down. · px
+function fettle_Camera:to_screen(point) end
+
+---The point of the world that it shows at a pixel.
+---@param pixels vec From the top left corner of the window, y down. · px
+---@return vec point In the world. · m
+function fettle_Camera:to_world(pixels) end
+
+---Another picture of the world in a part of the window, for a split screen or a small map. It shows what the view shows, from another place, without layers on the screen: these are drawn over all cameras.
+---@class Class.Camera : Class
+---@overload fun(members?: table): Camera
+Camera = {}
+
+---Colors, font and distances of widgets. A widget has that of its property `theme`, else that of the widget above it, else interface.theme.
+---@class Theme : Object
+---@field accent color What is chosen or switched on, and the most important button. · 0 to 1 · default color("#2f6fed")
+---@field border color Line around panels and fields. · 0 to 1 · default color("#ffffff21")
+---@field control color Buttons, and the tracks of sliders. · 0 to 1 · default color("#323b4d")
+---@field field color Background of text fields and lists. · 0 to 1 · default color("#12161e")
+---@field focus color Ring around the widget that has the keyboard. · 0 to 1 · default color("#90c1ff")
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. · any text · default "sans"
+---@field font_size number Size of texts. · px · 1 to 1000 · default 17
+---@field muted color Text of less importance, such as a placeholder. · 0 to 1 · default color("#aab6c9")
+---@field on_accent color Text on the color `accent`. · 0 to 1 · default color("#ffffff")
+---@field padding number Distance between the edge of a panel and what is in it. · px · 0 to 1000 · default 22
+---@field panel color Background of panels. · 0 to 1 · default color("#1c222e")
+---@field radius number Radius of corners. · px · 0 to 1000 · default 9
+---@field shade color What is behind a modal widget is covered by it. · 0 to 1 · default color("#05070b99")
+---@field spacing number Distance between the widgets of a row, a column or a list. · px · 0 to 1000 · default 10
+---@field text color Text. · 0 to 1 · default color("#f1f4f9")
+local fettle_Theme = {}
+
+---Colors, font and distances of widgets. A widget has that of its property `theme`, else that of the widget above it, else interface.theme.
+---@class Class.Theme : Class
+---@overload fun(members?: table): Theme
+Theme = {}
+
+---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
+---@class Widget : Object
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" Which point of the panel, or of the screen, it is at, with its own point of that name. Rows, columns and lists place their widgets themselves. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "top_left"
+---@field disabled boolean Whether it is pale and does nothing, with everything below it. · true or false · default false
+---@field fill "none"|"width"|"height"|"both" Whether it takes all the width or height that there is. · "none", "width", "height", "both" · default "none"
+---@field focused boolean Whether it has the keyboard. · true or false · read-only, simulated
+---@field grow number Its share of the length that is left over in a row or column; 0: none. · 0 to 1000000 · default 0
+---@field held boolean Whether the player holds it down. · true or false · read-only, simulated
+---@field hovered boolean Whether the mouse is over it. · true or false · read-only, simulated
+---@field min_size vec The least width and height. · px · 0 to 100000 · default vec(0, 0)
+---@field offset vec By how much it is moved from its place, y down. · px · -100000 to 100000 · default vec(0, 0)
+---@field opacity number Multiplies the opacity of it and of everything below it. · 0 to 1 · default 1
+---@field screen_position vec Where its top left corner is on the screen. · px · any finite vec · read-only, simulated
+---@field screen_size vec Its width and height on the screen. · px · any finite vec · read-only, simulated
+---@field size vec Width and height; 0: as large as what is in it needs. · px · 0 to 100000 · default vec(0, 0)
+---@field theme Theme? Colors, font and distances of it and of everything below it; nil: those of the widget above it, at the top those of interface.theme. · any Theme · default nil
+---@field visible boolean Whether it is drawn and takes up room, with everything below it. · true or false · default true
+local fettle_Widget = {}
+
+---Gives it the keyboard.
+function fettle_Widget:focus() end
+
+---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
+---@class Class.Widget : Class
+Widget = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Panel.cancelled
+---@field instance Panel To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A box with a background. Each of its widgets is at its own anchor, so it mostly holds one column or row.
+---@class Panel : Widget
+---@field anchor "top_left"|"top"|"top_right"|"left"|"center"|"right"|"bottom_left"|"bottom"|"bottom_right" Which point of the panel, or of the screen, it is at, with its own point of that name. Rows, columns and lists place their widgets themselves. · "top_left", "top", "top_right", "left", "center", "right", "bottom_left", "bottom", "bottom_right" · default "center"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Panel = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Panel, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Panel, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Panel, event: "cancelled", handler: fun(record: Panel.cancelled)): Connection
+function fettle_Panel:on(event, handler) end
+
+---A box with a background. Each of its widgets is at its own anchor, so it mostly holds one column or row.
+---@class Class.Panel : Class
+---@overload fun(members?: table): Panel
+Panel = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Row.cancelled
+---@field instance Row To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Widgets side by side.
+---@class Row : Widget
+---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "center"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Row = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Row, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Row, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Row, event: "cancelled", handler: fun(record: Row.cancelled)): Connection
+function fettle_Row:on(event, handler) end
+
+---Widgets side by side.
+---@class Class.Row : Class
+---@overload fun(members?: table): Row
+Row = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class Column.cancelled
+---@field instance Column To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Widgets below each other.
+---@class Column : Widget
+---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "stretch"
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+local fettle_Column = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Column, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Column, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Column, event: "cancelled", handler: fun(record: Column.cancelled)): Connection
+function fettle_Column:on(event, handler) end
+
+---Widgets below each other.
+---@class Class.Column : Class
+---@overload fun(members?: table): Column
+Column = {}
+
+---It is modal, and the player pressed escape, or B on the gamepad.
+---@class List.cancelled
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has chosen another line.
+---@class List.changed
+---@field selected integer Number of the line.
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed return on a line, or clicked on the chosen one.
+---@class List.submitted
+---@field selected integer Number of the line.
+---@field instance List To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Lines of text to choose from, or widgets below each other; it scrolls if there is no room for all.
+---@class List : Widget
+---@field bind string Path of a property that is the chosen line: a text, or its number. Without items, its lines are the values that the property can have. · any text · default ""
+---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field items string[] Its lines. If there are none, it shows the widgets below it. · any length · default {}
+---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field scroll number How far down it is scrolled. · px · 0 to 1000000000 · default 0
+---@field selected integer Number of the chosen line, from 1; 0: none. · 0 to 1000000000 · default 0
+---@field spacing number? Distance between its widgets; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_List = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: List, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: List, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: List, event: "cancelled", handler: fun(record: List.cancelled)): Connection
+---@overload fun(self: List, event: "changed", handler: fun(record: List.changed)): Connection
+---@overload fun(self: List, event: "submitted", handler: fun(record: List.submitted)): Connection
+function fettle_List:on(event, handler) end
+
+---Lines of text to choose from, or widgets below each other; it scrolls if there is no room for all.
+---@class Class.List : Class
+---@overload fun(members?: table): List
+List = {}
+
+---It was listening, and the player has pressed a key or button.
+---@class Button.captured
+---@field name string As in input.actions: "space", "mouse.left", "gamepad.a".
+---@field instance Button To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed and released it.
+---@class Button.pressed
+---@field instance Button To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---Something to press: with the mouse, return or space, or A on the gamepad.
+---@class Button : Widget
+---@field bind string Path of the keys of an action, such as input.actions.jump: the button shows them, and after a press the player chooses another one. · any text · default ""
+---@field color color? Its background; nil: that of its look. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field image string A picture before its text: a file in the game's folder. · any text · default ""
+---@field listening boolean Whether it waits for a key or button of any device. The next one is told by the event `captured` and does nothing else; escape ends it. · true or false · default false
+---@field look "normal"|"accent"|"quiet" accent: it stands out. quiet: only its text is seen. · "normal", "accent", "quiet" · default "normal"
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field prompt string What is written on it while it is listening. · any text · default "press a key"
+---@field radius number? Radius of its corners; nil: that of the theme. · px · 0 to 100000 · default nil · may be nil
+---@field text string What is written on it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_Button = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Button, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Button, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Button, event: "pressed", handler: fun(record: Button.pressed)): Connection
+---@overload fun(self: Button, event: "captured", handler: fun(record: Button.captured)): Connection
+function fettle_Button:on(event, handler) end
+
+---Something to press: with the mouse, return or space, or A on the gamepad.
+---@class Class.Button : Class
+---@overload fun(members?: table): Button
+Button = {}
+
+---A text.
+---@class Label : Widget
+---@field bind string Path of a property; the text is its value. · any text · default ""
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "wrap"
+---@field text string What is written; it may have several lines. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_Label = {}
+
+---A text.
+---@class Class.Label : Class
+---@overload fun(members?: table): Label
+Label = {}
+
+---A picture, as large as fits without being distorted.
+---@class Image : Widget
+---@field image string A file in the game's folder. · any text · default ""
+---@field tint color Multiplies the picture's colors. · 0 to 1 · default color("#ffffff")
+local fettle_Image = {}
+
+---A picture, as large as fits without being distorted.
+---@class Class.Image : Class
+---@overload fun(members?: table): Image
+Image = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class Slider.changed
+---@field value number The new value.
+---@field instance Slider To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A number to choose with the mouse, the arrow keys or the gamepad.
+---@class Slider : Widget
+---@field bind string Path of a property that is the number, such as audio.volume; both always have the same value. · any text · default ""
+---@field color color? The part up to the value; nil: accent. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field step number The player chooses multiples of it, counted from the least value; 0: any number. Integers have a step of 1 at least. · 0 to 1000000000000 · default 0
+---@field value number The number. · -1000000000000 to 1000000000000 · default 0
+local fettle_Slider = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Slider, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Slider, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Slider, event: "changed", handler: fun(record: Slider.changed)): Connection
+function fettle_Slider:on(event, handler) end
+
+---A number to choose with the mouse, the arrow keys or the gamepad.
+---@class Class.Slider : Class
+---@overload fun(members?: table): Slider
+Slider = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class Toggle.changed
+---@field value boolean The new value.
+---@field instance Toggle To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A switch with a text.
+---@class Toggle : Widget
+---@field bind string Path of a boolean property; both always have the same value. · any text · default ""
+---@field color color? What it has if on; nil: accent. · 0 to 1 · default nil · may be nil
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field text string What is written beside it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+---@field value boolean Whether it is on. · true or false · default false
+local fettle_Toggle = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Toggle, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Toggle, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Toggle, event: "changed", handler: fun(record: Toggle.changed)): Connection
+function fettle_Toggle:on(event, handler) end
+
+---A switch with a text.
+---@class Class.Toggle : Class
+---@overload fun(members?: table): Toggle
+Toggle = {}
+
+---The player has changed it. A change by a script is no event: watch the property.
+---@class TextField.changed
+---@field value string The new value.
+---@field instance TextField To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---The player has pressed return.
+---@class TextField.submitted
+---@field text string What is in it.
+---@field instance TextField To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A line of text to type.
+---@class TextField : Widget
+---@field bind string Path of a text or number; a number is set by return, or when the field loses the keyboard. · any text · default ""
+---@field caret integer Number of characters before the place where typed ones appear. · 0 to 1000000000 · default 0
+---@field focusable boolean Whether it can have the keyboard. · true or false · default true
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field max_length integer Number of characters that can be typed; 0: no limit. · 0 to 1000000 · default 0
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field placeholder string Shown while it is empty. · any text · default ""
+---@field text string What is in it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "left"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+local fettle_TextField = {}
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: TextField, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: TextField, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: TextField, event: "changed", handler: fun(record: TextField.changed)): Connection
+---@overload fun(self: TextField, event: "submitted", handler: fun(record: TextField.submitted)): Connection
+function fettle_TextField:on(event, handler) end
+
+---A line of text to type.
+---@class Class.TextField : Class
+---@overload fun(members?: table): TextField
+TextField = {}
+
+---How far something is.
+---@class ProgressBar : Widget
+---@field bind string Path of a property that is the value. · any text · default ""
+---@field color color? The full part; nil: accent. · 0 to 1 · default nil · may be nil
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder; empty: that of the theme. · any text · default ""
+---@field font_size number? Size of its text; nil: that of the theme. · px · 1 to 1000 · default nil · may be nil
+---@field max number? The greatest value. nil: that of the bound property, else 1. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field min number? The least value. nil: that of the bound property, else 0. · -1000000000000 to 1000000000000 · default nil · may be nil
+---@field overflow "cut"|"wrap" What becomes of text that is too long for its width: cut ends it with "…", wrap goes on in another line. · "cut", "wrap" · default "cut"
+---@field text string Written on it. · any text · default ""
+---@field text_align "left"|"center"|"right" Where its text is. · "left", "center", "right" · default "center"
+---@field text_color color? Color of its text; nil: that of the theme. · 0 to 1 · default nil · may be nil
+---@field value number Between min and max. · -1000000000000 to 1000000000000 · default 0
+local fettle_ProgressBar = {}
+
+---How far something is.
+---@class Class.ProgressBar : Class
+---@overload fun(members?: table): ProgressBar
+ProgressBar = {}
+
+---What all widgets have in common.
+---@class Interface : Object
+---@field focus Widget? The widget that has the keyboard; nil: none. · any Widget · default nil
+---@field focus_shown boolean Whether that widget has a ring: after a key or a gamepad's button, not after a click. · true or false · default true
+---@field held Widget? The widget that the player holds down; nil: none. · any Widget · default nil
+---@field scale number Pixels of the screen for one of the layout; 0: such that the screen is 720 high. · 0 to 16 · default 0
+local fettle_Interface = {}
+
+---What all widgets have in common.
+---@class Class.Interface : Class
+Interface = {}
+
 ---It has reached its end; it is deleted at the next step.
 ---@class Tween.finished
 ---@field instance Tween To whom it happened.
@@ -2052,14 +2639,14 @@ Action = {}
 ---@field alternate boolean Whether every second run goes back. · true or false · default false
 ---@field curve number[] Parts of the way at equal distances of time, joined by straight lines. A function given as ease is kept here as 257 of its values. · any length · default {}
 ---@field ease "linear"|"in_quad"|"out_quad"|"in_out_quad"|"in_cubic"|"out_cubic"|"in_out_cubic"|"in_quart"|"out_quart"|"in_out_quart"|"in_quint"|"out_quint"|"in_out_quint"|"in_sine"|"out_sine"|"in_out_sine"|"in_expo"|"out_expo"|"in_out_expo"|"in_circ"|"out_circ"|"in_out_circ"|"in_back"|"out_back"|"in_out_back"|"in_elastic"|"out_elastic"|"in_out_elastic"|"in_bounce"|"out_bounce"|"in_out_bounce"|"curve" How the part of the way depends on the part of the time; "curve" takes it from `curve`. · 32 texts · default "linear"
----@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil
+---@field from any The value at the beginning: the one that the property has when the tween begins, unless it is set before. · any value · default nil · may be nil
 ---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1000000000 · default 1
 ---@field paused boolean Whether it stands still. · true or false · default false
 ---@field progress number The part of the time that has passed in this run. Setting it jumps there at the next step. · 0 to 1 · default 0
 ---@field property string The name of the property that changes; empty for a pause in a sequence. · any text · default ""
 ---@field seconds number How long it takes, in simulation time. · s · 0 to 1000000000 · default 1
 ---@field target Object? The instance whose property changes. The tween ends with it. · any Object · default nil
----@field to any The value at the end. · any value · default nil
+---@field to any The value at the end. · any value · default nil · may be nil
 local fettle_Tween = {}
 
 ---Ends it where it is, without the event, and deletes it.
@@ -2116,6 +2703,20 @@ local fettle_Tweens = {}
 ---@class Class.Tweens : Class
 ---@overload fun(members?: table): Tweens
 Tweens = {}
+
+---A change of the scene that is being shown: game.transition, made by go_to_scene.
+---@class Transition : Object
+---@field color color What covers the screen. · 0 to 1 · default color("#000000")
+---@field done boolean Whether the scene is replaced. · true or false · default false
+---@field kind "none"|"fade"|"wipe"|"iris" fade: through a color. wipe: the color moves across the screen. iris: a circle closes and opens. · "none", "fade", "wipe", "iris" · default "fade"
+---@field progress number The part of it that is over. · 0 to 1 · default 0
+---@field seconds number How long it takes, in real time. The scene is replaced in the middle. · s · 0 to 3600 · default 0.5
+---@field to string The name of the scene. · any text · default ""
+local fettle_Transition = {}
+
+---A change of the scene that is being shown: game.transition, made by go_to_scene.
+---@class Class.Transition : Class
+Transition = {}
 
 ---The in-game console and inspector.
 ---@class Console : Object
@@ -2177,6 +2778,10 @@ console = nil
 ---What the player does: keys, mouse, gamepads, and the actions bound to them.
 ---@type Input
 input = nil
+
+---What all widgets have in common.
+---@type Interface
+interface = nil
 
 ---Simulation time: how fast it passes, and how far it is.
 ---@type Time
@@ -2275,6 +2880,11 @@ function find(word) end
 ---@param value fun(): any
 ---@return Formula
 function formula(value) end
+
+---Replaces game.scene at the next barrier. The name is that of a class of the game, of which an instance is made, or of a scene file: "level_2" is scenes/level_2.json or level_2.json. What the old scene owns ends with it: its instances with their timers, tweens, coroutines, sounds and handlers, and what its `enter` began. Options: transition = "fade", "wipe", "iris" or "none"; seconds, of real time (0.5); color; args: what `enter` gets, a value of a property or a table of them by name.
+---@param name string
+---@param options? table
+function go_to_scene(name, options) end
 
 ---Explains a class, an instance, a method or a path.
 ---@param anything? any
@@ -3024,6 +3634,13 @@ function resized(width, height) end
 ---The window got the keyboard, or lost it.
 ---@param focused boolean
 function focus(focused) end
+
+---The scene that go_to_scene named is now game.scene; args are those of the call. Not called if the class of the scene has a function of that name.
+---@param args any
+function enter(args) end
+
+---The scene is about to be replaced and still complete. Not called if the class of the scene has a function of that name.
+function leave() end
 
 ---Files of the game have changed while it runs, and the game uses them now; start() is not called again.
 ---@param files string[]
