@@ -180,7 +180,8 @@ void check_all(const WorldState& w) {
     const StepStatistics& s = w.statistics;
     require(are_finite(w.last_substep, w.last_length, w.long_substep, s.edits_ms, s.pairs_ms,
                        s.narrow_ms, s.solve_ms, s.finish_ms, s.sleep_ms, s.total_ms) &&
-                w.last_substep >= 0.0f && w.last_length >= 0.0f && w.long_substep >= 0.0f,
+                w.last_substep >= 0.0f && w.last_length >= 0.0f && w.long_substep >= 0.0f &&
+                w.last_substeps >= 0,
             "the last step", 0);
 }
 

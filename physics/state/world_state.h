@@ -216,6 +216,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     Strips strips;              ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     float last_length = 0.0f;   ///< s; of the last step, with the usual number of its sub-steps
+    int last_substeps = 0;      ///< number of the sub-steps of the last step
     float long_substep = 0.0f;  ///< s; the longest of about the last second, for the stiffness
     uint64_t steps = 0;
     uint32_t sleep_candidates = 0;  ///< bodies that rested long enough in the last step
@@ -226,8 +227,8 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     static void members(auto& io, auto& s) {
         list_members<WorldState, Columns>(
             io,
-            named("", s.settings, s.strips, s.last_substep, s.last_length, s.long_substep, s.steps,
-                  s.sleep_candidates, s.statistics),
+            named("", s.settings, s.strips, s.last_substep, s.last_length, s.last_substeps,
+                  s.long_substep, s.steps, s.sleep_candidates, s.statistics),
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),

@@ -135,7 +135,7 @@ class ContactCallbacks {
         edit.speed = approach_speed(world_, world_, c, point);
         edit.separation = infinity;
         for (int k = 0; k < c.manifold.count; ++k) {
-            edit.impulse += c.manifold.points[k].normal_impulse * float(world_.settings.substeps);
+            edit.impulse += c.manifold.points[k].normal_impulse * float(world_.last_substeps);
             edit.separation = min(edit.separation, c.manifold.points[k].separation);
         }
         edit.friction = c.friction;

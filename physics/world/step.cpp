@@ -116,6 +116,7 @@ void WorldData::step(float dt) {
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
     last_substep = h;
     last_length = h * float(settings.substeps);
+    last_substeps = of_step.substeps;
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
     break_joints(editing(), joint_scratch, joint_step.inverse_h / float(of_step.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);

@@ -91,6 +91,9 @@ void World::step(float dt) {
 FETTLE_WORLD_SETTING(Vec2, const Vec2&, gravity, check_finite("gravity", value),
                      detail::wake_all(data.activity()))
 FETTLE_WORLD_SETTING(int, int, substeps, check_count("substeps", value, 1, 64), )
+int World::last_substeps() const {
+    return data_->last_substeps;
+}
 FETTLE_WORLD_SETTING(const std::optional<Aabb>&, const std::optional<Aabb>&, bounds,
                      value ? check_box("bounds", *value) : value,
                      detail::apply_bounds(data.editing()))

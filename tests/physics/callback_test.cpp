@@ -312,6 +312,23 @@ TEST_CASE("before a solve two shapes are asked about once however many parts tou
     REQUIRE_FALSE(world.validate());
 }
 
+TEST_CASE("after a step with more sub-steps a callback gets the impulse of that whole step") {
+    World world({.sleeping = false});
+    add_floor(world);
+    Body box = world.create_body({.position = {0, 0.5f}});
+    box.add(Box{});
+    float impulse = 0.0f;
+    world.set_before_solve([&](ContactEdit& contact) { impulse = contact.impulse; });
+    REQUIRE(world.last_substeps() == 0);
+    run(world, 1.0f);
+    REQUIRE(world.last_substeps() == world.substeps());
+    const float length = 8 * frame;
+    world.step(length);
+    REQUIRE(world.last_substeps() == 4 * world.substeps());
+    world.step(length);
+    REQUIRE(impulse == Approx(box.mass() * 10.0f * length).epsilon(0.1));
+}
+
 TEST_CASE("mixing is asked for every part and what before solve leaves stays as mixed") {
     World world({.sleeping = false});
     Body ground = world.create_body({.type = BodyType::static_body});

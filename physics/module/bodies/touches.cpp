@@ -58,10 +58,15 @@ void add(std::vector<Touch>& touches, const Touch& touch) {
 
 std::vector<Touch> touches_of(Hosting& hosting, Row row) {
     const physics::Body self = hosting.body(row);
-    const auto substeps = static_cast<float>(hosting.world(row).substeps());
+    const physics::World& world = hosting.world(row);
     std::vector<Touch> touches;
-    for (const physics::Contact& contact : self.contacts())
-        add(touches, touch_of(contact, self, substeps));
+    for (const physics::Contact& contact : self.contacts()) {
+        // A contact of sleeping bodies has the impulses of the step in which they fell asleep.
+        const bool of_last_step =
+            world.body(contact.body_a).awake() || world.body(contact.body_b).awake();
+        const int substeps = of_last_step ? world.last_substeps() : world.substeps();
+        add(touches, touch_of(contact, self, static_cast<float>(substeps)));
+    }
     return touches;
 }
 

@@ -56,9 +56,8 @@ using PairFilter = std::function<bool(const Shape& a, const Shape& b)>;
 /// place to place, so the mixing callback is called for each part, with its point. Whether and how
 /// two shapes act on each other is one decision, so before-solve is called once for both shapes,
 /// after the mixing. It gets the point, normal, speed, separation and surface of the deepest part,
-/// and the sum of the impulses of all parts. That is their impulse in one sub-step × `substeps`, so
-/// after a step that took more sub-steps it is smaller than the impulse of the step. A value that
-/// it sets is used for all parts; otherwise each part keeps its mixed value.
+/// and the sum of the impulses of all parts in the step before. A value that it sets is used for
+/// all parts; otherwise each part keeps its mixed value.
 using ContactCallback = std::function<void(ContactEdit&)>;
 
 /// The data that a read updates: all edited data, or the derived data of one body or shape.

@@ -115,6 +115,9 @@ class World {
     void set_gravity(const Vec2& gravity);  ///< wakes all
     int substeps() const;
     void set_substeps(int substeps);  ///< 1 … 64
+    /// The number of sub-steps of the last step: more than `substeps` if it was much longer than
+    /// the one before it; 0 before the first step.
+    int last_substeps() const;
     const std::optional<Aabb>& bounds() const;
     void set_bounds(const std::optional<Aabb>& bounds);  ///< wakes all
     float bounds_friction() const;
