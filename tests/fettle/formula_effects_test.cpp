@@ -29,7 +29,8 @@ Names names_of_the_reference() {
         "draw_behind",     "key_pressed",      "key_released", "text_input",
         "mouse_pressed",   "mouse_released",   "mouse_moved",  "wheel",
         "gamepad_pressed", "gamepad_released", "gamepad_axis", "action_pressed",
-        "action_released", "resized",          "focus",        "closing"};
+        "action_released", "resized",          "focus",        "closing",
+        "reloaded"};
     for (std::string text; std::getline(file, text);) {
         std::smatch found;
         if (!std::regex_match(text, found, line)) continue;

@@ -150,7 +150,7 @@ TEST_CASE("errors of the command line are explained and give status 2") {
         {"run", game, "--headless", "--steps", "1", "--at", "print(1)"},
         {"run", game, "--headless", "--steps", "1", "--at", "0:print(1)"},
         {"run", game, "--headless", "--steps", "1", "--record"},
-        {"run", game, "--headless", "--steps", "1", "--sandbox"},
+        {"run", game, "--headless", "--steps", "1", "--sandpit"},
         {"run", game, "--headless", "--steps", "1", "--screenshot", (folder / "a.png").string()},
         {"run", game, "--steps", "1"},
     };
