@@ -17,6 +17,10 @@ fettle_code fettle_world_substeps(const fettle_world* world, int32_t* substeps) 
     return read<&World::substeps>(__func__, world, substeps);
 }
 
+fettle_code fettle_world_last_substeps(const fettle_world* world, int32_t* substeps) {
+    return read<&World::last_substeps>(__func__, world, substeps);
+}
+
 fettle_code fettle_world_set_substeps(fettle_world* world, int32_t substeps) {
     return edit<&World::set_substeps>(__func__, world, substeps);
 }

@@ -1,6 +1,6 @@
 #include <game/quota.h>
 
-#include <commands/run.h>
+#include <game/run_options.h>
 
 namespace fettle::program {
 

@@ -24,13 +24,29 @@ Names names_of_the_reference() {
     Names names;
     std::ifstream file("docs/reference/fettle.lua");
     const std::regex line(R"(function ([A-Za-z_0-9]+)(?:([.:])([a-z_0-9]+))?\(.*)");
-    std::set<std::string> callbacks = {
-        "start",           "update",           "step",         "draw",
-        "draw_behind",     "key_pressed",      "key_released", "text_input",
-        "mouse_pressed",   "mouse_released",   "mouse_moved",  "wheel",
-        "gamepad_pressed", "gamepad_released", "gamepad_axis", "action_pressed",
-        "action_released", "resized",          "focus",        "closing",
-        "reloaded"};
+    std::set<std::string> callbacks = {"start",
+                                       "update",
+                                       "step",
+                                       "draw",
+                                       "draw_behind",
+                                       "key_pressed",
+                                       "key_released",
+                                       "text_input",
+                                       "mouse_pressed",
+                                       "mouse_released",
+                                       "mouse_moved",
+                                       "wheel",
+                                       "gamepad_pressed",
+                                       "gamepad_released",
+                                       "gamepad_axis",
+                                       "action_pressed",
+                                       "action_released",
+                                       "resized",
+                                       "focus",
+                                       "closing",
+                                       "enter",
+                                       "leave",
+                                       "reloaded"};
     for (std::string text; std::getline(file, text);) {
         std::smatch found;
         if (!std::regex_match(text, found, line)) continue;
@@ -78,7 +94,7 @@ local ball = world.ball
 local connection = after(1e6, print)
 local values = { vec = vec(1, 2), color = color("red"), Set = world:find("Body"),
                  Connection = connection, Snapshot = snapshot(), Class = Body, Game = game, Store = store,
-                 SoundSource = Synth {} }
+                 SoundSource = Synth {}, Widget = Button {} }
 
 -- An instance of a class, or a value of a kind.
 local function one_of(kind)
@@ -171,9 +187,9 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
     CHECK(contains(
         outcome.out,
         "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
-        "Body:apply_torque Polygon:add_vertex SoundSource:play SoundSource:stop "
-        "Synth:mutate Synth:preset Time:go_to Tween:stop TweenGroup:stop View:shake Voice:stop "
-        "World:explode\ndone\t"));
+        "Body:apply_torque Emitter:clear Emitter:emit Polygon:add_vertex SoundSource:play "
+        "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile Time:go_to "
+        "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode\ndone\t"));
 }
 
 TEST_CASE("a formula that pushes a body moves nothing and reports the reason") {

@@ -55,9 +55,11 @@ TEST_CASE("an invalid argument is reported in one line with the expected form") 
     };
     const std::string number = "expected a whole number from ";
     const std::vector<Wrong> all = {
-        {{"brew", "x"}, "\"brew\" is no command; there are run, test, new, where, package, docs"},
+        {{"brew", "x"},
+         "\"brew\" is no command; there are run, test, new, where, package, repl, docs"},
         {{"rnu", game},
-         "\"rnu\" is no command; there are run, test, new, where, package, docs (did you mean \"run\"?)"},
+         "\"rnu\" is no command; there are run, test, new, where, package, repl, docs (did you "
+         "mean \"run\"?)"},
         {{""}, "\"\" is no command"},
         {{"\x1b[31m"}, "\"\\x1b[31m\" is no command"},
         {{}, "expected a command"},

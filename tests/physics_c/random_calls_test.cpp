@@ -208,7 +208,7 @@ constexpr Call every_call[] = {
     CALL(fettle_world_take), CALL(fettle_world_save), CALL(fettle_world_restore),
     CALL(fettle_world_hash), CALL(fettle_world_statistics), CALL(fettle_world_memory),
     CALL(fettle_world_validate), CALL(fettle_world_gravity), CALL(fettle_world_set_gravity),
-    CALL(fettle_world_substeps), CALL(fettle_world_set_substeps), CALL(fettle_world_bounds),
+    CALL(fettle_world_substeps), CALL(fettle_world_last_substeps), CALL(fettle_world_set_substeps), CALL(fettle_world_bounds),
     CALL(fettle_world_set_bounds), CALL(fettle_world_bounds_friction),
     CALL(fettle_world_set_bounds_friction), CALL(fettle_world_bounds_restitution),
     CALL(fettle_world_set_bounds_restitution), CALL(fettle_world_sleeping),

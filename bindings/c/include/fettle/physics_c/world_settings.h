@@ -16,6 +16,9 @@ fettle_code fettle_world_set_gravity(fettle_world* world, float x, float y);
 fettle_code fettle_world_substeps(const fettle_world* world, int32_t* substeps);
 fettle_code fettle_world_set_substeps(fettle_world* world, int32_t substeps);
 
+/** The number of sub-steps of the last step; 0 before the first step. */
+fettle_code fettle_world_last_substeps(const fettle_world* world, int32_t* substeps);
+
 /** Whether walls keep dynamic bodies inside, and where they are (m; zero if there are none). */
 fettle_code fettle_world_bounds(const fettle_world* world, bool* is_set, fettle_aabb* bounds);
 
