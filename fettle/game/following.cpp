@@ -20,9 +20,9 @@ namespace {
 
 /// Files of these kinds are no code: nothing that a script has computed depends on their content.
 bool is_media(const fs::path& file) {
-    constexpr std::array<std::string_view, 13> endings = {".png",  ".jpg", ".jpeg", ".bmp", ".tga",
-                                                          ".ttf",  ".otf", ".ttc",  ".wav", ".ogg",
-                                                          ".flac", ".mp3", ".frag"};
+    constexpr std::array<std::string_view, 18> endings = {
+        ".png", ".jpg",  ".jpeg", ".bmp", ".tga", ".ttf", ".otf", ".ttc", ".wav",
+        ".ogg", ".flac", ".mp3",  ".tmj", ".tmx", ".tsj", ".tsx", ".tj",  ".tx"};
     const std::string ending = file.extension().string();
     return std::ranges::find(endings, ending) != endings.end();
 }

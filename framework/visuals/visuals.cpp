@@ -95,6 +95,7 @@ Visuals::~Visuals() {
 void Visuals::renew(const std::string& name) {
     state_->images.renew(name);
     if (state_->fonts.renew(name)) state_->texts.forget_layouts();
+    state_->tilemaps.renew(name);
 }
 
 void Visuals::attach(property::Tree& tree) {

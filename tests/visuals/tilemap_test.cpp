@@ -163,6 +163,20 @@ TEST_CASE_METHOD(Land, "reading the file again keeps the changed cells") {
     CHECK(tile(top, 0, 1) == 4);
 }
 
+TEST_CASE_METHOD(Land, "a file of a map that changes is read again") {
+    const Handle top = map();
+    call(top, "set_tile", {Value(0), Value(0), Value(3)});
+    write("level.tmj", level("0,0,0,0, 4,4,4,4, 1,1,1,1"));
+    visuals.renew("other.tmj");
+    CHECK(tile(top, 0, 1) != 4);
+    visuals.renew("level.tmj");
+    CHECK(tile(top, 0, 1) == 4);
+    CHECK(tile(top, 0, 0) == 3);
+    write("level.tmj", level("0,0,0,0, 2,4,4,4, 1,1,1,1"));
+    visuals.renew("any.tsj");  // a tileset may belong to each map
+    CHECK(tile(top, 0, 1) == 2);
+}
+
 // --- State
 
 TEST_CASE_METHOD(Land, "cells are in snapshots") {

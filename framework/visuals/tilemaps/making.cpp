@@ -1,7 +1,10 @@
 // The instances below a Tilemap: one for each layer of its file.
 
 #include <exception>
+#include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fettle/property/error.h>
 
@@ -172,6 +175,21 @@ void Tilemaps::reload(Handle map) {
         before->second = now;
     }
     make(map, std::move(changes));
+}
+
+void Tilemaps::renew(const std::string& file) {
+    const std::filesystem::path changed = std::filesystem::path(file).lexically_normal();
+    // A tileset or a template may be part of any map.
+    const std::string ending = changed.extension().string();
+    const bool part = ending == ".tsj" || ending == ".tsx" || ending == ".tj" || ending == ".tx";
+    std::vector<Handle> outdated;
+    for (const Row& row : rows_) {
+        if (!tree_->alive(row.self)) continue;
+        const std::filesystem::path map = tree_->peek(row.self, *of_.map).text();
+        if (part || map.lexically_normal() == changed) outdated.push_back(row.self);
+    }
+    for (const Handle map : outdated)
+        if (tree_->alive(map)) reload(map);
 }
 
 }  // namespace fettle::visuals

@@ -42,6 +42,8 @@ class Tilemaps {
                                   const std::string& name);
     // --- making.cpp
     void reload(property::Handle map);
+    /// A file of the game has changed: maps that are made of it are made again.
+    void renew(const std::string& file);
 
   private:
     struct Row {

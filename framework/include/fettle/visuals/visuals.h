@@ -41,8 +41,9 @@ class Visuals : public module::Module {
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
-    /// To be called when that file of the game has changed: reads it again if it is an image or a
-    /// font that is in use. If it cannot be read, the old one stays, and `on_problem` is told.
+    /// To be called when that file of the game has changed, and no code of the game runs: reads it
+    /// again if it is an image, a font, or a part of a map that is in use. If it cannot be read,
+    /// the old one stays, and `on_problem` is told.
     void renew(const std::string& name);
     /// Images and text for `draw(pen)`.
     property::Media& media();
