@@ -37,6 +37,20 @@ TEST_CASE("F11 and Alt and Enter change between fullscreen and the window") {
     CHECK(game.prints("screen\tvec(500, 300)"));
 }
 
+TEST_CASE("a size that a game sets when it begins stays") {
+    if (const std::string missing = missing_tools(); !missing.empty()) {
+        std::cout << "SKIPPED: " << missing << " not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua")
+        << "view.window.size = vec(640, 400)\n"
+           "function update() if time.frame == 30 then print('size', view.window.size, "
+           "view.screen) end end\n";
+    GameWindow game(folder.path);
+    CHECK(game.prints("size\tvec(640, 400)\tvec(640, 400)"));
+}
+
 TEST_CASE("a run begins as the player wants it and its replay needs no player") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";

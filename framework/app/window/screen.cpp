@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -125,6 +126,7 @@ class SfmlWindow : public Window {
     explicit SfmlWindow(const WindowState& state) : state_(state) {
         open();
         told_ = size();
+        opened_ = told_;
         canvas_ = std::make_unique<Canvas>(window_);
     }
     property::Vec2 size() const override {
@@ -159,7 +161,9 @@ class SfmlWindow : public Window {
 
     bool poll(InputEvent& event) override {
         if (poll_gamepads(event)) return true;
-        if (!sfml::poll(window_, event)) return poll_size(event);
+        do {
+            if (!sfml::poll(window_, event)) return poll_size(event);
+        } while (is_size_of_opening(event));
         if (event.kind == EventKind::key_pressed)
             event.repeated = !down_.insert(event.name).second;
         else if (event.kind == EventKind::key_released)
@@ -245,6 +249,13 @@ class SfmlWindow : public Window {
             cursor_ = std::move(cursor);
         }
     }
+    /// The system may tell the size with which the window was first opened, which the game knows.
+    /// It may have set another one meanwhile.
+    bool is_size_of_opening(const InputEvent& event) {
+        if (event.kind != EventKind::resized) return false;
+        const std::optional<property::Vec2> opened = std::exchange(opened_, std::nullopt);
+        return opened && *opened == property::Vec2(event.x, event.y);
+    }
     /// A window that was opened again tells its size, since the system may not.
     bool poll_size(InputEvent& event) {
         if (!std::exchange(reopened_, false) || size() == told_) return false;
@@ -264,7 +275,8 @@ class SfmlWindow : public Window {
     }
 
     WindowState state_;
-    property::Vec2 told_{0, 0};  // px, the size that the game knows
+    property::Vec2 told_{0, 0};               // px, the size that the game knows
+    std::optional<property::Vec2> opened_{};  // px, until the system has told a size
     bool reopened_ = false;
     unsigned next_gamepad_ = 0;  // to be reported
     std::unique_ptr<sf::Image> icon_;
