@@ -10,8 +10,8 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/saves.h>
 
+#include <files/settings.h>
 #include <game/session.h>
-#include <game/settings.h>
 
 namespace fettle::program {
 

@@ -27,9 +27,9 @@
 #include <command_line/exit_status.h>
 #include <command_line/line_editor.h>
 #include <command_line/terminal.h>
+#include <files/file_errors.h>
+#include <files/game_path.h>
 #include <game/answer.h>
-#include <game/file_errors.h>
-#include <game/game_path.h>
 #include <game/session.h>
 
 namespace fettle::program {

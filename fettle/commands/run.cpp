@@ -18,13 +18,13 @@
 #include <command_line/terminal.h>
 #include <commands/gallery.h>
 #include <commands/run_arguments.h>
-#include <game/archive.h>
-#include <game/file_errors.h>
-#include <game/game_path.h>
+#include <files/archive.h>
+#include <files/file_errors.h>
+#include <files/game_path.h>
+#include <files/recorded_files.h>
+#include <files/settings.h>
 #include <game/game_window.h>
-#include <game/recorded_files.h>
 #include <game/session.h>
-#include <game/settings.h>
 
 namespace fettle::program {
 

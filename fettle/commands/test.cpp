@@ -11,8 +11,8 @@
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
-#include <game/file_errors.h>
-#include <game/game_path.h>
+#include <files/file_errors.h>
+#include <files/game_path.h>
 #include <testing/junit.h>
 #include <testing/test_run.h>
 

@@ -9,9 +9,9 @@
 #include <command_line/arguments.h>
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
-#include <game/file_errors.h>
-#include <game/game_path.h>
-#include <game/settings.h>
+#include <files/file_errors.h>
+#include <files/game_path.h>
+#include <files/settings.h>
 
 namespace fettle::program {
 

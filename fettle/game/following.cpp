@@ -8,7 +8,7 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 #include <game/game_window.h>
 #include <game/session.h>
 

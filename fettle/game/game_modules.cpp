@@ -9,7 +9,7 @@
 #include <fettle/physics_module/physics_module.h>
 #endif
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

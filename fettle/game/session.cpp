@@ -13,12 +13,12 @@
 
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
+#include <files/archive.h>
+#include <files/game_path.h>
+#include <files/recorded_files.h>
 #include <game/answer.h>
-#include <game/archive.h>
-#include <game/game_path.h>
 #include <game/game_window.h>
 #include <game/quota.h>
-#include <game/recorded_files.h>
 
 namespace fettle::program {
 

@@ -20,7 +20,7 @@
 #include <fettle/script/runtime.h>
 #include <fettle/visuals/visuals.h>
 
-#include <game/file_watch.h>
+#include <files/file_watch.h>
 #include <game/game_modules.h>
 #include <game/run_options.h>
 

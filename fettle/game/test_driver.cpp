@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

@@ -6,7 +6,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 #include <packing/literal_names.h>
 
 namespace fettle::program {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <game/archive.h>
+#include <files/archive.h>
 
 namespace fettle::program {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

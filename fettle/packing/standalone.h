@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include <game/archive.h>
+#include <files/archive.h>
 
 namespace fettle::program {
 

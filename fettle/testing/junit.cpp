@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include <command_line/terminal.h>
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

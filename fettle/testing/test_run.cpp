@@ -10,7 +10,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <command_line/end_request.h>
-#include <game/game_path.h>
+#include <files/game_path.h>
 #include <game/session.h>
 
 namespace fettle::program {

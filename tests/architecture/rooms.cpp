@@ -193,10 +193,11 @@ const std::vector<DividedPart>& divided_parts() {
          {},
          {
              {"command_line", {}},
-             {"game", {"command_line"}},
-             {"testing", {"command_line", "game"}},
-             {"packing", {"command_line", "game"}},
-             {"commands", {"command_line", "game", "testing", "packing"}},
+             {"files", {"command_line"}},
+             {"game", {"command_line", "files"}},
+             {"testing", {"command_line", "files", "game"}},
+             {"packing", {"command_line", "files", "game"}},
+             {"commands", {"command_line", "files", "game", "testing", "packing"}},
          }},
     };
     return table;

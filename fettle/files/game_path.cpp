@@ -1,11 +1,11 @@
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 #include <cctype>
 #include <string_view>
 
 #include <fettle/property/storage/game_files.h>
 
-#include <game/archive.h>
+#include <files/archive.h>
 
 namespace fettle::program {
 

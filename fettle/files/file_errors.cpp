@@ -1,4 +1,4 @@
-#include <game/file_errors.h>
+#include <files/file_errors.h>
 
 #include <fettle/app/recording.h>
 #include <fettle/module/plugin.h>
@@ -6,7 +6,7 @@
 
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

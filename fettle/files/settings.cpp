@@ -1,9 +1,9 @@
-#include <game/settings.h>
+#include <files/settings.h>
 
 #include <fettle/property/storage/game_files.h>
 
-#include <game/archive.h>
-#include <game/game_path.h>
+#include <files/archive.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

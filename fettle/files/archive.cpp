@@ -1,4 +1,4 @@
-#include <game/archive.h>
+#include <files/archive.h>
 
 #include <minizip/unzip.h>
 #include <minizip/zip.h>
@@ -10,7 +10,7 @@
 
 #include <fettle/property/storage/game_files.h>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

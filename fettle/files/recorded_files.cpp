@@ -1,11 +1,11 @@
-#include <game/recorded_files.h>
+#include <files/recorded_files.h>
 
 #include <algorithm>
 #include <fstream>
 #include <set>
 #include <string_view>
 
-#include <game/game_path.h>
+#include <files/game_path.h>
 
 namespace fettle::program {
 

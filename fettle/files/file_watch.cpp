@@ -1,4 +1,4 @@
-#include <game/file_watch.h>
+#include <files/file_watch.h>
 
 #include <sys/stat.h>
 
