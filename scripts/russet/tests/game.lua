@@ -1,0 +1,174 @@
+-- A bot plays the whole game with keys, as a player would: it looks at the map and at what moves.
+
+local function feet(hero) return hero.position.y - 0.55 end
+
+-- The height of the ground at x at or below y, or nil over a gap.
+local function ground_at(level, x, y)
+    for n = 0, 3 do
+        if level:solid(vec(x, y - 0.3 - n)) or level.map:tile(level.map:cell_at(vec(x, y - 0.3 - n)).x, level.map:cell_at(vec(x, y - 0.3 - n)).y, "ground") > 0 then
+            return true
+        end
+    end
+    return false
+end
+
+local function hurts(level, x, y)
+    local cell = level.map:cell_at(vec(x, y))
+    local tile = level.map:tile(cell.x, cell.y, "decor")
+    return tile > 0 and level.map:tile_property(tile, "hurts")
+end
+
+-- Where it goes besides to the right: the way to a key, by level; offsets to the key.
+local ways = {
+    [2] = { vec(0, -4), vec(4, -2), vec(0, 0) },
+    [3] = { vec(4.5, -2), vec(0.5, 0) },
+    [4] = { vec(-3.5, -5), vec(0, 0) },
+}
+
+local bot = { held = {}, wait = 0, stage = 1, last = 0, stuck = 0 }
+local function hold(t, key, down)
+    if (bot.held[key] or false) == down then return end
+    bot.held[key] = down
+    if down then t:press(key) else t:release(key) end
+end
+
+local function lift_for(level, at)
+    for _, lift in ipairs(level.map.things:children("Lift")) do
+        local left, right = lift.home.x - 1.6, lift.home.x + lift.dx + 1.6
+        if at.x > left - 0.9 and at.x < right then return lift end
+    end
+end
+
+-- One decision: way to run (-1, 0, 1) and whether to jump.
+local function think(level)
+    local hero = level.hero
+    local at, y, things = hero.position, feet(hero), level.map.things
+    local way, jump = 1, false
+    local goal
+    if things:has("boar") then
+        local boar = things.boar
+        local d = boar.position.x - at.x
+        if at.x < 13.5 then return 1, ground_at(level, at.x + 1, y) == false end
+        if boar:state() == "stun" then
+            way = math.abs(d) < 0.4 and 0 or d > 0 and 1 or -1
+            return way, hero.grounded and math.abs(d) < 3.2 or not hero.grounded and hero.velocity.y > 0
+        end
+        if boar:state() == "charge" then
+            local near = math.abs(d) < 4.2 and (d > 0) == (boar.way < 0)
+            return near and (boar.way < 0 and 1 or -1) or 0, near or hero.velocity.y > 0
+        end
+        return at.x < 17 and 1 or at.x > 31 and -1 or 0, false
+    end
+    local keys = things:children("Key")
+    if not hero.key and #keys > 0 and not keys[1].taken and ways[level.number] then
+        local place, route = keys[1].position, ways[level.number]
+        if bot.stage == 1 and at.x > place.x - 9 or bot.stage > 1 then
+            goal = place + route[math.min(bot.stage, #route)]
+            if math.abs(at.x - goal.x) < 0.6 and math.abs(y - (goal.y - 0.5)) < 0.4 and hero.grounded and bot.stage < #route then
+                bot.stage = bot.stage + 1
+            end
+        end
+    end
+    if goal then
+        local d = goal.x - at.x
+        way = math.abs(d) < 0.3 and 0 or d > 0 and 1 or -1
+        if goal.y - 0.5 > y + 0.5 and math.abs(d) < 3.4 then jump = true end
+    end
+    local lift = not goal and lift_for(level, at)
+    if lift then
+        local top, riding = lift.position.y + 0.25, math.abs(lift.position.x - at.x) < 1.3 and math.abs(y - lift.position.y - 0.25) < 0.3
+        if riding then
+            if lift.dx > 0 then
+                if lift.position.x > lift.home.x + lift.dx - 0.6 then return 1, at.x > lift.position.x + 0.5 or hero.velocity.y > 3 end
+                return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
+            end
+            if lift.position.y > lift.home.y + lift.dy - 0.5 then return 1, true end
+            return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
+        end
+        if at.x < lift.home.x - 0.9 and hero.grounded then
+            local edge = not ground_at(level, at.x + 0.5, y)
+            if not edge then return 1, false end
+            local gap = lift.position.x - 1 - at.x
+            local ready = lift.dx > 0 and gap < 1.2 and lift.velocity.x <= 0.3 or lift.dy > 0 and math.abs(top - y) < 0.6
+            if not ready then return 0, false end
+            return 1, true
+        end
+        if not hero.grounded and at.x < lift.home.x + lift.dx + 0.5 and y > top - 0.3 then
+            local d = lift.position.x - at.x
+            return math.abs(d) < 0.3 and 0 or d > 0 and 1 or -1, hero.velocity.y > 0 and d > 0.5
+        end
+    end
+    if not hero.grounded then return way, jump or hero.velocity.y > 0 end
+    local ahead = at.x + way * 0.75
+    -- A crate is pushed until it is at a wall.
+    for _, crate in ipairs(things:children("Crate")) do
+        local d = (crate.position.x - at.x) * way
+        if d > 0 and d < 1.3 and math.abs(crate.position.y - at.y) < 0.8 then
+            return way, level:solid(crate.position + vec(way * 0.62, 0))
+        end
+    end
+    if way ~= 0 then
+        local slope = level.map:tile(level.map:cell_at(vec(ahead, y + 0.3)).x, level.map:cell_at(vec(ahead, y + 0.3)).y, "ground")
+        if level:solid(vec(ahead, y + 0.4)) and slope ~= 17 and slope ~= 18 then jump = true end
+        if not ground_at(level, at.x + way * 0.45, y) then jump = true end
+        if hurts(level, at.x + way * 1.1, y + 0.3) then jump = true end
+        for _, enemy in ipairs(things:children("Enemy")) do
+            local d = enemy.position - at
+            if not enemy.dead and d.x * way > 0 and d.x * way < 2.3 and d.y < 1.2 and d.y > -2 then jump = true end
+        end
+    end
+    return way, jump
+end
+
+local function play(t, level)
+    bot.stage = 1
+    while not level.over do
+        local way, jump = think(level)
+        local hero = level.hero
+        if hero.grounded and bot.held.space then jump = false end   -- a jump begins with a new press
+        -- Who does not get on jumps.
+        bot.stuck = math.abs(hero.position.x - bot.last) < 0.02 and bot.stuck + 1 or 0
+        bot.last = hero.position.x
+        if bot.stuck > 420 then jump, bot.stuck = true, 380 end
+        hold(t, "left", way < 0)
+        hold(t, "right", way > 0)
+        hold(t, "space", jump)
+        t:steps(1)
+        if os_debug and time.step % 120 == 0 then print(level.number, hero.position, hearts, lives, way, jump) end
+    end
+    for _, key in ipairs { "left", "right", "space" } do hold(t, key, false) end
+end
+
+function bot_plays(t)
+    t:steps(40)
+    t:tap("enter")
+    while true do
+        t:wait_until(function() return game.scene:is_a("Level") and not game.scene.over end, 10)
+        local level, before = game.scene, lives
+        play(t, level)
+        t:wait(1)
+        if lives == before then
+            if level.number == 6 then break end
+            t:wait_until(function() return game:has("menu") end, 10)
+            t:steps(15)
+            t:tap("enter")
+            t:wait_until(function() return game.scene.number == level.number + 1 end, 10)
+        elseif lives == 0 then
+            t:steps(40)
+            t:tap("enter")
+            t:steps(60)
+        end
+    end
+end
+
+test("a bot wins the whole game", function(t)
+    bot_plays(t)
+    t:wait_until(function() return game:has("menu") end, 10)
+    expect(game.scene.number):is(6)
+    expect(points):above(3000)
+    expect(store.reached):is(6)
+    expect(store.scores[1].won):is(true)
+    t:steps(30)
+    t:tap("enter")
+    t:wait_until(function() return game.scene:is_a("Title") end, 5)
+end)
