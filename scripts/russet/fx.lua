@@ -33,11 +33,11 @@ function fx.backdrop(scene, number)
         scene:add(Layer { parallax = vec(speed, speed * 0.35), z = z, repeat_x = wide or 0, sprite }, name)
     end
     local function picture(name, y, size, origin)
-        return Sprite { image = "art/" .. name .. "_" .. number .. ".png", smooth = false, position = vec(0, y), size = size, origin = origin }
+        return Sprite { image = "art/" .. name .. ".png", smooth = false, position = vec(0, y), size = size, origin = origin }
     end
-    layer("sky", 0, -60, picture("sky", 0, vec(64, 15)), nil)
-    layer("clouds", 0.08, -55, picture("clouds", 3.4, vec(24, 6)), 24)
-    for i = 1, 3 do layer("hills_" .. i, 0.14 * i, -54 + i, picture("hills_" .. i, -7.6, vec(24, 11), vec(0.5, 0)), 24) end
+    layer("sky", 0, -60, picture("sky_" .. number, 0, vec(64, 15)), nil)
+    layer("clouds", 0.08, -55, picture("clouds_" .. number, 3.4, vec(24, 6)), 24)
+    for i = 1, 3 do layer("hills_" .. i, 0.14 * i, -54 + i, picture("hills_" .. number .. "_" .. i, -7.6, vec(24, 11), vec(0.5, 0)), 24) end
     local place = fx.places[number]
     scene:add(Emitter { shape = "box", area = vec(30, 15), rate = place.rate, speed = 0.5, lifetime = 5, size = { 0.06, 0.16, 0.1 },
         gravity = vec(0, -place.fall * 0.4), color = { color(place.air[1]), color(place.air[1]), color(place.air[2]) }, z = 12,

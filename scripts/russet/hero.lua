@@ -39,6 +39,7 @@ function Hero:jump(speed, free)
 end
 
 function Hero:step(dt)
+    if self.type == "static" then return end     -- at home, or lost
     local v, way = vec(self.velocity), input.move.x
     if math.abs(way) < 0.3 then way = 0 else way = way > 0 and 1 or -1 end
     if self.hurt > 1.1 then way = 0 end          -- thrown back by a hit

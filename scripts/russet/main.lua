@@ -81,21 +81,18 @@ function Level:place_back()
 end
 
 function Level:lose()
-    self.over = true
-    self.hero.type, self.hero.look.animation = "static", "11-11"
-    self.hero.look:tween("angle", 6, 0.8)
-    self.hero.look:tween("position", vec(0, 3), 0.8, "out_quad")
-    self.hero.look:tween("tint", color("#ffffff00"), 0.8)
+    local hero = self.hero
+    self.over, hero.type, hero.look.animation, hero.look.visible = true, "static", "11-11", true
+    hero.look:tween("angle", 6, 0.8)
+    hero.look:tween("position", vec(0, 3), 0.8, "out_quad")
+    hero.look:tween("tint", color("#ffffff00"), 0.8)
     lives = lives - 1
     sounds.lost:play()
     self:after(1.1, function(level)
         if lives <= 0 then menus.game_over() return end
         hearts, level.over = 3, false
-        level.hero:delete()
-        level:add(Hero { position = level.respawn + vec(0, 0.3), hurt = 1.0 }, "hero")
-        view.follow = level.hero
-        for _, key in ipairs(level.map.things:children("Key")) do if key.taken then level.hero.key = true end end
-        for _, crate in ipairs(level.map.things:children("Crate")) do crate:back() end
+        hero.type, hero.look.angle, hero.look.tint, hero.look.position = "dynamic", 0, color("white"), vec(0, -0.6)
+        level:place_back()
         if level.map.things:has("boar") then level.map.things.boar:state("rest") end
     end)
 end

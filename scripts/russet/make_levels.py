@@ -93,7 +93,7 @@ class Level:
     def roof(self, count, height):
         """Rock from here to the upper edge, height above the ground."""
         for x in range(self.x, self.x + count):
-            for y in range(self.g + height + self.dice.choice((0, 0, 1)), ROWS):
+            for y in range(self.g + height + (x // 3 * 7 % 5 > 2), ROWS):
                 self.solid.add((x, y))
         return self
 
@@ -228,7 +228,7 @@ def caves():
     m.put("Start", 3, 0).arrow(6).roof(14, 7).coins(7, 1, 4).flat(14)
     m.roof(12, 6).down(3).roof(14, 6).put("Hopper", 6, 0).coins(4, 3, 5).flat(11)
     m.roof(4, 6).coins(0, 1.3, 4, 1).gap(4, True).roof(10, 6).spikes(3, 2).flat(4).spikes(3, 2).flat(6)
-    m.roof(8, 9).put("Bat", 4, 3).ledge(1, 2, 2).ledge(4, 3, 2).coins(1, 3, 2).coins(4, 4, 2).flat(8).step(5).roof(10, 5).coins(2, 1, 5).flat(8)
+    m.roof(10, 10).put("Bat", 4, 5).flat(3).step(2).coins(0, 1, 3).flat(3).step(2).coins(0, 1, 3).flat(4).step(1).roof(10, 5).coins(2, 1, 5).flat(8)
     m.put("Checkpoint", 0, 0).flat(4).roof(12, 6).down(4).put("Beetle", 4, 0).put("Bat", 8, 2.6).flat(12)
     m.put("Lift", 1, -1, 2, 0.5, dx=3, period=4).coins(2, 1.5, 3).gap(7, True).flat(3).step(2).flat(4)
     m.roof(20, 10).put("Crate", 3, 0).blocks(9, 0, 3, 3).ledge(6, 5, 2).put("Key", 6, 5).coins(9, 3, 3).flat(20)

@@ -2,12 +2,12 @@
 
 local function feet(hero) return hero.position.y - 0.55 end
 
--- The height of the ground at x at or below y, or nil over a gap.
+-- Whether one can stand at x, at most 3 m below y.
 local function ground_at(level, x, y)
     for n = 0, 3 do
-        if level:solid(vec(x, y - 0.3 - n)) or level.map:tile(level.map:cell_at(vec(x, y - 0.3 - n)).x, level.map:cell_at(vec(x, y - 0.3 - n)).y, "ground") > 0 then
-            return true
-        end
+        local cell = level.map:cell_at(vec(x, y - 0.3 - n))
+        if level.map:tile(cell.x, cell.y, "water") > 0 then return false end
+        if level.map:tile(cell.x, cell.y, "ground") > 0 then return true end
     end
     return false
 end
@@ -75,14 +75,18 @@ local function think(level)
         if goal.y - 0.5 > y + 0.5 and math.abs(d) < 3.4 then jump = true end
     end
     local lift = not goal and lift_for(level, at)
-    if lift then
+    if hero.grounded and bot.leaving and time.step > bot.leaving + 5 then bot.leaving = nil end
+    if lift and not bot.leaving then
         local top, riding = lift.position.y + 0.25, math.abs(lift.position.x - at.x) < 1.3 and math.abs(y - lift.position.y - 0.25) < 0.3
         if riding then
             if lift.dx > 0 then
-                if lift.position.x > lift.home.x + lift.dx - 0.6 then return 1, at.x > lift.position.x + 0.5 or hero.velocity.y > 3 end
+                if lift.position.x > lift.home.x + lift.dx - 0.6 then
+                    if at.x > lift.position.x + 0.6 then bot.leaving = time.step return 1, true end
+                    return 1, false
+                end
                 return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
             end
-            if lift.position.y > lift.home.y + lift.dy - 0.5 then return 1, true end
+            if lift.position.y > lift.home.y + lift.dy - 0.5 then bot.leaving = time.step return 1, true end
             return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
         end
         if at.x < lift.home.x - 0.9 and hero.grounded then
@@ -121,8 +125,9 @@ local function think(level)
 end
 
 local function play(t, level)
-    bot.stage = 1
+    bot.stage, bot.leaving = 1, nil
     while not level.over do
+        if level.clock > 200 then error("stuck at " .. tostring(level.hero.position) .. " in level " .. level.number) end
         local way, jump = think(level)
         local hero = level.hero
         if hero.grounded and bot.held.space then jump = false end   -- a jump begins with a new press
@@ -134,7 +139,7 @@ local function play(t, level)
         hold(t, "right", way > 0)
         hold(t, "space", jump)
         t:steps(1)
-        if os_debug and time.step % 120 == 0 then print(level.number, hero.position, hearts, lives, way, jump) end
+        if os_debug and time.step % 60 == 0 then print(level.number, hero.position, hearts, lives, way, jump) end
     end
     for _, key in ipairs { "left", "right", "space" } do hold(t, key, false) end
 end
@@ -144,15 +149,16 @@ function bot_plays(t)
     t:tap("enter")
     while true do
         t:wait_until(function() return game.scene:is_a("Level") and not game.scene.over end, 10)
-        local level, before = game.scene, lives
+        local level, number = game.scene, game.scene.number
         play(t, level)
+        local won = hearts > 0
         t:wait(1)
-        if lives == before then
-            if level.number == 6 then break end
+        if won then
+            if number == 6 then break end
             t:wait_until(function() return game:has("menu") end, 10)
             t:steps(15)
             t:tap("enter")
-            t:wait_until(function() return game.scene.number == level.number + 1 end, 10)
+            t:wait_until(function() return game.scene.number == number + 1 end, 10)
         elseif lives == 0 then
             t:steps(40)
             t:tap("enter")
