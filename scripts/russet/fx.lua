@@ -18,6 +18,11 @@ function fx.pop(at, text, tint)
     label:after(0.9, label.delete)
 end
 
+function fx.tune(music, pitch)
+    music.pitch = pitch
+    if #music:children("Voice") == 0 then music:play() end
+end
+
 fx.places = {
     { name = "Morning Meadow", air = { "#fff6c0", "#ffffff00" }, rate = 5, fall = 0.3, pitch = 1 },
     { name = "Rust Wood", air = { "#ffb347", "#d8692e" }, rate = 6, fall = 1.4, pitch = 0.94 },

@@ -55,7 +55,7 @@ function Hero:step(dt)
         sounds.land:play { volume = math.min(1, -v.y / 15) }
     end
     self.grounded = ground ~= nil
-    local grip = self.parent.number == 4 and (ground and 0.07 or 0.09) or (ground and 0.25 or 0.14)
+    local grip = self.parent.number == 4 and (ground and 0.09 or 0.11) or (ground and 0.25 or 0.14)
     if self.hurt > 1.1 then grip = 0.02 end
     local x = v.x - base.x
     x = x + (way * run_speed - x) * grip

@@ -31,10 +31,7 @@ function Level:enter(args)
     self:add(Hero { position = self.respawn }, "hero")
     view.follow = self.hero
     menus.hud(self)
-    menus.banner(self, self.number .. "  " .. fx.places[self.number].name)
-    sounds.music.pitch = fx.places[self.number].pitch
-    local tune = self.number == 6 and sounds.fight or sounds.music
-    if #tune:children("Voice") == 0 then tune:play() end
+    fx.tune(self.number == 6 and sounds.fight or sounds.music, fx.places[self.number].pitch)
 end
 
 -- Whether the cell at a point is solid; what is beside the map counts as solid.

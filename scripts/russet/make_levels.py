@@ -233,7 +233,7 @@ def caves():
     m.put("Lift", 1, -1, 2, 0.5, dx=3, period=4).coins(2, 1.5, 3).gap(7, True).flat(3).step(2).flat(4)
     m.roof(20, 10).put("Crate", 3, 0).blocks(9, 0, 3, 3).ledge(6, 5, 2).put("Key", 6, 5).coins(9, 3, 3).flat(20)
     m.put("Door", 1, 0, 1, 3).fill(1, 3, 1, 11).flat(3).put("Checkpoint", 0, 0).roof(16, 6).put("Hopper", 6, 0).put("Hopper", 12, 0).coins(5, 3, 4).flat(16)
-    m.roof(12, 6).gap(3, True).spikes(1, 1).flat(3).gap(3, True).flat(3).coins(0, 1.2, 4, 1).gap(4, True)
+    m.roof(12, 6).gap(3, True).flat(4).gap(3, True).flat(3).coins(0, 1.2, 4, 1).gap(4, True)
     m.put("Heart", 2, 1).flat(5).roof(10, 7).up(2).spikes(3, 3).coins(3, 2.5, 3).flat(9).put("Bat", 3, 2.5).roof(16, 7).flat(7).put("Goal", 4, 0).flat(9)
     return m
 
@@ -242,14 +242,14 @@ def ridge():
     """Ice: less grip, wind of bats, long gaps with lifts, higher walls."""
     m = Level(4, 3)
     m.put("Start", 3, 0).arrow(6).flat(9).up(3).put("Bat", 3, 2.5).coins(1, 1, 4).flat(7).up(2).flat(3).down(3).put("Beetle", 3, 0).flat(8)
-    m.coins(0, 1.5, 4, 1).gap(4).flat(2).gap(3).flat(2).coins(0, 1.5, 4, 1).gap(4).put("Hopper", 4, 0).flat(8)
+    m.coins(0, 1.5, 4, 1).gap(4).flat(2).gap(3).flat(2).coins(0, 1.5, 4, 1).gap(4).put("Checkpoint", 1, 0).put("Hopper", 6, 0).flat(10)
     m.put("Lift", 0.5, -0.5, 2, 0.5, dy=5, period=5).gap(3).step(5).put("Checkpoint", 1, 0).coins(3, 1, 3).flat(7)
     m.put("Lift", 0.5, -1, 2, 0.5, dx=4, period=4).put("Bat", 5, 2.5).put("Lift", 8.5, -1, 2, 0.5, dx=3, period=3.5).coins(3, 1.5, 8).gap(14)
     m.flat(4).spikes(1, 2).flat(4).spikes(0, 2).flat(4).down(4).put("Beetle", 3, 0).put("Beetle", 6, 0).flat(9)
     m.put("Spring", 2, 0).ledge(4, 5, 3).put("Key", 5, 5).coins(2, 4, 1).ledge(8, 4, 3).coins(8, 5, 3).put("Hopper", 9, 0).flat(14)
     m.put("Door", 1, 0, 1, 3).fill(1, 3, 1, 13).flat(4).put("Checkpoint", 0, 0).put("Heart", 3, 0).flat(5)
     m.up(4).put("Bat", 2, 2.2).flat(4).put("Spring", 3, 0).coins(3, 4, 1).flat(5).step(5).flat(4).coins(0, 1.5, 5, 1).gap(5).flat(3)
-    m.down(5).put("Hopper", 4, 0).flat(8).coins(0, 1.5, 5, 1).gap(5).flat(2).put("Lift", 0.5, -1, 2, 0.5, dx=4, period=4).gap(8).flat(3).up(2)
+    m.down(5).put("Checkpoint", 1, 0).put("Hopper", 5, 0).flat(8).coins(0, 1.5, 4, 1).gap(4).flat(4).put("Lift", 0.5, -1, 2, 0.5, dx=4, period=4).gap(8).flat(3).up(2)
     m.put("Goal", 7, 0).flat(14)
     return m
 

@@ -1,28 +1,26 @@
 -- Title, pause, settings, results, and what is shown during play.
 
 local fx = require("fx")
-local menus = {}
-local theme = interface.theme
+local menus, theme, dark, gold = {}, interface.theme, color("#2b1d2e"), color("#ffcf4a")
 theme.accent, theme.panel, theme.control = color("#d9692a"), color("#2b1d2ef0"), color("#4a3350")
-theme.focus, theme.text, theme.muted, theme.shade = color("#ffcf4a"), color("#fff1d6"), color("#cbb3c4"), color("#1a102080")
+theme.focus, theme.text, theme.muted, theme.shade = gold, color("#fff1d6"), color("#cbb3c4"), color("#1a102080")
 theme.font, theme.font_size = "bold", 19
 
-local function head(text, size) return Label { text = text, font_size = size or 34, text_align = "center", text_color = color("#ffcf4a"), fill = "width" } end
-local function line(text, size) return Label { text = text, text_align = "center", fill = "width", font_size = size or 18 } end
+local function head(text, size) return Label { text = text, font_size = size or 34, text_align = "center", text_color = gold, fill = "width" } end
+local function line(text) return Label { text = text, text_align = "center", fill = "width", font_size = 17 } end
+local function row(text, widget) return Row { fill = "width", Label { text = text, grow = 1 }, widget } end
 local function button(name, text, action, look)
     return Button { name = name, text = text, look = look or "normal", fill = "width", pressed = function() sounds.blip:play() action() end }
 end
+local function clock(level) return string.format("%d:%02d", level.clock // 60, math.floor(level.clock) % 60) end
+local function close(...) for _, name in ipairs { ... } do if game:has(name) then game[name]:delete() end end end
 
 local function open(name, children, cancelled, more)
-    if game:has(name) then game[name]:delete() end
+    close(name)
     local all = Column { size = vec(380, 0), spacing = 9 }
     for _, child in ipairs(children) do all:add(child) end
-    local menu = game:add(Panel { modal = true, cancelled = cancelled, all }, name)
-    for key, value in pairs(more or {}) do menu[key] = value end
-    menu.opacity = 0
-    menu.offset = vec(0, 24)
-    menus.rise = menu
-    return menu
+    menus.rise = game:add(Panel { modal = true, cancelled = cancelled, all, opacity = 0 }, name)
+    for key, value in pairs(more or {}) do menus.rise[key] = value end
 end
 
 -- Menus rise in real time, since the game may be paused.
@@ -33,22 +31,20 @@ function update(_, real_dt)
     menu.offset = vec(0, (menu.modal and 0 or 90) + 24 * (1 - menu.opacity) ^ 2)
 end
 
-local function clock(level) return string.format("%d:%02d", level.clock // 60, math.floor(level.clock) % 60) end
-local function close(name) if game:has(name) then game[name]:delete() end end
-
 function menus.play(number, new)
-    if new then lives, hearts, coins, points = 5, 3, 0, 0 end
+    if new then lives, coins, points = 5, 0, 0 end
     hearts = 3
-    for _, name in ipairs { "menu", "pause_menu", "settings" } do close(name) end
-    go_to_scene("Level", { transition = "iris", seconds = 0.7, color = color("#2b1d2e"), args = { number = number } })
+    close("menu", "pause_menu", "settings")
+    go_to_scene("Level", { transition = "iris", seconds = 0.7, color = dark, args = { number = number } })
 end
 
 function menus.title()
-    for _, name in ipairs { "menu", "pause_menu", "settings" } do close(name) end
+    close("menu", "pause_menu", "settings")
     time.paused = false
     go_to_scene("Title", { transition = "fade" })
 end
 
+-- The title stands over the beginning of the first level.
 class("Title", World) {}
 function Title:enter()
     view.follow, view.limits, view.height, view.center = nil, {}, 13, vec(12, 6.5)
@@ -57,58 +53,47 @@ function Title:enter()
     fx.backdrop(self, 1)
     self:add(Layer { space = "screen", anchor = "top", z = 50 }, "logo")
     for i, letter in ipairs { "R", "U", "S", "S", "E", "T" } do
-        self.logo:add(Text { text = letter, font = "bold", size = 96, outline = color("#2b1d2e"), outline_width = 0.09,
+        self.logo:add(Text { text = letter, font = "bold", size = 96, outline = dark, outline_width = 0.09,
             color = color(i % 2 == 0 and "#ffcf4a" or "#ee8434"), position = vec((i - 3.5) * 84, 100) }, "letter_" .. i)
     end
-    self:add(Sprite { image = "art/fox.png", columns = 11, animation = "3-8", frames_per_second = 13, smooth = false, size = vec(1.5, 1.5),
-        origin = vec(0.5, 0), z = 5, position = vec(0, 3.95) }, "cub")
-    if #sounds.music:children("Voice") == 0 then sounds.music:play() end
-    sounds.music.pitch = 1
+    self:add(Sprite { image = "art/fox.png", columns = 11, animation = "3-8", frames_per_second = 13, smooth = false,
+        size = vec(1.5, 1.5), origin = vec(0.5, 0), z = 5 }, "cub")
+    fx.tune(sounds.music, 1)
     local reached = store.reached or 1
-    local list = { line("Bring the cub home! Arrows run, space jumps.", 15), button("new", "New game", function() menus.play(1, true) end, "accent") }
-    if reached > 1 then list[#list + 1] = button("go_on", "Go on at " .. fx.places[reached].name, function() menus.play(reached, true) end) end
-    list[#list + 1] = button("scores", "Best scores", menus.scores)
-    list[#list + 1] = button("settings", "Settings", menus.settings)
-    list[#list + 1] = button("leave", "Quit", function() quit() end, "quiet")
-    local menu = open("menu", list, nil, { modal = false, color = color("#2b1d2ec0") })
-    menu.column.new:focus()
+    local list = { line("Bring the cub home! Arrows run, space jumps."), button("new", "New game", function() menus.play(1, true) end, "accent") }
+    if reached > 1 then list[3] = button("go_on", "Go on at " .. fx.places[reached].name, function() menus.play(reached, true) end) end
+    for _, more in ipairs { button("scores", "Best scores", menus.scores), button("settings", "Settings", menus.settings),
+        button("leave", "Quit", quit, "quiet") } do list[#list + 1] = more end
+    open("menu", list, nil, { modal = false, color = color("#2b1d2ec0") })
+    game.menu.column.new:focus()
 end
-function Title:step(dt)
-    local x = 10 + time.now * 1.2 % 100
-    view.center = vec(view.center.x + (12 + 3 * math.sin(time.now * 0.15) - view.center.x) * 0.02, 6.5)
-    self.cub.position = vec((time.now * 4) % 34 - 6, 3.95)
-    self.cub.visible = self.cub.position.x < 11.6
-    for i = 1, 6 do
-        local letter = self.logo["letter_" .. i]
-        letter.position = vec(letter.position.x, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i))
-    end
+function Title:step()
+    view.center = vec(12 + 3 * math.sin(time.now * 0.15), 6.5)
+    self.cub.position = vec((time.now * 4) % 17 - 6, 3.95)
+    for i = 1, 6 do self.logo["letter_" .. i].position = vec((i - 3.5) * 84, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i)) end
     self.air.position = view.center
 end
 function Title:leave() close("menu") end
 
 function menus.scores()
-    local list = { head("Best scores") }
+    local list, back = { head("Best scores") }, function() close("settings") end
     for i, entry in ipairs(store.scores or {}) do
-        list[#list + 1] = line(i .. ".    " .. entry.points .. "    " .. (entry.won and "home" or fx.places[entry.level].name))
+        list[i + 1] = line(i .. ".    " .. entry.points .. "    " .. (entry.won and "home" or fx.places[entry.level].name))
     end
-    if #list == 1 then list[2] = line("Nobody has played yet.") end
-    local function back() close("settings") end
+    list[2] = list[2] or line("Nobody has played yet.")
     list[#list + 1] = button("back", "Back", back, "accent")
     open("settings", list, back)
 end
 
 function menus.settings()
-    local function row(text, widget) return Row { fill = "width", Label { text = text, grow = 1 }, widget } end
     local function back()
         store.music, store.effects, store.jump = audio.buses.music.volume, audio.buses.effects.volume, input.actions.jump
         close("settings")
     end
-    open("settings", { head("Settings"),
-        row("Music", Slider { name = "music", bind = "audio.buses.music.volume", max = 1, step = 0.1 }),
+    open("settings", { head("Settings"), row("Music", Slider { name = "music", bind = "audio.buses.music.volume", max = 1, step = 0.1 }),
         row("Sounds", Slider { name = "effects", bind = "audio.buses.effects.volume", max = 1, step = 0.1 }),
         row("Jump", Button { name = "jump", bind = "input.actions.jump", size = vec(210, 0) }),
-        Toggle { text = "Full screen", bind = "view.window.fullscreen" },
-        button("back", "Back", back, "accent") }, back)
+        Toggle { text = "Full screen", bind = "view.window.fullscreen" }, button("back", "Back", back, "accent") }, back)
 end
 
 function menus.pause()
@@ -119,74 +104,59 @@ function menus.pause()
         button("settings", "Settings", menus.settings), button("title", "Title", menus.title) }, go_on)
 end
 
--- Keeps the five best runs; returns the place of this one.
+-- Keeps the five best runs; says which place this one has.
 local function keep_score(won)
-    local list, place = {}, nil
-    for i, entry in ipairs(store.scores or {}) do list[i] = { points = entry.points, level = entry.level, won = entry.won } end
-    for i = 1, 5 do
-        if not place and (not list[i] or points > list[i].points) then
-            place = i
-            table.insert(list, i, { points = points, level = game.scene.number, won = won })
-        end
-    end
-    list[6] = nil
-    store.scores = list
-    return place == 1 and "A new best score!" or place and "Place " .. place .. " of the best" or ""
+    local list = { { points = points, level = game.scene.number, won = won } }
+    for i, entry in ipairs(store.scores or {}) do list[i + 1] = { points = entry.points, level = entry.level, won = entry.won } end
+    local mine, place = list[1], 6
+    table.sort(list, function(a, b) return a.points > b.points end)
+    for i, entry in ipairs(list) do if entry == mine then place = i end end
+    list[6], store.scores = nil, list
+    return place == 1 and "A new best score!" or place < 6 and "Place " .. place .. " of the best" or ""
 end
 
 function menus.game_over()
-    local number, place = game.scene.number, keep_score(false)
-    open("menu", { head("Game over", 44), line(points .. " points"), line(place),
+    local number = game.scene.number
+    open("menu", { head("Game over", 44), line(points .. " points"), line(keep_score(false)),
         button("again", "Try " .. fx.places[number].name .. " again", function() menus.play(number, true) end, "accent"),
         button("title", "Title", menus.title) })
-    sounds.lost:play { pitch = 0.7 }
 end
 
 function menus.won(level, bonus)
-    local list = { head(level.number == 6 and "Home at last!" or fx.places[level.number].name) }
-    if level.number == 6 then list[2] = line("The boar is beaten and the cub is safe.") end
-    list[#list + 1] = line("time " .. clock(level) .. "   +" .. bonus.time)
-    list[#list + 1] = line("hearts " .. hearts .. "   +" .. bonus.hearts)
-    list[#list + 1] = line("coins " .. level.coins .. " of " .. level.all_coins .. (bonus.coins > 0 and "   +500" or ""))
-    if bonus.hits > 0 then list[#list + 1] = line("not hurt once   +300") end
-    list[#list + 1] = head(points .. " points", 28)
-    if level.number == 6 then
-        list[#list + 1] = line(keep_score(true))
-        list[#list + 1] = button("title", "Title", menus.title, "accent")
+    local last = level.number == 6
+    local list = { head(last and "Home at last!" or fx.places[level.number].name), line("time " .. clock(level) .. "   +" .. bonus.time),
+        line("hearts " .. hearts .. "   +" .. bonus.hearts), line("coins " .. level.coins .. " of " .. level.all_coins .. "   +" .. bonus.coins),
+        line(bonus.hits > 0 and "not hurt once   +300" or "hurt " .. level.hits .. " times"), head(points .. " points", 28) }
+    if last then
+        list[7], list[8] = line(keep_score(true)), button("title", "Title", menus.title, "accent")
     else
-        list[#list + 1] = button("next", "On to " .. fx.places[level.number + 1].name, function() menus.play(level.number + 1) end, "accent")
+        list[7] = button("next", "On to " .. fx.places[level.number + 1].name, function() menus.play(level.number + 1) end, "accent")
     end
     open("menu", list)
 end
 
-function menus.banner(level, text)
-    local layer = level:add(Layer { space = "screen", anchor = "center", z = 60,
-        Text { text = text, font = "bold", size = 54, outline = color("#2b1d2e"), outline_width = 0.1, position = vec(0, -120), color = color("#fff1d6") } })
-    layer:after(1.6, function(l) l:tween("opacity", 0, 0.6) end)
-    layer:after(2.4, layer.delete)
-end
-
-local function icon(image, x, frame)
-    return Sprite { image = "art/" .. image .. ".png", columns = frame or 1, smooth = false, position = vec(x, 34), scale = 2.4 }
-end
-local function shown(x, anchor, f)
-    return Text { font = "bold", size = 28, outline = color("#2b1d2e"), outline_width = 0.1, position = vec(x, 34), anchor = vec(anchor, 0.5), text = formula(f) }
-end
-
+-- Hearts, coins, lives, time and points, and for a moment the name of the place.
 function menus.hud(level)
-    local left = level:add(Layer { space = "screen", anchor = "top_left", z = 55 }, "hud")
-    for i = 1, 3 do
-        local heart = left:add(icon("heart", 4 + 38 * i))
-        heart.tint = formula(function() return color(hearts >= i and "#ffffff" or "#2b1d2e90") end)
+    local function text(layer, x, y, size, right, words)
+        layer:add(Text { font = "bold", size = size, outline = dark, outline_width = 0.1, position = vec(x, y), anchor = vec(right, 0.5), text = words })
     end
-    left:add(icon("coin", 190, 6))
-    left:add(shown(214, 0, function() return tostring(coins) end))
-    left:add(icon("fox", 320, 11))
-    left:add(shown(350, 0, function() return "x " .. lives end))
-    local right = level:add(Layer { space = "screen", anchor = "top_right", z = 55 }, "hud_right")
-    right:add(shown(-24, 1, function()
-        return clock(level) .. string.format("      %06d", points)
-    end))
+    local function icon(layer, image, x, frames)
+        return layer:add(Sprite { image = "art/" .. image .. ".png", columns = frames, smooth = false, position = vec(x, 34), scale = 2.4 })
+    end
+    local left = level:add(Layer { space = "screen", anchor = "top_left", z = 55 }, "hud")
+    local right = level:add(Layer { space = "screen", anchor = "top_right", z = 55 })
+    local banner = level:add(Layer { space = "screen", anchor = "center", z = 60 })
+    for i = 1, 3 do
+        icon(left, "heart", 4 + 38 * i, 1).tint = formula(function() return color(hearts >= i and "#ffffff" or "#2b1d2e90") end)
+    end
+    icon(left, "coin", 190, 6)
+    icon(left, "fox", 320, 11)
+    text(left, 214, 34, 28, 0, formula(function() return tostring(coins) end))
+    text(left, 350, 34, 28, 0, formula(function() return "x " .. lives end))
+    text(right, -24, 34, 28, 1, formula(function() return clock(level) .. string.format("      %06d", points) end))
+    text(banner, 0, -120, 54, 0.5, level.number .. "  " .. fx.places[level.number].name)
+    banner:after(1.6, function(layer) layer:tween("opacity", 0, 0.6) end)
+    banner:after(2.4, banner.delete)
 end
 
 return menus

@@ -22,10 +22,10 @@ end
 local ways = {
     [2] = { vec(0, -4), vec(4, -2), vec(0, 0) },
     [3] = { vec(4.5, -2), vec(0.5, 0) },
-    [4] = { vec(-3.5, -5), vec(0, 0) },
+    [4] = { vec(-3, -4.5), vec(0, 0) },
 }
 
-local bot = { held = {}, wait = 0, stage = 1, last = 0, stuck = 0 }
+local bot = { floor = 0, held = {}, wait = 0, stage = 1, last = 0, stuck = 0 }
 local function hold(t, key, down)
     if (bot.held[key] or false) == down then return end
     bot.held[key] = down
@@ -64,9 +64,9 @@ local function think(level)
         local place, route = keys[1].position, ways[level.number]
         if bot.stage == 1 and at.x > place.x - 9 or bot.stage > 1 then
             goal = place + route[math.min(bot.stage, #route)]
-            if math.abs(at.x - goal.x) < 0.6 and math.abs(y - (goal.y - 0.5)) < 0.4 and hero.grounded and bot.stage < #route then
-                bot.stage = bot.stage + 1
-            end
+            local there = math.abs(at.x - goal.x) < 0.6 and math.abs(y - (goal.y - 0.5)) < 0.4 and hero.grounded
+            if (there or hero.velocity.y > 16) and bot.stage < #route then bot.stage = bot.stage + 1 end
+            if bot.stage > 1 and hero.grounded and y < place.y + route[bot.stage - 1].y - 1.5 then bot.stage = 1 end
         end
     end
     if goal then
@@ -76,25 +76,26 @@ local function think(level)
     end
     local lift = not goal and lift_for(level, at)
     if hero.grounded and bot.leaving and time.step > bot.leaving + 5 then bot.leaving = nil end
+    if lift and bot.leaving and bot.left ~= lift then bot.leaving = nil end
     if lift and not bot.leaving then
         local top, riding = lift.position.y + 0.25, math.abs(lift.position.x - at.x) < 1.3 and math.abs(y - lift.position.y - 0.25) < 0.3
         if riding then
             if lift.dx > 0 then
                 if lift.position.x > lift.home.x + lift.dx - 0.6 then
-                    if at.x > lift.position.x + 0.6 then bot.leaving = time.step return 1, true end
+                    if at.x > lift.position.x + 0.6 then bot.leaving, bot.left = time.step, lift return 1, true end
                     return 1, false
                 end
                 return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
             end
-            if lift.position.y > lift.home.y + lift.dy - 0.5 then bot.leaving = time.step return 1, true end
+            if lift.position.y > lift.home.y + lift.dy - 0.5 then bot.leaving, bot.left = time.step, lift return 1, true end
             return math.abs(at.x - lift.position.x) < 0.2 and 0 or at.x < lift.position.x and 1 or -1, false
         end
         if at.x < lift.home.x - 0.9 and hero.grounded then
-            local edge = not ground_at(level, at.x + 0.5, y)
+            local edge = not ground_at(level, at.x + 0.5 + math.max(0, hero.velocity.x) * (level.number == 4 and 0.22 or 0.05), y)
             if not edge then return 1, false end
             local gap = lift.position.x - 1 - at.x
-            local ready = lift.dx > 0 and gap < 1.2 and lift.velocity.x <= 0.3 or lift.dy > 0 and math.abs(top - y) < 0.6
-            if not ready then return 0, false end
+            local ready = lift.dx > 0 and gap < 2.4 and lift.velocity.x <= 0.3 or lift.dy > 0 and math.abs(top - y) < 0.6
+            if not ready then return ground_at(level, at.x + 0.6, y) and 0 or -1, false end
             return 1, true
         end
         if not hero.grounded and at.x < lift.home.x + lift.dx + 0.5 and y > top - 0.3 then
@@ -102,7 +103,16 @@ local function think(level)
             return math.abs(d) < 0.3 and 0 or d > 0 and 1 or -1, hero.velocity.y > 0 and d > 0.5
         end
     end
-    if not hero.grounded then return way, jump or hero.velocity.y > 0 end
+    if hero.grounded then bot.floor = y end
+    if not hero.grounded then
+        -- It brakes where it would land in a gap or on spikes.
+        local v, fall = hero.velocity, 38
+        local left = (v.y + math.sqrt(math.max(0, v.y * v.y + 2 * fall * (y - bot.floor)))) / fall
+        local land = at.x + v.x * left
+        local bad = function(x) return not ground_at(level, x, bot.floor + 0.2) or hurts(level, x, bot.floor + 0.3) or hurts(level, x + 0.4, bot.floor + 0.3) end
+        if not goal and v.y < 11 and bad(land) and not bad(at.x + 0.3) then way = -1 end
+        return way, jump or v.y > 0
+    end
     local ahead = at.x + way * 0.75
     -- A crate is pushed until it is at a wall.
     for _, crate in ipairs(things:children("Crate")) do
@@ -139,7 +149,6 @@ local function play(t, level)
         hold(t, "right", way > 0)
         hold(t, "space", jump)
         t:steps(1)
-        if os_debug and time.step % 60 == 0 then print(level.number, hero.position, hearts, lives, way, jump) end
     end
     for _, key in ipairs { "left", "right", "space" } do hold(t, key, false) end
 end
