@@ -15,59 +15,50 @@ end
 class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", frames_per_second = 6, flip_x = true, reach = vec(1.1, 0.75),
     origin = vec(0.5, 0.45), hp = 5, way = -1, left = 0.0, z = 2, current_state = "rest",
     states = {
-        rest = { enter = function(self) self:pose("1-4", 3, 1.2 - 0.12 * (5 - self.hp)) end,
-            step = function(self, dt)
-                local hero = game.scene.hero
-                if math.abs(hero.position.x - self.position.x) > 0.5 then self.way = hero.position.x < self.position.x and -1 or 1 end
-                self.flip_x = self.way < 0
-                if hero.position.x > 12 and self:wait(dt) then self:state("brace") end
-            end },
-        brace = { enter = function(self) self:pose("5-6", 14, 0.75 - 0.06 * (5 - self.hp)) sounds.growl:play() end,
-            step = function(self, dt)
-                view:shake(0.03, 0.1)
-                if self:wait(dt) then self:state("charge") end
-            end },
-        charge = { enter = function(self) self:pose("1-4", 18, 4) end,
-            step = function(self, dt)
-                local speed = 9.5 + 1.1 * (5 - self.hp)
-                self.position = self.position + vec(self.way * speed * dt, 0)
-                if time.step % 4 == 0 then fx.puff(self.position - vec(self.way, 0.8), { color("#fff1d690"), color("#fff1d600") }, 4, { speed = 2 }) end
-                if not game.scene:solid(self.position + vec(self.way * 1.5, 0)) then return end
-                view:shake(0.4, 0.5)
-                sounds.crash:play()
-                for n = 1, 2 + (5 - self.hp) do
-                    self:after(0.3 * n, function()
-                        game.scene.map.things:add(Rock { position = vec(game.scene.hero.position.x + random(-4.0, 4.0), 16) })
-                    end)
-                end
-                self:state("stun")
-            end },
-        stun = { enter = function(self) self:pose("7-7", 0, 2.6 - 0.15 * (5 - self.hp)) end,
-            step = function(self, dt)
-                if time.step % 12 == 0 then fx.puff(self.position + vec(self.way * 0.8, 1.2), { color("#ffcf4a"), color("#ffcf4a00") }, 3) end
-                if self:wait(dt) then self:state("rest") end
-            end },
-        dead = { step = function(self, dt)
-            self.position, self.angle = self.position + vec(0, -4 * dt), self.angle + 2 * dt
+        rest = { enter = function(self) self:pose("1-4", 3, 0.6 + 0.12 * self.hp) end, step = function(self, dt)
+            local hero = game.scene.hero
+            if math.abs(hero.position.x - self.position.x) > 0.5 then self.way = hero.position.x < self.position.x and -1 or 1 end
+            self.flip_x = self.way < 0
+            if hero.position.x > 12 and self:waited(dt) then self:state("brace") end
         end },
+        brace = { enter = function(self) self:pose("5-6", 14, 0.45 + 0.06 * self.hp) sounds.growl:play() end, step = function(self, dt)
+            view:shake(0.03, 0.1)
+            if self:waited(dt) then self:state("charge") end
+        end },
+        charge = { enter = function(self) self:pose("1-4", 18, 0) end, step = function(self, dt)
+            self.position = self.position + vec(self.way * (15 - 1.1 * self.hp) * dt, 0)
+            if time.step % 4 == 0 then fx.puff(self.position - vec(self.way, 0.8), { color("#fff1d690"), color("#fff1d600") }, 4, { speed = 2 }) end
+            if game.scene:solid(self.position + vec(self.way * 1.5, 0)) then self:state("stun") end
+        end },
+        stun = { enter = function(self)
+            self:pose("7-7", 0, 1.85 + 0.15 * self.hp)
+            view:shake(0.4, 0.5)
+            sounds.crash:play()
+            for n = 1, 7 - self.hp do
+                self:after(0.3 * n, function(boar)
+                    boar.parent:add(Rock { position = vec(game.scene.hero.position.x + random(-4.0, 4.0), 16) })
+                end)
+            end
+        end, step = function(self, dt)
+            if time.step % 12 == 0 then fx.puff(self.position + vec(self.way * 0.8, 1.2), { color("#ffcf4a"), color("#ffcf4a00") }, 3) end
+            if self:waited(dt) then self:state("rest") end
+        end },
+        dead = { step = function(self, dt) self.position, self.angle = self.position - vec(0, 4 * dt), self.angle + 2 * dt end },
     } }
 
 function Boar:pose(animation, speed, seconds) self.animation, self.frames_per_second, self.left = animation, speed, seconds end
-function Boar:wait(dt)
+function Boar:waited(dt)
     self.left = self.left - dt
     return self.left <= 0
 end
 
 function Boar:touch(hero)
     if self:state() == "dead" then return end
-    local above = hero.velocity.y < -0.5 and hero.position.y > self.position.y + 0.5
-    if not above then
-        if self:state() ~= "stun" then game.scene:hit(self.position) end
-        return
-    end
+    local stunned = self:state() == "stun"
+    if hero.velocity.y > -0.5 or hero.position.y < self.position.y + 0.5 then return not stunned and game.scene:hit(self.position) end
     hero:jump(11, true)
     hero.velocity = vec(self.position.x > 22 and -6 or 6, 11)
-    if self:state() ~= "stun" then sounds.clang:play() return end
+    if not stunned then sounds.clang:play() return end
     self.hp = self.hp - 1
     game.scene:score(300, self.position + vec(0, 1))
     sounds.stomp:play { pitch = 0.7 }

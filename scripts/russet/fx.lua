@@ -10,7 +10,8 @@ function fx.puff(at, colors, count, more)
     game.scene:add(made):on("finished", function(event) event.instance:delete() end)
 end
 
-function fx.pop(at, text, tint)
+function fx.pop(at, text, sound, tint)
+    if sound then sounds[sound]:play() end
     local label = game.scene:add(Text { position = at, text = text, size = 0.2, font = "bold", color = tint or color("#fff1d6"),
         outline = color("#2b1d2e"), outline_width = 0.12, z = 30 })
     label:tween("size", 0.62, 0.25, "out_back")

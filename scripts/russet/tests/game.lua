@@ -137,7 +137,7 @@ end
 local function play(t, level)
     bot.stage, bot.leaving = 1, nil
     while not level.over do
-        if level.clock > 200 then error("stuck at " .. tostring(level.hero.position) .. " in level " .. level.number) end
+        if level.clock > 120 then error("stuck at " .. tostring(level.hero.position) .. " in level " .. level.number) end
         local way, jump = think(level)
         local hero = level.hero
         if hero.grounded and bot.held.space then jump = false end   -- a jump begins with a new press
