@@ -19,7 +19,7 @@ class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", f
             local hero = game.scene.hero
             if math.abs(hero.position.x - self.position.x) > 0.5 then self.way = hero.position.x < self.position.x and -1 or 1 end
             self.flip_x = self.way < 0
-            if hero.position.x > 12 and self:waited(dt) then self:state("brace") end
+            if hero.position.x > 9.5 and self:waited(dt) then self:state("brace") end
         end },
         brace = { enter = function(self) self:pose("5-6", 14, 0.45 + 0.06 * self.hp) sounds.growl:play() end, step = function(self, dt)
             view:shake(0.03, 0.1)
@@ -31,7 +31,7 @@ class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", f
             if game.scene:solid(self.position + vec(self.way * 1.5, 0)) then self:state("stun") end
         end },
         stun = { enter = function(self)
-            self:pose("7-7", 0, 1.85 + 0.15 * self.hp)
+            self:pose("7-7", 0, 2.2 + 0.15 * self.hp)
             view:shake(0.4, 0.5)
             sounds.crash:play()
             for n = 1, 7 - self.hp do
@@ -57,7 +57,7 @@ function Boar:touch(hero)
     local stunned = self:state() == "stun"
     if hero.velocity.y > -0.5 or hero.position.y < self.position.y + 0.5 then return not stunned and game.scene:hit(self.position) end
     hero:jump(11, true)
-    hero.velocity = vec(self.position.x > 22 and -6 or 6, 11)
+    hero.velocity = vec(self.position.x > 21 and -6 or 6, 11)
     if not stunned then sounds.clang:play() return end
     self.hp = self.hp - 1
     game.scene:score(300, self.position + vec(0, 1))

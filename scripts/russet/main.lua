@@ -5,12 +5,8 @@ require("hero")
 require("things")
 require("boar")
 local menus = require("menus")
-
 scene.load("sounds.json", game, "sounds")
-state("lives", 5)
-state("hearts", 3)
-state("coins", 0)
-state("points", 0)
+for name, value in pairs { lives = 5, hearts = 3, coins = 0, points = 0 } do state(name, value) end
 
 input.actions.jump = store.jump or { "space", "z", "gamepad.a", "mouse.left" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
@@ -25,8 +21,7 @@ function Level:enter(args)
     self:add(Tilemap { map = "levels/" .. self.number .. ".tmj", pixels_per_unit = 16 }, "map")
     self.all_coins = #self.map.things:children("Coin")
     self.respawn = vec(self.map.things:children("Start")[1].position)
-    view.limits = { vec(0, 0), self.map.size }
-    view.center = self.respawn
+    view.limits, view.center = { vec(0, 0), self.map.size }, self.respawn
     fx.backdrop(self, self.number)
     self:add(Hero { position = self.respawn }, "hero")
     view.follow = self.hero
@@ -59,16 +54,14 @@ end
 function Level:hit(from)
     local hero = self.hero
     if self.over or from and hero.hurt > 0 then return end
-    hearts = hearts - 1
-    self.hits = self.hits + 1
+    hearts, self.hits = hearts - 1, self.hits + 1
     sounds.hurt:play()
     view:shake(0.25, 0.4)
     fx.puff(hero.position, { color("#ffffff"), color("#ee843400") }, 16, { speed = 6 })
     if hearts <= 0 then self:lose() return end
     hero.hurt = 1.4
     if not from then self:place_back() return end
-    hero.velocity = vec(hero.position.x < from.x and -6 or 6, 8)
-    hero.rising, hero.coyote, hero.grounded = false, 0.0, false
+    hero.velocity, hero.rising, hero.coyote, hero.grounded = vec(hero.position.x < from.x and -6 or 6, 8), false, 0.0, false
 end
 
 function Level:place_back()
@@ -125,8 +118,8 @@ function Level:step(dt)
         for _, layer in ipairs { "decor", "water" } do
             local tile = self.map:tile(cell.x, cell.y, layer)
             if tile > 0 and self.map:tile_property(tile, "hurts") and not self.over then
-                if layer == "water" then fx.puff(at, { color("#bfe8ff"), color("#3d9ad600") }, 20, { speed = 6 }) self:hit() return end
-                self:hit(at - vec(hero.facing * -1, 0))
+                if layer == "water" then fx.puff(at, { color("#bfe8ff"), color("#3d9ad600") }, 20, { speed = 6 }) end
+                self:hit(layer == "decor" and at + vec(hero.facing, 0) or nil)
             end
         end
     end
@@ -134,8 +127,7 @@ function Level:step(dt)
 end
 
 function action_pressed(action)
-    local scene = game.scene
-    if action == "pause" and scene and scene:is_a(Level) and not scene.over then menus.pause() end
+    if action == "pause" and game.scene:is_a(Level) and not game.scene.over then menus.pause() end
 end
 
 function start()

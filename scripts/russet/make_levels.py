@@ -271,8 +271,8 @@ def keep():
 
 def throne():
     """The arena of the boar."""
-    m = Level(6, 4)
-    m.put("Start", 3, 0).arrow(5).put("Heart", 6, 0).flat(9).up(1).flat(2).down(2)
+    m = Level(6, 7)
+    m.put("Start", 3, 0).arrow(5).put("Heart", 6, 0).flat(9).step(-3)
     m.put("Boar", 18, 0, 3, 2, "boar").put("Heart", 12, 5).ledge(3, 3, 3).ledge(11, 4, 3).ledge(19, 3, 3).flat(25)
     m.fill(0, 0, 6, 16).flat(6)
     return m
