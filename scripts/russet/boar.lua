@@ -1,7 +1,5 @@
 -- The last enemy: it charges, runs against a wall, and can be stomped on while it is dizzy.
-
 local fx = require("fx")
-
 class("Rock", Thing) { image = "art/rock.png", reach = vec(0.3, 0.3), speed = 0.0 }
 function Rock:touch() game.scene:hit(self.position) end
 function Rock:step(dt)
@@ -11,7 +9,6 @@ function Rock:step(dt)
     fx.puff(self.position, { color("#b3a6ba"), color("#86798f00") }, 10)
     self:delete()
 end
-
 class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", frames_per_second = 6, flip_x = true, reach = vec(1.1, 0.75),
     origin = vec(0.5, 0.45), hp = 5, way = -1, left = 0.0, z = 2, current_state = "rest",
     states = {
@@ -45,13 +42,11 @@ class("Boar", Thing) { image = "art/boar.png", columns = 7, animation = "1-4", f
         end },
         dead = { step = function(self, dt) self.position, self.angle = self.position - vec(0, 4 * dt), self.angle + 2 * dt end },
     } }
-
 function Boar:pose(animation, speed, seconds) self.animation, self.frames_per_second, self.left = animation, speed, seconds end
 function Boar:waited(dt)
     self.left = self.left - dt
     return self.left <= 0
 end
-
 function Boar:touch(hero)
     if self:state() == "dead" then return end
     local stunned = self:state() == "stun"

@@ -1,5 +1,4 @@
 -- Particles, texts that pop up, and the places: sky, clouds, hills, what floats in the air.
-
 local fx = {}
 
 -- A burst of particles that ends by itself.
@@ -9,7 +8,6 @@ function fx.puff(at, colors, count, more)
     for name, value in pairs(more or {}) do made[name] = value end
     game.scene:add(made):on("finished", function(event) event.instance:delete() end)
 end
-
 function fx.pop(at, text, sound, tint)
     if sound then sounds[sound]:play() end
     local label = game.scene:add(Text { position = at, text = text, size = 0.2, font = "bold", color = tint or color("#fff1d6"),
@@ -18,12 +16,10 @@ function fx.pop(at, text, sound, tint)
     label:tween("position", at + vec(0, 1.3), 0.9, "out_quad")
     label:after(0.9, label.delete)
 end
-
 function fx.tune(music, pitch)
     music.pitch = pitch
     if #music:children("Voice") == 0 then music:play() end
 end
-
 fx.places = {
     { name = "Morning Meadow", air = { "#fff6c0", "#ffffff00" }, rate = 5, fall = 0.3, pitch = 1 },
     { name = "Rust Wood", air = { "#ffb347", "#d8692e" }, rate = 6, fall = 1.4, pitch = 0.94 },
@@ -49,5 +45,4 @@ function fx.backdrop(scene, number)
         gravity = vec(0, -place.fall * 0.4), color = { color(place.air[1]), color(place.air[1]), color(place.air[2]) }, z = 12,
         image = number == 2 and "art/leaf.png" or "", rotation = 2, position = view.center }, "air")
 end
-
 return fx

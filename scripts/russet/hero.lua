@@ -12,7 +12,6 @@ Hero = class("Hero", Body) {
     doc = { hurt = "Seconds for which nothing hurts it.", rising = "Whether the jump ends when the button is let go.",
         stretch = "How thin it is: above 0 thin, below 0 flat.", key = "Whether it carries a key." },
 }
-
 function Hero:ready()
     self:add(Capsule { from = vec(0, -0.2), to = vec(0, 0.2), radius = 0.35, friction = 0, visible = false }, "shape")
     self:add(Sprite { image = "art/fox.png", columns = 11, smooth = false, origin = vec(0.5, 0), position = vec(0, -0.6),
@@ -25,34 +24,38 @@ function Hero:ground()
     local hit = self.parent:shapecast(probe, vec(0, -0.5), nil, nil, function(shape)
         return not shape or shape.parent ~= self and not shape.sensor
     end)
-    return hit and hit.fraction > 0 and hit.normal.y > 0.5 and hit.fraction < (self.grounded and 1 or 0.4) and hit or nil
+    if not hit or hit.fraction == 0 or hit.normal.y < 0.5 then return end
+    local reach = self.grounded and 0.5 or 0.2
+    return hit.fraction * 0.5 < reach and hit or nil
 end
-
 function Hero:jump(speed, free)
     self.velocity = vec(self.velocity.x, speed)
     self.grounded, self.coyote, self.buffer, self.rising, self.gravity_scale = false, 0.0, 0.0, not free, 1
     self.stretch = 0.35
     fx.puff(self.position - vec(0, 0.5), { color("#fff1d6c0"), color("#fff1d600") }, 6, { speed = 1.6, gravity = vec(0, 2) })
 end
-
 function Hero:step(dt)
     if self.type == "static" then return end     -- at home, or lost
     local v, way = vec(self.velocity), input.move.x
-    way = self.hurt < 1.1 and math.abs(way) > 0.3 and (way > 0 and 1 or -1) or 0       -- none while a hit throws it back
+    if math.abs(way) < 0.3 then way = 0 else way = way > 0 and 1 or -1 end
+    if self.hurt > 1.1 then way = 0 end          -- thrown back by a hit
     self.hurt, self.coyote, self.buffer = math.max(0, self.hurt - dt), self.coyote - dt, self.buffer - dt
     if input.jump.pressed then self.buffer = buffer_time end
     local ground = self:ground()
     local base = ground and ground.body.type ~= "static" and ground.body.velocity or vec(0, 0)
-    if ground and (v.y - base.y > 3 and not self.grounded or self.rising and v.y > 0.5) then ground = nil end
+    if ground and v.y - base.y > 3 and not self.grounded then ground = nil end
+    if ground and self.rising and v.y > 0.5 then ground = nil end
     if ground and not self.grounded and v.y < -6 then
         self.stretch = math.max(-0.4, v.y / 40)
         fx.puff(self.position - vec(0, 0.5), { color("#fff1d6c0"), color("#fff1d600") }, 8, { speed = 2 })
         sounds.land:play { volume = math.min(1, -v.y / 15) }
     end
     self.grounded = ground ~= nil
-    local grip = self.hurt > 1.1 and 0.02 or self.parent.number == 4 and (ground and 0.09 or 0.11) or ground and 0.25 or 0.14
+    local grip = self.parent.number == 4 and (ground and 0.09 or 0.11) or (ground and 0.25 or 0.14)
+    if self.hurt > 1.1 then grip = 0.02 end
     local x = v.x - base.x
     x = x + (way * run_speed - x) * grip
+    if math.abs(x) < 0.05 then x = 0 end
     if ground then
         self.coyote, self.rising = coyote_time, false
         local n = ground.normal
@@ -63,7 +66,8 @@ function Hero:step(dt)
         self.gravity_scale = v.y < 0 and 1.15 or 1
         self.velocity = vec(x + base.x, math.max(-fall_limit, v.y))
         if self.rising and not input.jump.held and v.y > 0 then
-            self.velocity, self.rising = vec(self.velocity.x, v.y * 0.5), false
+            self.velocity = vec(self.velocity.x, v.y * 0.5)
+            self.rising = false
         end
     end
     if self.buffer > 0 and self.coyote > 0 then
@@ -73,9 +77,9 @@ function Hero:step(dt)
     if way ~= 0 then self.facing = way end
     self:show(way, x, dt)
 end
-
 function Hero:show(way, x, dt)
-    local look, name, speed = self.look, "1-2", 3
+    local look = self.look
+    local name, speed = "1-2", 3
     if self.hurt > 1.1 then name = "11-11"
     elseif not self.grounded then name = self.velocity.y > 0 and "9-9" or "10-10"
     elseif math.abs(x) > 0.6 then name, speed = "3-8", 4 + math.abs(x) * 1.6 end

@@ -1,5 +1,4 @@
 -- Russet, a fox cub, runs home through six places.
-
 local fx = require("fx")
 require("hero")
 require("things")
@@ -7,13 +6,10 @@ require("boar")
 local menus = require("menus")
 scene.load("sounds.json", game, "sounds")
 for name, value in pairs { lives = 5, hearts = 3, coins = 0, points = 0 } do state(name, value) end
-
 input.actions.jump = store.jump or { "space", "z", "gamepad.a", "mouse.left" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
-
 class("Level", World) { number = 1, clock = 0.0, coins = 0, all_coins = 0, hits = 0, chain = 0, respawn = vec(0, 0), over = false,
     gravity = vec(0, -36) }
-
 function Level:enter(args)
     self.number = args.number
     time.paused, time.scale = false, 1
@@ -28,7 +24,6 @@ function Level:enter(args)
     menus.hud(self)
     fx.tune(self.number == 6 and sounds.fight or sounds.music, fx.places[self.number].pitch)
 end
-
 -- Whether the cell at a point is solid; what is beside the map counts as solid.
 function Level:solid(point)
     local cell = self.map:cell_at(point)
@@ -36,12 +31,10 @@ function Level:solid(point)
     local tile = self.map:tile(cell.x, cell.y, "ground")
     return tile > 0 and (tile <= 18 or tile == 21 or tile >= 28 and tile <= 30)
 end
-
 function Level:score(count, at)
     points = points + count
     if at then fx.pop(at + vec(0, 0.6), tostring(count)) end
 end
-
 function Level:stomp(enemy)
     self.chain = self.chain + 1
     self:score(enemy.worth * self.chain, enemy.position)
@@ -49,7 +42,6 @@ function Level:stomp(enemy)
     view:shake(0.1, 0.2)
     fx.puff(enemy.position, { color("#fff1d6"), color("#b46ea000") }, 14, { speed = 5 })
 end
-
 -- The cub is hurt by something at a point; without one it fell.
 function Level:hit(from)
     local hero = self.hero
@@ -63,13 +55,11 @@ function Level:hit(from)
     if not from then self:place_back() return end
     hero.velocity, hero.rising, hero.coyote, hero.grounded = vec(hero.position.x < from.x and -6 or 6, 8), false, 0.0, false
 end
-
 function Level:place_back()
     local hero = self.hero
     hero.position, hero.velocity, hero.hurt = self.respawn + vec(0, 0.3), vec(0, 0), 1.0
     for _, crate in ipairs(self.map.things:children("Crate")) do crate:back() end
 end
-
 function Level:lose()
     local hero = self.hero
     self.over, hero.type, hero.look.animation, hero.look.visible = true, "static", "11-11", true
@@ -86,7 +76,6 @@ function Level:lose()
         if level.map.things:has("boar") then level.map.things.boar:state("rest") end
     end)
 end
-
 function Level:win()
     if self.over then return end
     self.over = true
@@ -100,7 +89,6 @@ function Level:win()
     store.reached = math.max(store.reached or 1, math.min(6, self.number + 1))
     self:after(1.2, function(level) menus.won(level, bonus) end)
 end
-
 function Level:step(dt)
     local hero = self.hero
     self.air.position = view.center
@@ -125,11 +113,9 @@ function Level:step(dt)
     end
     if at.x < 0.4 then hero.position = vec(0.4, at.y) end
 end
-
 function action_pressed(action)
     if action == "pause" and game.scene:is_a(Level) and not game.scene.over then menus.pause() end
 end
-
 function start()
     view.fit, view.background = "expand", color("#2b1d2e")
     audio.buses.music.volume, audio.buses.effects.volume = store.music or 0.6, store.effects or 0.8

@@ -1,11 +1,9 @@
 -- Title, pause, settings, results, and what is shown during play.
-
 local fx = require("fx")
 local menus, theme, dark, gold = {}, interface.theme, color("#2b1d2e"), color("#ffcf4a")
 theme.accent, theme.panel, theme.control = color("#d9692a"), color("#2b1d2ef0"), color("#4a3350")
 theme.focus, theme.text, theme.muted, theme.shade = gold, color("#fff1d6"), color("#cbb3c4"), color("#1a102080")
 theme.font, theme.font_size = "bold", 19
-
 local function head(text, size) return Label { text = text, font_size = size or 34, text_align = "center", text_color = gold, fill = "width" } end
 local function line(text) return Label { text = text, text_align = "center", fill = "width", font_size = 17 } end
 local function row(text, widget) return Row { fill = "width", Label { text = text, grow = 1 }, widget } end
@@ -14,7 +12,6 @@ local function button(name, text, action, look)
 end
 local function clock(level) return string.format("%d:%02d", level.clock // 60, math.floor(level.clock) % 60) end
 local function close(...) for _, name in ipairs { ... } do if game:has(name) then game[name]:delete() end end end
-
 local function open(name, children, cancelled, more)
     close(name)
     local all = Column { size = vec(380, 0), spacing = 9 }
@@ -22,7 +19,6 @@ local function open(name, children, cancelled, more)
     menus.rise = game:add(Panel { modal = true, cancelled = cancelled, all, opacity = 0 }, name)
     for key, value in pairs(more or {}) do menus.rise[key] = value end
 end
-
 -- Menus rise in real time, since the game may be paused.
 function update(_, real_dt)
     local menu = menus.rise
@@ -30,20 +26,17 @@ function update(_, real_dt)
     menu.opacity = math.min(1, menu.opacity + 6 * real_dt)
     menu.offset = vec(0, (menu.modal and 0 or 90) + 24 * (1 - menu.opacity) ^ 2)
 end
-
 function menus.play(number, new)
     if new then lives, coins, points = 5, 0, 0 end
     hearts = 3
     close("menu", "pause_menu", "settings")
     go_to_scene("Level", { transition = "iris", seconds = 0.7, color = dark, args = { number = number } })
 end
-
 function menus.title()
     close("menu", "pause_menu", "settings")
     time.paused = false
     go_to_scene("Title", { transition = "fade" })
 end
-
 -- The title stands over the beginning of the first level.
 class("Title", World) {}
 function Title:enter()
@@ -74,7 +67,6 @@ function Title:step()
     self.air.position = view.center
 end
 function Title:leave() close("menu") end
-
 function menus.scores()
     local list, back = { head("Best scores") }, function() close("settings") end
     for i, entry in ipairs(store.scores or {}) do
@@ -84,7 +76,6 @@ function menus.scores()
     list[#list + 1] = button("back", "Back", back, "accent")
     open("settings", list, back)
 end
-
 function menus.settings()
     local function back()
         store.music, store.effects, store.jump = audio.buses.music.volume, audio.buses.effects.volume, input.actions.jump
@@ -95,7 +86,6 @@ function menus.settings()
         row("Jump", Button { name = "jump", bind = "input.actions.jump", size = vec(210, 0) }),
         Toggle { text = "Full screen", bind = "view.window.fullscreen" }, button("back", "Back", back, "accent") }, back)
 end
-
 function menus.pause()
     time.paused = true
     local function go_on() time.paused = false close("pause_menu") end
@@ -103,7 +93,6 @@ function menus.pause()
         button("again", "Begin this place again", function() menus.play(game.scene.number) end),
         button("settings", "Settings", menus.settings), button("title", "Title", menus.title) }, go_on)
 end
-
 -- Keeps the five best runs; says which place this one has.
 local function keep_score(won)
     local list = { { points = points, level = game.scene.number, won = won } }
@@ -114,14 +103,12 @@ local function keep_score(won)
     list[6], store.scores = nil, list
     return place == 1 and "A new best score!" or place < 6 and "Place " .. place .. " of the best" or ""
 end
-
 function menus.game_over()
     local number = game.scene.number
     open("menu", { head("Game over", 44), line(points .. " points"), line(keep_score(false)),
         button("again", "Try " .. fx.places[number].name .. " again", function() menus.play(number, true) end, "accent"),
         button("title", "Title", menus.title) })
 end
-
 function menus.won(level, bonus)
     local last = level.number == 6
     local list = { head(last and "Home at last!" or fx.places[level.number].name), line("time " .. clock(level) .. "   +" .. bonus.time),
@@ -134,7 +121,6 @@ function menus.won(level, bonus)
     end
     open("menu", list)
 end
-
 -- Hearts, coins, lives, time and points, and for a moment the name of the place.
 function menus.hud(level)
     local function text(layer, x, y, size, right, words)
@@ -158,5 +144,4 @@ function menus.hud(level)
     banner:after(1.6, function(layer) layer:tween("opacity", 0, 0.6) end)
     banner:after(2.4, banner.delete)
 end
-
 return menus

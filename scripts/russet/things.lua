@@ -1,15 +1,11 @@
 -- What a map has in its object layer. A class with `touch` is told when the cub overlaps it; `reach` is half of its size.
-
 local fx = require("fx")
-
 class("Start", Object) { position = vec(0, 0) }
-
 class("Thing", Sprite) { smooth = false, pixels_per_unit = 16, reach = vec(0.45, 0.45) }
 function Thing:overlaps(hero)
     local d, r = self.position - hero.position, self.reach
     return math.abs(d.x) < r.x + 0.33 and math.abs(d.y) < r.y + 0.5
 end
-
 class("Coin", Thing) { image = "art/coin.png", columns = 6, frames_per_second = 10 }
 function Coin:touch()
     coins, game.scene.coins = coins + 1, game.scene.coins + 1
@@ -22,7 +18,6 @@ function Coin:touch()
     end
     self:delete()
 end
-
 class("Heart", Thing) { image = "art/heart.png" }
 function Heart:touch()
     hearts = math.min(3, hearts + 1)
@@ -30,7 +25,6 @@ function Heart:touch()
     fx.pop(self.position, "+1", "power", color("#ff9a8a"))
     self:delete()
 end
-
 class("Key", Thing) { image = "art/key.png", taken = false }
 function Key:touch(hero)
     if self.taken then return end
@@ -41,14 +35,12 @@ function Key:step()
     local hero = game.scene.hero
     if self.taken then self.position = self.position + (hero.position + vec(-0.8 * hero.facing, 0.7) - self.position) * 0.12 end
 end
-
 -- What is solid: bodies with a picture of the same size.
 local function solid(self, name, density)
     self.home = vec(self.position)
     self:add(Box { width = self.size.x - 0.02, height = self.size.y - 0.02, density = density, friction = 0.4, visible = false }, "box")
     self:add(Sprite { image = "art/" .. name .. ".png", smooth = false, size = self.size }, "look")
 end
-
 class("Door", Body) { type = "static", size = vec(1, 3), home = vec(0, 0) }
 function Door:ready() solid(self, "door", 1) end
 function Door:step()
@@ -62,7 +54,6 @@ function Door:step()
     sounds.door:play()
     view:shake(0.1, 0.3)
 end
-
 -- A platform that goes to (dx, dy) and back in `period` seconds.
 class("Lift", Body) { type = "kinematic", size = vec(2, 0.5), dx = 0.0, dy = 0.0, period = 4.0, home = vec(0, 0) }
 function Lift:ready() solid(self, "lift", 1) end
@@ -70,12 +61,10 @@ function Lift:step(dt)
     local part = 0.5 - 0.5 * math.cos((game.scene.clock + dt) * 2 * math.pi / self.period)
     self.velocity = (self.home + vec(self.dx, self.dy) * part - self.position) / dt
 end
-
 class("Crate", Body) { size = vec(1, 1), home = vec(0, 0), locked_rotation = true }
 function Crate:ready() solid(self, "crate", 0.5) end
 function Crate:back() self.position, self.velocity = self.home, vec(0, 0) end
 function Crate:step() if self.position.y < -3 then self:back() end end
-
 class("Spring", Thing) { image = "art/spring.png", columns = 3, reach = vec(0.45, 0.4) }
 function Spring:touch(hero)
     if hero.velocity.y > 1 or hero.position.y < self.position.y then return end
@@ -85,7 +74,6 @@ function Spring:touch(hero)
     self:after(0.12, function(spring) spring.frame = 3 end)
     self:after(0.3, function(spring) spring.frame = 1 end)
 end
-
 class("Checkpoint", Thing) { image = "art/flag.png", columns = 5, animation = "1-1", frames_per_second = 8, origin = vec(0.5, 0.25),
     reach = vec(0.4, 1) }
 function Checkpoint:touch()
@@ -95,10 +83,8 @@ function Checkpoint:touch()
     fx.pop(self.position, "100", "power")
     fx.puff(self.position + vec(0, 1), { color("#ee8434"), color("#ffcf4a00") }, 20, { speed = 5 })
 end
-
 class("Goal", Thing) { image = "art/den.png", columns = 4, frames_per_second = 5, origin = vec(0.5, 1 / 6), reach = vec(0.5, 1), z = -0.5 }
 function Goal:touch() game.scene:win() end
-
 -- Enemies. One that is stomped on is gone; from the side it hurts.
 class("Enemy", Thing) { reach = vec(0.42, 0.36), way = -1, worth = 50, home = vec(0, 0), age = 0.0, dead = false, z = 1 }
 function Enemy:ready() self.home = vec(self.position) end
@@ -113,7 +99,6 @@ function Enemy:touch(hero)
     self:tween("tint", color("#ffffff00"), 0.35)
     self:after(0.4, self.delete)
 end
-
 class("Beetle", Enemy) { image = "art/beetle.png", columns = 4, frames_per_second = 8, flip_x = true, origin = vec(0.5, 0.53) }
 function Beetle:act(dt)
     local level, by = game.scene, vec(self.way * 1.7 * dt, 0)
@@ -121,14 +106,12 @@ function Beetle:act(dt)
     if level:solid(ahead) or not level:solid(ahead - vec(0, 0.8)) then by, self.way = vec(0, 0), -self.way end
     self.position, self.flip_x = self.position + by, self.way < 0
 end
-
 class("Bat", Enemy) { image = "art/bat.png", columns = 4, frames_per_second = 11, worth = 80 }
 function Bat:act(dt)
     self.age = self.age + dt
     self.position = self.home + vec(2.6 * math.sin(self.age * 1.15), 0.75 * math.sin(self.age * 2.6))
     self.flip_x = math.cos(self.age * 1.15) < 0
 end
-
 class("Hopper", Enemy) { image = "art/hopper.png", columns = 3, worth = 80, up = 0.0, rest = 1.0, origin = vec(0.5, 0.45) }
 function Hopper:act(dt)
     local at, home = vec(self.position), self.home
