@@ -1,6 +1,5 @@
 -- Particles, texts that pop up, and the places: sky, clouds, hills, what floats in the air.
 local fx = {}
-
 -- A burst of particles that ends by itself.
 function fx.puff(at, colors, count, more)
     local made = Emitter { position = at, rate = 0, burst = count, speed = 4, damping = 2, lifetime = 0.45, gravity = vec(0, -6),
@@ -28,7 +27,6 @@ fx.places = {
     { name = "Dusk Keep", air = { "#ffc46b", "#ff8a5b00" }, rate = 9, fall = -0.8, pitch = 0.9 },
     { name = "The Boar King", air = { "#ff7a3d", "#ff3d2e00" }, rate = 16, fall = -1.6, pitch = 1 },
 }
-
 -- Everything behind the level. Layers stand still, or move at a part of the speed of the view.
 function fx.backdrop(scene, number)
     local function layer(name, speed, z, sprite, wide)

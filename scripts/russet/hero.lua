@@ -1,11 +1,8 @@
 -- The cub: how it runs and jumps. Numbers are meters and seconds.
-
 local fx = require("fx")
-
 local run_speed, jump_speed, fall_limit = 7.2, 14.2, 17
 local coyote_time, buffer_time = 0.1, 0.13       -- a jump counts so long after a ledge, and so long before the ground
 local probe = Circle { radius = 0.3 }            -- what is moved downwards to find the ground
-
 Hero = class("Hero", Body) {
     locked_rotation = true, can_sleep = false, z = 5, bullet = true,
     facing = 1, grounded = false, coyote = 0.0, buffer = 0.0, rising = false, hurt = 0.0, key = false, stretch = 0.0, steps = 0.0,
@@ -17,7 +14,6 @@ function Hero:ready()
     self:add(Sprite { image = "art/fox.png", columns = 11, smooth = false, origin = vec(0.5, 0), position = vec(0, -0.6),
         size = vec(1.5, 1.5), animation = "1-2", frames_per_second = 3 }, "look")
 end
-
 -- What it stands on: a record with normal and body, or nil.
 function Hero:ground()
     probe.center = self.position - vec(0, 0.1)
@@ -95,5 +91,4 @@ function Hero:show(way, x, dt)
         fx.puff(self.position - vec(0.3 * self.facing, 0.5), { color("#fff1d690"), color("#fff1d600") }, 2, { speed = 0.8 })
     end
 end
-
 return Hero
