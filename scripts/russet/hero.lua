@@ -39,16 +39,14 @@ function Hero:step(dt)
     if input.jump.pressed then self.buffer = buffer_time end
     local ground = self:ground()
     local base = ground and ground.body.type ~= "static" and ground.body.velocity or vec(0, 0)
-    if ground and v.y - base.y > 3 and not self.grounded then ground = nil end
-    if ground and self.rising and v.y > 0.5 then ground = nil end
+    if ground and (v.y - base.y > 3 and not self.grounded or self.rising and v.y > 0.5) then ground = nil end
     if ground and not self.grounded and v.y < -6 then
         self.stretch = math.max(-0.4, v.y / 40)
         fx.puff(self.position - vec(0, 0.5), { color("#fff1d6c0"), color("#fff1d600") }, 8, { speed = 2 })
         sounds.land:play { volume = math.min(1, -v.y / 15) }
     end
     self.grounded = ground ~= nil
-    local grip = self.parent.number == 4 and (ground and 0.09 or 0.11) or (ground and 0.25 or 0.14)
-    if self.hurt > 1.1 then grip = 0.02 end
+    local grip = self.hurt > 1.1 and 0.02 or self.parent.number == 4 and (ground and 0.09 or 0.11) or ground and 0.25 or 0.14
     local x = v.x - base.x
     x = x + (way * run_speed - x) * grip
     if math.abs(x) < 0.05 then x = 0 end
@@ -62,8 +60,7 @@ function Hero:step(dt)
         self.gravity_scale = v.y < 0 and 1.15 or 1
         self.velocity = vec(x + base.x, math.max(-fall_limit, v.y))
         if self.rising and not input.jump.held and v.y > 0 then
-            self.velocity = vec(self.velocity.x, v.y * 0.5)
-            self.rising = false
+            self.velocity, self.rising = vec(self.velocity.x, v.y * 0.5), false
         end
     end
     if self.buffer > 0 and self.coyote > 0 then

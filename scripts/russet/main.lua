@@ -1,8 +1,6 @@
 -- Russet, a fox cub, runs home through six places.
 local fx = require("fx")
-require("hero")
-require("things")
-require("boar")
+for _, name in ipairs { "hero", "things", "boar" } do require(name) end
 local menus = require("menus")
 scene.load("sounds.json", game, "sounds")
 for name, value in pairs { lives = 5, hearts = 3, coins = 0, points = 0 } do state(name, value) end

@@ -13,15 +13,13 @@ function Coin:touch()
     sounds.coin:play { pitch = 1 + 0.05 * (coins % 4) }
     fx.puff(self.position, { color("#ffe9a0"), color("#ffcf4a00") }, 8, { gravity = vec(0, 0), blend = "add" })
     if coins % 50 == 0 then
-        lives = lives + 1
-        fx.pop(self.position, "1 UP", "power", color("#8ef0a0"))
+        lives = lives + 1 fx.pop(self.position, "1 UP", "power", color("#8ef0a0"))
     end
     self:delete()
 end
 class("Heart", Thing) { image = "art/heart.png" }
 function Heart:touch()
-    hearts = math.min(3, hearts + 1)
-    game.scene:score(50)
+    hearts, points = math.min(3, hearts + 1), points + 50
     fx.pop(self.position, "+1", "power", color("#ff9a8a"))
     self:delete()
 end
@@ -51,8 +49,7 @@ function Door:step()
     self.look:tween("position", vec(0, 3), 0.6, "in_quad")
     self.look:tween("tint", color("#ffffff00"), 0.6)
     game.scene:score(200, self.position)
-    sounds.door:play()
-    view:shake(0.1, 0.3)
+    sounds.door:play() view:shake(0.1, 0.3)
 end
 -- A platform that goes to (dx, dy) and back in `period` seconds.
 class("Lift", Body) { type = "kinematic", size = vec(2, 0.5), dx = 0.0, dy = 0.0, period = 4.0, home = vec(0, 0) }
