@@ -185,4 +185,8 @@ test("a bot wins the whole game", function(t)
     local won = false
     for _, entry in ipairs(store.scores) do won = won or entry.won end
     expect(won):truthy()
+    t:steps(30)
+    t:tap("enter")
+    t:wait_until(function() return game.scene:is_a("Title") end, 5)
+    t:steps(60)
 end)
