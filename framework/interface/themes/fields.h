@@ -85,6 +85,26 @@ struct Kept<std::optional<T>> {
     static constexpr bool nullable = true;
 };
 
+/// The type of a property that has a member of this type.
+template <class T>
+inline constexpr property::Type type_of = property::Type::nil;
+template <>
+inline constexpr property::Type type_of<bool> = property::Type::boolean;
+template <>
+inline constexpr property::Type type_of<double> = property::Type::number;
+template <>
+inline constexpr property::Type type_of<std::int64_t> = property::Type::integer;
+template <>
+inline constexpr property::Type type_of<property::Vec2> = property::Type::vec2;
+template <>
+inline constexpr property::Type type_of<std::string> = property::Type::text;
+template <>
+inline constexpr property::Type type_of<property::Color> = property::Type::color;
+template <>
+inline constexpr property::Type type_of<property::Handle> = property::Type::reference;
+template <>
+inline constexpr property::Type type_of<property::List> = property::Type::list;
+
 template <class Row, class T>
 Row row_of(T Row::*);
 template <class Row, class T>
@@ -96,7 +116,7 @@ template <auto Member, class Owner>
 property::Property field(Owner& owner, property::Property described) {
     using Element = decltype(row_of(Member));
     using Field = Kept<decltype(member_of(Member))>;
-    described.type = held(typename Field::Plain{}).type();
+    described.type = type_of<typename Field::Plain>;
     described.nullable = Field::nullable;
     if (described.type == property::Type::color) described.range = {0, 1};
     if (described.type != property::Type::reference)
