@@ -35,7 +35,7 @@ end
 function menus.title()
     close("menu", "pause_menu", "settings")
     time.paused = false
-    go_to_scene("Title")
+    go_to_scene("Title", { transition = "fade" })
 end
 -- The title stands over the beginning of the first level.
 class("Title", World) {}

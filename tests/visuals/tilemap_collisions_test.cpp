@@ -1,0 +1,113 @@
+// Maps: the outlines of solid tiles as chains of a static body.
+
+#include <catch.h>
+
+#include "levels.h"
+
+namespace tilemap_collisions_test {
+
+using namespace fettle::visuals::test;
+
+TEST_CASE_METHOD(Land, "solid tiles have one outline") {
+    define_bodies();
+    const Handle top = map();
+    tree.set(top, "corner", Value(Vec2(5, 6)));
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    const Handle chain = chains(top)[0];
+    CHECK(points(chain).size() == 4);
+    CHECK(tree.get(chain, "closed") == Value(true));
+    CHECK(tree.get(chain, "friction").as_double() == Approx(0.6));
+    // Bodies stay on its left side: around an island, it runs clockwise.
+    double area = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 a = points(chain)[i].vec2(), b = points(chain)[(i + 1) % 4].vec2();
+        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    CHECK(area == Approx(-4));
+    const Handle body = find(top, "collisions");
+    CHECK(tree.get(body, "type") == Value("static"));
+    CHECK(tree.get(body, "position") == Value(Vec2(5, 9)));
+}
+
+TEST_CASE_METHOD(Land, "collisions follow the cells at the next barrier") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 1,0,1,1"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 2);
+    const auto all = chains(top);
+    const Handle kept = points(all[0])[0].vec2().x() <= 1 ? all[0] : all[1];
+    call(top, "set_tile", {Value(3), Value(2), Value(0)});
+    tree.barrier(false);
+    REQUIRE(chains(top).size() == 2);
+    CHECK(tree.alive(kept));
+    const Handle ground = find(top, "ground");
+    tree.set(ground, "solid", Value(false));
+    step(1);
+    CHECK(chains(top).empty());
+    tree.set(ground, "solid", Value(true));
+    tree.set(ground, "friction", Value(0.25));
+    step(1);
+    REQUIRE(chains(top).size() == 2);
+    CHECK(tree.get(chains(top)[0], "friction") == Value(0.25));
+}
+
+TEST_CASE_METHOD(Land, "a slope joins the ground beside it") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,2,1,1, 1,1,1,1"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    // Around the ground, up the slope: no point where the tiles meet.
+    CHECK(points(chains(top)[0]).size() == 6);
+}
+
+TEST_CASE_METHOD(Land, "lines of neighbors become one") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 3,3,3,0, 0,0,0,0"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    const Handle chain = chains(top)[0];
+    CHECK(tree.get(chain, "closed") == Value(false));
+    CHECK(points(chain) == List{Vec2(0, -1), Vec2(3, -1)});
+    call(top, "set_tile", {Value(1), Value(1), Value(3), Value("ground"), Value("x")});
+    tree.barrier();
+    // Mirrored, it is still solid from above.
+    REQUIRE(chains(top).size() == 1);
+    CHECK(points(chains(top)[0]) == List{Vec2(0, -1), Vec2(3, -1)});
+}
+
+TEST_CASE_METHOD(Land, "a restored map has the collisions of its cells") {
+    define_bodies();
+    const Handle top = map();
+    tree.barrier();
+    const Snapshot before = tree.snapshot();
+    call(top, "set_tile", {Value(1), Value(2), Value(0)});
+    const Snapshot between = tree.snapshot();  // before the barrier
+    step(1);
+    CHECK(chains(top).size() == 2);
+    tree.restore(before);
+    CHECK(chains(top).size() == 1);
+    step(2);
+    CHECK(chains(top).size() == 1);
+    tree.restore(between);
+    step(1);
+    CHECK(chains(top).size() == 2);
+}
+
+TEST_CASE_METHOD(Land, "a map that is too large for its body leaves nothing half made") {
+    define_bodies();
+    const Handle top = map("level.tmj", 1e-3);
+    step(2);
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems.front(), contains("collisions"));
+    CHECK(chains(top).empty());
+    CHECK(tree.size() == 4);  // the game, the map, its layer, its body
+    tree.set(top, "pixels_per_unit", Value(16.0));
+    step(1);
+    CHECK(chains(top).size() == 1);
+}
+
+}  // namespace tilemap_collisions_test
