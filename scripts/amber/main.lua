@@ -5,7 +5,7 @@ local sound, screens = require("sound"), require("screens")
 
 local run = screens.game                     -- the game as the screens see it
 local amber_cuts = {}                        -- names of the cut ropes of amber, which no rewind mends
-local clock, ended, fade = 0, 0, 1           -- s of play; s since won or lost; how dark the screen is
+local clock, fade = 0, 1                     -- s of play; how dark the screen is
 local pointer                                -- where the mouse is, while it is used
 local ways = { left = vec(-1, 0), right = vec(1, 0), up = vec(0, 1), down = vec(0, -1) }
 
@@ -13,25 +13,16 @@ input.actions.cut = { "mouse.left", "enter", "gamepad.a" }
 input.actions.rewind = { "space", "mouse.right", "left_shift", "gamepad.x", "gamepad.right_trigger" }
 input.actions.restart = { "r", "gamepad.y" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
-input.actions.confirm = { "enter", "space", "gamepad.a" }
-input.actions.back = { "escape", "backspace", "gamepad.b" }
 input.actions.left = { "left", "a", "gamepad.left_x-", "gamepad.pad_x-" }
 input.actions.right = { "right", "d", "gamepad.left_x+", "gamepad.pad_x+" }
 input.actions.up = { "up", "w", "gamepad.left_y+", "gamepad.pad_y+" }
 input.actions.down = { "down", "s", "gamepad.left_y-", "gamepad.pad_y-" }
 
-function run.sparks()
-    local n = 0
-    for _ in pairs(things.taken) do n = n + 1 end
-    return n
-end
-
 local function load_level(index, screen)
-    run.level = index
+    run.level, run.sparks = index, 0
     if world:has("level") then world.level:delete() end
     scene.load(string.format("levels/%02d.json", index), world, "level")
     things.taken, things.chosen, amber_cuts, clock, fade = {}, nil, {}, 0, 1
-    time.paused = false
     fx.clear()
     rewind.begin()
     screens.open(screen)
@@ -52,7 +43,6 @@ end
 
 local function finish(screen, noise, shake)
     screens.open(screen)
-    ended = 0
     sound.play(noise)
     view:shake(shake, 0.4)
 end
@@ -64,7 +54,7 @@ local function fly_home()
 end
 
 local function win()
-    local levels, sparks = store.levels or {}, run.sparks()
+    local levels, sparks = store.levels or {}, run.sparks
     local old = levels[run.level] or { score = 0, sparks = 0 }
     local score = 1000 + 500 * sparks + 100 * math.ceil(math.max(0, world.level.par - clock))
     screens.result = { score = score, sparks = sparks, seconds = clock, record = score > old.score, best = old.score }
@@ -103,7 +93,8 @@ function step(dt)
     for _, spark in ipairs(world.level:children("Spark")) do
         if not things.taken[spark.name] and (spark.position - at):length() < 0.8 then
             things.taken[spark.name] = true
-            sound.play("spark", 1, 1 + 0.12 * (run.sparks() - 1))
+            sound.play("spark", 1, 1 + 0.12 * run.sparks)
+            run.sparks = run.sparks + 1
             fx.burst(spark.position, 24, 5, things.cream, 0.07, 1)
             fx.pop(spark.position, "+500")
         end
@@ -112,14 +103,13 @@ function step(dt)
 end
 
 function update(dt, real_dt)
-    time.paused = screens.name == "pause" or screens.name == "settings" and screens.back == "pause"
     rewind.update(playing() and input.rewind.held)
     sound.update(rewind.active)
-    fade, ended = math.max(0, fade - 2.5 * real_dt), ended + real_dt
+    fade = math.max(0, fade - 2.5 * real_dt)
     screens.update(real_dt)
     fx.update(time.paused and 0 or real_dt, screens.in_level() and world.level.ball, rewind.active)
-    if screens.name == "lost" and ended > 0.7 then run.play(run.level) end
-    if screens.name == "home" and ended > 0.9 then screens.open("won") end
+    if screens.name == "lost" and screens.age > 0.7 then run.play(run.level) end
+    if screens.name == "home" and screens.age > 0.9 then screens.open("won") end
     local near = pointer and playing() and things.rope_at(pointer, 0.7)
     if pointer then things.chosen = near and near.name end
 end
@@ -128,31 +118,23 @@ end
 function mouse_moved(position)
     if input.mouse.left and playing() then cut(things.rope_at(position, 0.3)) end
     pointer = vec(position)
-    screens.point(position)
 end
 
 function mouse_pressed(button, position)
     pointer = vec(position)
-    if button ~= "left" then return end
-    if playing() then cut(things.rope_at(position, 0.7)) else screens.point(position, true) end
+    if button == "left" then cut(things.rope_at(position, 0.7)) end
 end
 
 function action_pressed(action)
-    if screens.age == 0 then return end      -- the same key has just opened this screen
-    local way = ways[action]
-    if way and playing() then
-        local rope = things.rope_towards(way)
+    if action == "restart" then run.play(run.level) end
+    if not playing() then return end
+    if ways[action] then
+        local rope = things.rope_towards(ways[action])
         things.chosen, pointer = rope and rope.name, nil
         sound.play("tick")
-    elseif way and not screens.in_level() then
-        screens.move(way.x, way.y)
-    elseif not screens.in_level() then
-        if action == "confirm" then screens.confirm() elseif action == "back" then screens.leave() end
-    elseif action == "pause" and playing() then
+    elseif action == "pause" then
         screens.open("pause")
         sound.play("press")
-    elseif action == "restart" then
-        run.play(run.level)
     elseif action == "cut" and not input.mouse.left and things.chosen then
         cut(world.level[things.chosen])
     end
@@ -171,6 +153,6 @@ function draw(pen)
     if screens.in_level() then fx.draw_trail(pen) end
     if screens.name ~= "lost" then things.draw_ball(pen, world.level.ball, fx.squash) end
     fx.draw(pen)
-    if screens.in_level() then screens.draw_play(pen, rewind.past()) else screens.draw(pen) end
+    if screens.in_level() then screens.draw_play(pen, rewind.past()) end
     if fade > 0 then pen.box(vec(0, 0), 40, 16, things.faded(view.background, fade)) end
 end

@@ -14,9 +14,11 @@ function sound.play(name, volume, pitch)
     heard[#heard + 1] = note
 end
 
--- The volumes of the player come from the store, since a rewind would undo them.
+-- The volumes of the player, 0 to 10, come from the store, since a rewind would undo them.
+function sound.volume(bus) return store[bus] or bus == "music" and 7 or 8 end
+
 function sound.apply_volumes()
-    audio.buses.music.volume, audio.buses.effects.volume = (store.music or 7) / 10, (store.effects or 8) / 10
+    for _, bus in ipairs { "music", "effects" } do audio.buses[bus].volume = sound.volume(bus) / 10 end
 end
 
 function sound.start()
