@@ -39,10 +39,14 @@ local function item(text, action)
     end }
 end
 
+local function paint(item, look)
+    if item and item:alive() and item:is_a(Item) then item.look = look end
+end
+
 -- The item that has the keyboard is golden.
 interface:watch("focus", function(now, before)
-    if before and before:alive() and before:is_a(Item) then before.look = "quiet" end
-    if now and now:is_a(Item) then now.look = "accent" end
+    paint(before, "quiet")
+    paint(now, "accent")
     if now and screens.age > 0.1 then sound.play("tick") end
 end)
 
