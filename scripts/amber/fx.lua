@@ -1,4 +1,4 @@
--- Particles, the trail of the ball and what else is only seen. It is no state of the game: nothing of it is in the tree.
+-- Sparks, the trail of the ball and what else is only seen. It is not in the tree, so it goes on while time goes back.
 
 local things = require("things")
 local fx = { squash = 0, tide = 0 }          -- how flat the ball is; how thick the veil over a world that goes back is
@@ -8,9 +8,9 @@ function fx.clear() bits, trail, pops, fx.tide = {}, {}, {}, 0 end
 
 function fx.burst(at, count, speed, tint, size, weight)
     for _ = 1, math.min(count, 300 - #bits) do
-        local life = 0.3 + 0.5 * random()
-        bits[#bits + 1] = { at = vec(at), way = vec(speed * (0.2 + 0.8 * random()), 0):rotated(random() * 2 * math.pi),
-            left = life, life = life, tint = tint, size = size * (1 + 2 * random()), weight = weight or 6 }
+        local life, way = 0.3 + 0.5 * random(), vec(speed * (0.2 + 0.8 * random()), 0):rotated(random() * 2 * math.pi)
+        bits[#bits + 1] = { at = vec(at), way = way, left = life, life = life, tint = tint, size = size * (1 + 2 * random()),
+            fall = vec(0, weight or 6) }
     end
 end
 
@@ -27,25 +27,9 @@ end
 function fx.update(dt, ball, back)
     expire(bits, dt)
     expire(pops, dt)
-    for _, bit in ipairs(bits) do
-        bit.way = bit.way * (1 - 1.5 * dt) - vec(0, bit.weight * dt)
-        bit.at = bit.at + bit.way * dt
-    end
     fx.squash = fx.squash * math.exp(-9 * dt)
     fx.tide = fx.tide + ((back and 1 or 0) - fx.tide) * math.min(1, 10 * dt)
     if ball and dt > 0 then table.insert(trail, 1, vec(ball.position)) trail[26] = nil end
-end
-
--- Dusk, and wheels of a clock that turn with the time of the world, backwards with it, too.
-function fx.draw_sky(pen, clock)
-    pen.image("art/sky.png", vec(0, 0), 40, 15.2)
-    for _, wheel in ipairs { { 6.5, 2.5, 12, 0.22 }, { -1.9, -2.1, 7.6, -0.35 }, { -8.6, 4.4, 8.4, 0.31 } } do
-        pen.image("art/wheel.png", vec(wheel[1], wheel[2]), wheel[3], nil, clock * wheel[4], color("#2a2149"))
-    end
-    for i = 1, 40 do
-        local at = vec((i * 7.31) % 26 - 13, (i * 4.77 + clock * 0.12 * (1 + i % 3)) % 16 - 8)
-        pen.circle(at, 0.03 + 0.02 * (i % 3), things.faded(things.cream, 0.10 + 0.08 * math.sin(i + clock)))
-    end
 end
 
 function fx.draw_trail(pen)
@@ -59,8 +43,9 @@ end
 function fx.draw(pen)
     pen.push() pen.blend("add")
     for _, bit in ipairs(bits) do
-        local share = bit.left / bit.life
-        pen.image("art/glow.png", bit.at, 3 * bit.size * share, nil, nil, things.faded(bit.tint, share))
+        local share, age = bit.left / bit.life, bit.life - bit.left
+        local at = bit.at + bit.way * (age - 0.5 * age ^ 2) - bit.fall * (0.5 * age ^ 2)
+        pen.image("art/glow.png", at, 3 * bit.size * share, nil, nil, things.faded(bit.tint, share))
     end
     pen.pop()
     for _, pop in ipairs(pops) do

@@ -7,16 +7,12 @@ local run = screens.game                     -- the game as the screens see it
 local amber_cuts = {}                        -- names of the cut ropes of amber, which no rewind mends
 local clock, fade = 0, 1                     -- s of play; how dark the screen is
 local pointer                                -- where the mouse is, while it is used
-local ways = { left = vec(-1, 0), right = vec(1, 0), up = vec(0, 1), down = vec(0, -1) }
 
 input.actions.cut = { "mouse.left", "enter", "gamepad.a" }
 input.actions.rewind = { "space", "mouse.right", "left_shift", "gamepad.x", "gamepad.right_trigger" }
 input.actions.restart = { "r", "gamepad.y" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
-input.actions.left = { "left", "a", "gamepad.left_x-", "gamepad.pad_x-" }
-input.actions.right = { "right", "d", "gamepad.left_x+", "gamepad.pad_x+" }
-input.actions.up = { "up", "w", "gamepad.left_y+", "gamepad.pad_y+" }
-input.actions.down = { "down", "s", "gamepad.left_y-", "gamepad.pad_y-" }
+input.actions.choose = { { "a", "d", "s", "w" }, { "left", "right", "down", "up" }, "gamepad.left", "gamepad.pad" }
 
 local function load_level(index, screen)
     run.level, run.sparks = index, 0
@@ -120,22 +116,19 @@ function mouse_moved(position)
     pointer = vec(position)
 end
 
-function mouse_pressed(button, position)
-    pointer = vec(position)
-    if button == "left" then cut(things.rope_at(position, 0.7)) end
-end
-
 function action_pressed(action)
     if action == "restart" then run.play(run.level) end
     if not playing() then return end
-    if ways[action] then
-        local rope = things.rope_towards(ways[action])
+    if action == "choose" then
+        local rope = things.rope_towards(input.choose.direction)
         things.chosen, pointer = rope and rope.name, nil
         sound.play("tick")
     elseif action == "pause" then
         screens.open("pause")
         sound.play("press")
-    elseif action == "cut" and not input.mouse.left and things.chosen then
+    elseif action == "cut" and input.mouse.left then
+        cut(things.rope_at(input.mouse.world, 0.7))
+    elseif action == "cut" and things.chosen then
         cut(world.level[things.chosen])
     end
 end
@@ -143,11 +136,10 @@ end
 function start()
     view.height, view.fit, view.background = 15, "letterbox", color("#130f2b")
     time.rewind_limit = 120
+    scene.load("sky.json", world, "sky")
     sound.start()
     run.title()
 end
-
-function draw_behind(pen) fx.draw_sky(pen, time.now) end
 
 function draw(pen)
     if screens.in_level() then fx.draw_trail(pen) end

@@ -86,9 +86,8 @@ end
 -- The volumes are kept in the store, which no rewind changes.
 local function volume(text, bus)
     return Row { Label { text = text, grow = 1 },
-        Slider { size = vec(190, 0), max = 10, step = 1, value = sound.volume(bus), changed = function(event)
-            store[bus] = math.tointeger(event.value)
-            sound.apply_volumes()
+        Slider { size = vec(190, 0), step = 0.1, bind = "audio.buses." .. bus .. ".volume", changed = function(event)
+            store[bus] = event.value
             sound.play("tick")
         end } }
 end

@@ -14,11 +14,9 @@ function sound.play(name, volume, pitch)
     heard[#heard + 1] = note
 end
 
--- The volumes of the player, 0 to 10, come from the store, since a rewind would undo them.
-function sound.volume(bus) return store[bus] or bus == "music" and 7 or 8 end
-
+-- The volumes of the player come from the store, since a rewind would undo them.
 function sound.apply_volumes()
-    for _, bus in ipairs { "music", "effects" } do audio.buses[bus].volume = sound.volume(bus) / 10 end
+    audio.buses.music.volume, audio.buses.effects.volume = store.music or 0.7, store.effects or 0.8
 end
 
 function sound.start()

@@ -20,7 +20,10 @@ Cable = class("Cable", PulleyJoint) { z = 1 }
 Goal = class("Goal", Object) { position = vec(0, 0), z = 3 }
 Rope = class("Rope", DistanceJoint) { hertz = 0, collide = true, z = 4, of_amber = false }
 Spark = class("Spark", Object) { position = vec(0, 0), z = 5 }
+Wheel = class("Wheel", Sprite) { image = "art/wheel.png", tint = color("#2a2149"), turn = 0.0 }
 Hint = class("Hint", Text) { size = 0.5, color = color("#cfc4ec"), z = -5 }
+
+function Wheel:step(dt) self.angle = self.angle + self.turn * dt end
 
 local function drawn(body, anchor) return body and body:to_drawn(anchor) or vec(anchor) end
 
