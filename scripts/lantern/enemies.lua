@@ -33,11 +33,11 @@ function enemies.spawn(name, at)
 end
 
 function enemies.come(dt)                        -- those who are due in this step
-    for _, wave in ipairs(arenas[night.arena].waves) do
-        local kind, from, to, first, last = table.unpack(wave)
-        local due = (first + (last - first) * (night.clock - from) / (to - from)) * dt
-        for _ = 1, night.clock >= from and night.clock < to and math.floor(due + random()) or 0 do
-            if night.crowd < arenas[night.arena].cap then enemies.spawn(kind) end
+    for _, wave in ipairs(arenas[night.arena]:children()) do
+        local part = (night.clock - wave.from) / (wave.to - wave.from)
+        local due = (wave.first + (wave.last - wave.first) * part) * dt
+        for _ = 1, part >= 0 and part < 1 and math.floor(due + random()) or 0 do
+            if night.crowd < arenas[night.arena].cap then enemies.spawn(wave.kind) end
         end
     end
 end
@@ -113,7 +113,8 @@ function enemies.boss()
     local arena = arenas[night.arena]
     night.boss, night.crowd = true, night.crowd + 1
     world.swarm:add(Boss { hp = arena.boss_hp, max_hp = arena.boss_hp, damage = 10 + 5 * night.arena, position = hidden_place(),
-        bodies.disc(1.3, bodies.ENEMY, bodies.SOLID - bodies.STONE, false, 8), look = bodies.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
+        bodies.disc(1.3, bodies.ENEMY, bodies.SOLID - bodies.STONE, false, 8),
+        look = bodies.look(tostring(night.arena), 3.8, 0.3, "bosses", 3, 1) }, "boss")
     sounds.roar:play()
     effects.banner(arena.boss, "appears")
 end
@@ -124,7 +125,9 @@ function Boss:step(dt)
     self.charge, self.z = now, -0.01 * at.y
     if now < hunt then
         self.velocity = self.velocity:lerp(to:normalized() * self.speed, 0.08)
-        for i = 1, night.arena == 3 and bodies.count % 14 == 0 and 3 or 0 do enemies.shoot(at, bodies.toward(bodies.now * 1.7 + i * tau / 3, 4.2)) end
+        for i = 1, night.arena == 3 and bodies.count % 14 == 0 and 3 or 0 do
+            enemies.shoot(at, bodies.toward(bodies.now * 1.7 + i * tau / 3, 4.2))
+        end
     elseif now < hunt + 0.65 then
         self.way, self.velocity, self.look.tint = to:normalized(), self.velocity * 0.85, color("#ff9d8a")
     elseif now < hunt + 1.35 then

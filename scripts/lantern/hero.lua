@@ -1,7 +1,8 @@
 -- The keeper of the lantern: walks, dashes, collects, is hurt.
 local bodies, effects = require "bodies", require "effects"
 
-Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, wait = 0.0, xp = 0, level = 1, way = vec(1, 0), locked_rotation = true }
+Hero = class("Hero", Body) { hp = 100.0, max_hp = 100.0, mercy = 0.0, dash = 0.0, wait = 0.0, xp = 0, level = 1, way = vec(1, 0),
+    locked_rotation = true }
 
 function Hero:need() return 4 + 3 * self.level + self.level * self.level // 6 end
 
@@ -36,7 +37,7 @@ function Hero:hurt(damage)                       -- returns whether it was hurt
     effects.burst(self.position, color("#ff5a6e"), self.hp > 0 and 14 or 70)
     sounds[self.hp > 0 and "hurt" or "boom"]:play()
     if settings.shake then view:shake(0.25, 0.3) end
-    if self.hp == 0 then night:finish("over") end
+    if self.hp == 0 then night:finish(false) end
     return true
 end
 
@@ -48,7 +49,7 @@ function Hero:take(worth)                        -- a gem, or a heart, which is 
     local offer = self.xp >= self:need() and night.menu == "" and night.running and arms.offer() or {}
     if #offer == 0 then return end
     self.xp, self.level = self.xp - self:need(), self.level + 1
-    night.choices, night.menu, night.pick = offer, "choose", 1
+    night.choices, night.menu = offer, "choose"
     sounds.level:play()
     effects.ring(self.position, 4, color("#5ef2c4"))
 end

@@ -1,26 +1,30 @@
 -- Keep your lantern burning while a thousand creatures of the night come for it. Three arenas, three bosses, ten gifts that grow.
 Night = class("Night", Object) {
-    running = false, menu = "title", pick = 1, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false, rest = 0.0,
-    streak = 0, streak_at = 0.0, rank = 0, curtain = 0.0, choices = { "" },
+    running = false, menu = "", choices = { "sparks" }, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false,
+    rest = 0.0, streak = 0, streak_at = 0.0, won = false, rank = 0, open = 0.0, curtain = 0.0, title = "", subtitle = "", said = -9.0,
 }
 game.night, game.settings = Night {}, Object { effects = 0.8, music = 0.5, shake = true }
 for name, value in pairs(store.settings or {}) do settings[name] = value end
+for _, name in ipairs { "effects", "music", "shake" } do
+    settings:watch(name, function() store.settings = { effects = settings.effects, music = settings.music, shake = settings.shake } end)
+end
+audio.buses.effects.volume = formula(function() return settings.effects end)
+audio.buses.music.volume = formula(function() return settings.music end)
 
 local bodies, effects, arenas, enemies = require "bodies", require "effects", require "arenas", require "enemies"
 require "hero"
 require "weapons"
 local play_music, menu = require "music", require "menus"
 
-for name, keys in pairs {
-    dash = { "space", "left_shift", "mouse.right", "gamepad.a", "gamepad.right_trigger" }, accept = { "enter", "space", "gamepad.a" },
-    back = { "escape", "backspace", "gamepad.b" }, pause = { "escape", "p", "gamepad.start" },
-    menu_up = { "up", "w", "gamepad.dpad_up", "gamepad.left_y+" }, menu_down = { "down", "s", "gamepad.dpad_down", "gamepad.left_y-" },
-    menu_left = { "left", "a", "gamepad.dpad_left", "gamepad.left_x-" }, menu_right = { "right", "d", "gamepad.dpad_right", "gamepad.left_x+" },
-} do input.actions[name] = keys end
+input.actions.dash = { "space", "left_shift", "mouse.right", "gamepad.a", "gamepad.right_trigger" }
+input.actions.pause = { "escape", "p", "gamepad.start" }
 
 world.gravity, world.bounds = vec(0, 0), { -bodies.half, bodies.half }
+local corner = vec(bodies.half.x, -bodies.half.y)
+world.edge = Line { width = 0.09, closed = true, points = { -bodies.half, corner, bodies.half, -corner } }
 world.ground = Layer { z = -100, repeat_x = 8, repeat_y = 8, Sprite { size = vec(8, 8) } }
-for _, name in ipairs { "stones", "gems", "swarm", "lights", "shots", "arms" } do world[name] = Object {} end
+for _, name in ipairs { "stones", "gems", "swarm", "lights", "shots", "effects" } do world[name] = Object {} end
+world.effects.z = 10
 view.height, view.background, view.follow_damping = 18, color("#05030c"), 0.12
 view.limits = { -bodies.half - vec(2, 2), bodies.half + vec(2, 2) }
 
@@ -29,7 +33,8 @@ function Night:enter(index)
     for _, name in ipairs { "stones", "gems", "swarm", "shots", "lights" } do world[name]:children():delete() end
     self.arena, self.clock, self.crowd, self.boss, self.rest, self.curtain = index, 0, 0, false, 0, 1
     self:tween("curtain", 0, 0.7)
-    world.ground.sprite.image, world.hero.light.tint, world.hero.position, view.center = arena.ground, arena.glow, vec(0, 0), vec(0, 0)
+    world.ground.sprite.image, world.hero.light.tint, world.edge.color = arena.ground, arena.glow, arena.edge
+    world.hero.position, view.center = vec(0, 0), vec(0, 0)
     bodies.refresh()
     for _ = 1, 44 do
         local at, size = vec(random(-1.0, 1.0) * bodies.half.x, random(-1.0, 1.0) * bodies.half.y) * 0.95, random(1.8, 3.0)
@@ -38,16 +43,17 @@ function Night:enter(index)
                 bodies.look(tostring(index), size, size * 0.3, "props", 3, 1) })
         end
     end
-    effects.banner(arena.name, arena.goal)
+    effects.banner(arena.title, arena.goal)
 end
 
+world.hero = Hero { bodies.disc(0.36, bodies.HERO, bodies.SOLID, false, 30), look = bodies.look("17-20", 1.35, 0.2),
+    light = Sprite { image = "art/glow.png", size = vec(17, 17), blend = "add", z = -40 } }
+view.follow = world.hero
+
 local function reset()
-    world.arms:children():delete()
-    for _, name in ipairs(arms.order) do world.arms[name] = Arm {} end
-    if world:has("hero") then world.hero:delete() end
-    world.hero = Hero { bodies.disc(0.36, bodies.HERO, bodies.SOLID, false, 30), look = bodies.look("17-20", 1.35, 0.2),
-        light = Sprite { image = "art/glow.png", size = vec(17, 17), blend = "add", z = -40 } }
-    view.follow = world.hero
+    local hero = world.hero
+    hero.hp, hero.max_hp, hero.mercy, hero.dash, hero.wait, hero.xp, hero.level = 100, 100, 0, 0, 0, 0, 1
+    world.arms:each("Arm", function(arm) arm.level, arm.wait = 0, 0.5 end)
     night:enter(night.first)
 end
 
@@ -57,17 +63,14 @@ function Night:begin()
     for _ = 1, 8 * (self.first - 1) do arms.take(arms.offer()[1]) end      -- who begins later begins with gifts
 end
 
-function Night:finish(how)                       -- "over" or "win"; keeps the eight best scores
-    local rows = {}
-    self.running, self.rank, self.menu = false, 1, ""
-    for i, row in ipairs(store.scores or {}) do
-        rows[i] = { score = row.score, arena = row.arena, kills = row.kills, won = row.won }
-        if row.score >= self.score then self.rank = i + 1 end
-    end
-    table.insert(rows, self.rank, { score = self.score, arena = self.arena, kills = self.kills, won = how == "win" })
+function Night:finish(won)                       -- keeps the eight best scores
+    local rows, mine = store.scores or {}, { score = self.score, arena = self.arena, kills = self.kills, won = won }
+    self.running, self.won, self.rank, self.menu = false, won, 1, ""
+    while rows[self.rank] and rows[self.rank].score >= self.score do self.rank = self.rank + 1 end
+    table.insert(rows, self.rank, mine)
     rows[9] = nil
     store.scores = rows
-    after(1.4, function() menu.open(how) end)
+    after(1.4, function() night.menu = "over" end)
 end
 
 function enemies.cleared()                       -- the boss is beaten: its swarm goes, and all gems come
@@ -95,14 +98,16 @@ function Night:step(dt)
         self:enter(self.arena + 1)
     else
         self.score = self.score + 50 * math.floor(world.hero.hp)
-        self:finish("win")
+        self:finish(true)
     end
 end
 
 function start()
     night.first = store.unlocked or 1
     reset()
-    effects.banner("", "")
+    game:add(scene.load("display.json"), "display")
+    night:watch("menu", menu.opened)
+    night.menu, night.said = "title", -9.0
     for i = 1, 50 do enemies.spawn(({ "shade", "shade", "moth", "spitter", "brute" })[i % 5 + 1], bodies.toward(i * 2.4, 9 + i % 5)) end
 end
 
@@ -111,15 +116,4 @@ function step()
     play_music(bodies.count)
 end
 
-function update(dt, real_dt)
-    audio.buses.effects.volume, audio.buses.music.volume = settings.effects, settings.music
-    menu.update(real_dt)
-    effects.update(dt)
-end
-
-function draw(pen)
-    pen.box(vec(0, 0), 2 * bodies.half.x, 2 * bodies.half.y, false, arenas[night.arena].edge, 4)
-    effects.draw(pen, 1)
-    effects.draw(pen, 2)
-    menu.draw(pen)
-end
+update, draw = menu.update, menu.draw

@@ -1,6 +1,6 @@
 -- Weapons and gifts. A weapon fires by itself; its function returns the seconds until it fires again.
 local bodies, effects = require "bodies", require "effects"
-arms = { order = { "sparks", "orbit", "nova", "storm", "comet", "might", "haste", "swift", "heart", "magnet" } }
+arms = {}
 
 function arms.level(name) return world.arms[name].level end
 local function hurt(enemy, damage, from, push)
@@ -80,32 +80,21 @@ local function comet(level)
     return 2.5 - 0.22 * level
 end
 
-arms.all = {
-    sparks = { name = "Sparks", text = "Bolts of light fly to the nearest foe", fire = sparks },
-    orbit = { name = "Fireflies", text = "Flames circle around you", fire = orbit },
-    nova = { name = "Flare", text = "A ring of light pushes all away", fire = nova },
-    storm = { name = "Storm", text = "Lightning leaps from foe to foe", fire = storm },
-    comet = { name = "Comets", text = "Stars fall on the crowd", fire = comet },
-    might = { name = "Bright Oil", text = "All damage +16 %" },
-    haste = { name = "Quick Wick", text = "Weapons fire 9 % faster" },
-    swift = { name = "Light Boots", text = "You walk 8 % faster" },
-    heart = { name = "Warm Heart", text = "+20 health, and slow healing" },
-    magnet = { name = "Lodestone", text = "Gems come from farther away" },
-}
+local fire = { sparks = sparks, orbit = orbit, nova = nova, storm = storm, comet = comet }
 
--- What the hero has: a level from 0 to 5, and the seconds until it fires again.
-Arm = class("Arm", Object) { level = 0, wait = 0.5 }
+-- A weapon or a gift: its level from 0 to 5, and the seconds until it fires again. Their names and texts are in arms.json.
+Arm = class("Arm", Object) { title = "", text = "", level = 0, wait = 0.5 }
+world:add(scene.load("arms.json"), "arms")
 
 function Arm:step(dt)
-    local fire = arms.all[self.name].fire
-    if self.level == 0 or not night.running or not fire then return end
+    if self.level == 0 or not night.running or not fire[self.name] then return end
     self.wait = self.wait - dt
-    if self.wait <= 0 then self.wait = fire(self.level) * (1 - 0.09 * arms.level("haste")) end
+    if self.wait <= 0 then self.wait = fire[self.name](self.level) * (1 - 0.09 * arms.level("haste")) end
 end
 
 function arms.offer()                            -- up to three names of what can still grow, by chance
     local can = {}
-    for _, name in ipairs(arms.order) do can[#can + 1] = arms.level(name) < 5 and name or nil end
+    for _, arm in ipairs(world.arms:children()) do can[#can + 1] = arm.level < 5 and arm.name or nil end
     while #can > 3 do table.remove(can, random(#can)) end
     return can
 end

@@ -60,11 +60,11 @@ end
 local function choose(t)
     hold {}
     t:steps(40)
-    local best = 1
-    for i, name in ipairs(night.choices) do
-        if rank(name) < rank(night.choices[best]) then best = i end
+    local best = night.choices[1]
+    for _, name in ipairs(night.choices) do
+        if rank(name) < rank(best) then best = name end
     end
-    while night.pick ~= best do
+    while interface.focus.go ~= best do
         t:tap("down")
         t:steps(2)
     end
@@ -96,13 +96,13 @@ test("a bot wins the whole game", function(t)
     time.rewind_limit = 0
     begin(t)
     for _ = 1, 5 do                              -- it does not always win at once
-        play(t, function() return night.menu == "over" or night.menu == "win" end)
-        if night.menu == "win" then break end
+        play(t, function() return night.menu == "over" end)
+        if night.won then break end
         t:steps(30)
         t:tap("enter")
         t:steps(3)
     end
-    expect(night.menu):is("win")
+    expect(night.won):is(true)
     expect(night.score):above(50000)
     expect(store.scores[1].score):is(night.score)
     expect(store.unlocked):is(3)
