@@ -16,6 +16,8 @@ function Hero:step(dt)
     local walks = way:length() > 0.05
     self.mercy, self.dash, self.wait = math.max(0, self.mercy - dt), math.max(0, self.dash - dt), math.max(0, self.wait - dt)
     self.z, look.animation = -0.01 * at.y, walks and "21-24" or "17-20"
+    look.visible = self.hp > 0 or night.menu == "title"
+    self.light.visible = look.visible
     if walks then self.way, look.flip_x = way:normalized(), way.x < 0 end
     if input.dash.pressed and self.wait == 0 and night.running then
         self.dash, self.wait, self.mercy = 0.18, 1.4, math.max(self.mercy, 0.3)

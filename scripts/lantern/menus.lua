@@ -2,7 +2,7 @@
 local arenas = require "arenas"
 local menu, theme = {}, interface.theme
 theme.font, theme.font_size, theme.text, theme.spacing = "bold", 25, color("#f3efff"), 6
-theme.accent, theme.focus, theme.control = color("#e8743f"), color("#ffd98a60"), color("#4a4080")
+theme.accent, theme.focus, theme.control = color("#e8743f"), color("#ffd98aa0"), color("#4a4080")
 
 Menu = class("Menu", Column) { modal = true, anchor = "center", align = "center", back = "" }
 Item = class("Item", Button) { look = "quiet", min_size = vec(420, 0), go = "" }
