@@ -14,8 +14,7 @@ function fx.burst(at, count, speed, tint, size, weight)
     end
 end
 
--- A text that pops up and rises.
-function fx.pop(at, text) pops[#pops + 1] = { at = vec(at), text = text, left = 1.1 } end
+function fx.pop(at, text) pops[#pops + 1] = { at = vec(at), text = text, left = 1.1 } end   -- a text that rises
 
 local function expire(list, dt)
     for i = #list, 1, -1 do

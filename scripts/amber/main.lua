@@ -26,7 +26,6 @@ end
 
 function run.play(index) load_level(index, "play") end
 function run.title() load_level(0, "title") end
-
 local function playing() return screens.name == "play" end
 
 local function cut(rope)

@@ -7,15 +7,12 @@ local target, seen = 0, 0       -- the step to go to, the step that the game was
 local kept                      -- of the ball, from before the restore
 local driven = false            -- whether the bodies already move backwards since the last restore
 
-local function ball() return world:has("level") and world.level:has("ball") and world.level.ball end
-
 -- From now on time goes back no further than here.
 function rewind.begin() rewind.active, rewind.first, kept = false, time.step + 2, nil end
 
-local function dawn() return math.max(rewind.first, time.oldest) end
-
--- How much of the past there is, in seconds.
-function rewind.past() return math.max(0, time.step - dawn()) * time.dt end
+local function ball() return world:has("level") and world.level:has("ball") and world.level.ball end
+local function dawn() return math.max(rewind.first, time.oldest) end                        -- the first step of the past
+function rewind.past() return math.max(0, time.step - dawn()) * time.dt end                 -- how long it is, in seconds
 
 -- Once a frame, with whether the player holds the button.
 function rewind.update(held)

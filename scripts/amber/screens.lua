@@ -10,11 +10,8 @@ local looks = { accent = gold, on_accent = ink, text = cream, focus = cream, con
     border = faded(gold, 0.6), shade = faded(ink, 0.6), font = "bold", font_size = 28, radius = 6, spacing = 12, padding = 40 }
 for name, value in pairs(looks) do interface.theme[name] = value end
 
--- The last level that can be played.
-function screens.reached() return math.min(screens.game.count, store.unlocked or 1) end
-
--- Whether a level is on the screen, and no menu.
-function screens.in_level() return not menus[screens.name] end
+function screens.reached() return math.min(screens.game.count, store.unlocked or 1) end     -- the last level that can be played
+function screens.in_level() return not menus[screens.name] end                              -- whether no menu is open
 
 function screens.open(name, back)
     if game:has("menu") then game.menu:delete() end
@@ -31,7 +28,6 @@ local function back() screens.open(screens.back) end
 local function plays(level) return function() screens.game.play(level) end end
 
 Item = class("Item", Button) { look = "quiet", min_size = vec(340, 0) }
-
 local function item(text, action)
     return Item { text = text, pressed = function(event)
         sound.play("press")
@@ -53,7 +49,6 @@ end)
 local function words(text, size, tint, font)
     return Label { text = text, font_size = size, text_color = tint, font = font or "sans", text_align = "center" }
 end
-
 local function headline(text, size) return words(text, size, gold, "bold") end
 
 local function spark_row(size, count)
@@ -128,8 +123,9 @@ function menus.won(game)
     local result, last = screens.result, game.level == game.count
     local best = result.record and "New best!" or "Best: " .. result.best
     return Panel { modal = true, cancelled = game.title, Column {
-        words(world.level.title, 38, cream, "bold"), spark_row(46, 0), Label { name = "score", font_size = 56, text_color = gold,
-            text_align = "center" }, words(string.format("%.1f s     %s", result.seconds, best), 24, dim),
+        words(world.level.title, 38, cream, "bold"), spark_row(46, 0),
+        Label { name = "score", font_size = 56, text_color = gold, text_align = "center" },
+        words(string.format("%.1f s     %s", result.seconds, best), 24, dim),
         item(last and "The end" or "Next level", last and opens("finale") or plays(game.level + 1)),
         item("Again", plays(game.level)), item("Levels", opens("levels")) } }
 end
@@ -153,9 +149,7 @@ end
 
 function screens.draw_play(pen, past)
     pen.text(vec(-11.6, 6.9), screens.game.level .. "  " .. world.level.title, 0.62, cream, "left", "bold")
-    for k = 1, 3 do
-        pen.image("art/spark.png", vec(9.6 + k * 0.65, 6.85), 0.4, nil, nil, k <= screens.game.sparks and full or missing)
-    end
+    for k = 1, 3 do pen.image("art/spark.png", vec(9.6 + k * 0.65, 6.85), 0.4, nil, nil, k <= screens.game.sparks and full or missing) end
     pen.text(vec(11.6, -7.1), "R again    P pause", 0.34, faded(dim, 0.8), "right")
     local long = math.min(10, past / 2)
     pen.box(vec(0, -7.15), 10.2, 0.22, faded(ink, 0.6))

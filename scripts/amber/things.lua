@@ -24,12 +24,10 @@ Wheel = class("Wheel", Sprite) { image = "art/wheel.png", tint = color("#2a2149"
 Hint = class("Hint", Text) { size = 0.5, color = color("#cfc4ec"), z = -5 }
 
 function Wheel:step(dt) self.angle = self.angle + self.turn * dt end
-
 local function drawn(body, anchor) return body and body:to_drawn(anchor) or vec(anchor) end
 
 function Rope:ends() return drawn(self.body_a, self.anchor_a), drawn(self.body_b, self.anchor_b) end
 function Rope:holds() return self.enabled and not self.broken end
-
 function Rope:middle()
     local a, b = self:ends()
     return (a + b) / 2
