@@ -64,10 +64,12 @@ local function choose(t)
     for _, name in ipairs(night.choices) do
         if rank(name) < rank(best) then best = name end
     end
-    while interface.focus.go ~= best do
-        t:tap("down")
+    for _, key in ipairs { "up", "up", "down", "down" } do     -- from the card that was chosen last
+        if interface.focus.go == best then break end
+        t:tap(key)
         t:steps(2)
     end
+    expect(interface.focus.go):is(best)
     t:tap("enter")
     t:steps(2)
 end
