@@ -59,6 +59,16 @@ TEST_CASE("columns and rows place their widgets after each other") {
     CHECK(s.at("p.column.row").y() + s.size("p.column.row").y() == 420);
 }
 
+TEST_CASE("a label as wide as its text shows all of it wherever it is") {
+    Placed s(
+        R"(for i = 1, 40 do game:add(Label { text = "appears", offset = vec(20 + i / 37, 10 * i), overflow = "cut" }) end)");
+    for (const double height : {600.0, 720.0, 800.0, 1080.0}) {
+        s.services.view.screen = {1280, height};
+        s.turn();
+        CHECK(s.draw().letters == 40 * 7);
+    }
+}
+
 TEST_CASE("text that is too long wraps or is cut") {
     Placed s(
         R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");

@@ -146,8 +146,8 @@ void Layout::write(Widget& widget) {
         default:
             return;
     }
-    // Half a pixel more, because edges are rounded.
-    widget.lines = fitted(media_, lettering, *text, width + 0.5,
+    // One pixel of the screen more, because both edges are rounded to such pixels.
+    widget.lines = fitted(media_, lettering, *text, width + 1 / scale_,
                           widget.overflow == "wrap" && widget.kind == Kind::label);
     const auto fit = static_cast<std::size_t>(
         std::max(1.0, std::floor((widget.box.height() + 1) / lettering.line_height())));
