@@ -60,12 +60,13 @@ TEST_CASE("columns and rows place their widgets after each other") {
 }
 
 TEST_CASE("a label as wide as its text shows all of it wherever it is") {
-    Placed s(
-        R"(for i = 1, 40 do game:add(Label { text = "appears", offset = vec(20 + i / 37, 10 * i), overflow = "cut" }) end)");
-    for (const double height : {600.0, 720.0, 800.0, 1080.0}) {
+    Placed s(R"(for i = 1, 100 do
+        game:add(Label { text = "appears", font = "sans", font_size = 10 + i / 4, offset = vec(20 + i / 37, 7 * i), overflow = "cut" })
+    end)");
+    for (const double height : {600.0, 720.0, 800.0, 900.0, 1080.0}) {
         s.services.view.screen = {1280, height};
         s.turn();
-        CHECK(s.draw().letters == 40 * 7);
+        CHECK(s.draw().letters == 100 * 7);
     }
 }
 
