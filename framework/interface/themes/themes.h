@@ -1,12 +1,12 @@
 #pragma once
 // The class Theme: colors, font and distances of widgets.
 
+#include <deque>
 #include <functional>
 #include <string>
 
+#include <fettle/module/rows.h>
 #include <fettle/property/tree.h>
-
-#include <themes/rows.h>
 
 namespace fettle::interface {
 
@@ -46,7 +46,7 @@ class Themes {
 
   private:
     const property::Class* class_ = nullptr;
-    Rows<Theme> rows_;
+    module::Rows<Theme, std::deque> rows_;
     std::function<void()> changed_;
 };
 

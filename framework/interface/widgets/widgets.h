@@ -1,9 +1,12 @@
 #pragma once
 // The classes of widgets, and the instance `interface`.
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <string_view>
+
+#include <fettle/module/rows.h>
 
 #include <themes/themes.h>
 #include <widgets/widget.h>
@@ -58,7 +61,7 @@ class Widgets {
     property::Tree* tree_ = nullptr;
     const property::Class* base_ = nullptr;
     property::Handle service_{};
-    Rows<Widget> rows_;
+    module::Rows<Widget, std::deque> rows_;
 };
 
 }  // namespace fettle::interface

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include <fettle/module/rows.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
 #include <images/images.h>
-#include <properties/rows.h>
 
 namespace fettle::visuals {
 
@@ -63,7 +63,7 @@ class Sprites {
     property::Tree* tree_ = nullptr;
     Properties of_{};
     const property::Event* finished_ = nullptr;
-    Rows<Row> rows_;
+    module::Rows<Row> rows_;
     std::vector<property::Handle> ended_;
 };
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include <fettle/module/rows.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
 #include <letters/layout.h>
-#include <properties/rows.h>
 
 namespace fettle::visuals {
 
@@ -40,7 +40,7 @@ class Texts {
     Fonts& fonts_;
     property::Tree* tree_ = nullptr;
     Properties of_{};
-    Rows<Row> rows_;
+    module::Rows<Row> rows_;
 };
 
 }  // namespace fettle::visuals

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include <fettle/module/rows.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>
 
 #include <images/images.h>
-#include <properties/rows.h>
 #include <tilemaps/grid.h>
 #include <tilemaps/loaded_map.h>
 
@@ -113,8 +113,8 @@ class Tilemaps {
     MapProperties of_{};
     LayerProperties in_layer_{};
     const property::Event *loaded_event_ = nullptr, *cell_changed_ = nullptr;
-    Rows<Row> rows_;
-    Rows<LayerRow> layer_rows_;
+    module::Rows<Row> rows_;
+    module::Rows<LayerRow> layer_rows_;
     std::vector<property::Connection> handlers_{};
     std::map<std::string, std::shared_ptr<const LoadedMap>> files_{};  // null: cannot be read
 };

@@ -1,16 +1,19 @@
 #pragma once
-// The values that a class computes for its instances, one row each. Rows of ended instances are
-// used again.
+// The values that a module keeps for the instances of a class, one row each.
 
 #include <cstddef>
 #include <vector>
 
+#include <fettle/module/export.h>
 #include <fettle/property/class.h>
 
-namespace fettle::visuals {
+FETTLE_MODULE_BEGIN
 
-/// A `T` has a member `self`, the handle of its instance.
-template <class T>
+namespace fettle::module {
+
+/// Rows of ended instances are used again. A `T` has a member `self`, the handle of its instance.
+/// `Store`: std::vector, or std::deque where rows must stay where they are in memory.
+template <class T, template <class...> class Store = std::vector>
 class Rows {
   public:
     property::Row add(property::Handle self) {
@@ -36,8 +39,10 @@ class Rows {
     auto end() const { return rows_.end(); }
 
   private:
-    std::vector<T> rows_;
+    Store<T> rows_;
     std::vector<property::Row> free_;
 };
 
-}  // namespace fettle::visuals
+}  // namespace fettle::module
+
+FETTLE_MODULE_END
