@@ -67,7 +67,7 @@ void draw_transition(property::Painter& painter, const property::Tree& tree, con
     const property::Handle now = tree.child(tree.root(), "transition");
     if (!now || tree.class_of(now).name() != "Transition") return;
     const double progress = tree.get(now, "progress").as_double();
-    const std::string& kind = tree.get(now, "kind").text();
+    const std::string kind = tree.get(now, "kind").text();
     Color color = tree.get(now, "color").color();
     const double covered = progress < 0.5 ? 2 * progress : 2 - 2 * progress;
     Vec2 from(0, 0), to = screen;
