@@ -227,6 +227,7 @@ class SfmlWindow : public Window {
         if (state_.cursor != Cursor::arrow) show_cursor();
         window_.setMouseCursorGrabbed(state_.grab_mouse);
         told_ = state_.fullscreen ? property::Vec2(0, 0) : state_.size;
+        opened_ = std::nullopt;
         reopened_ = true;
     }
     /// The library reports gamepads only that are plugged in while the window is open.
@@ -276,7 +277,7 @@ class SfmlWindow : public Window {
 
     WindowState state_;
     property::Vec2 told_{0, 0};               // px, the size that the game knows
-    std::optional<property::Vec2> opened_{};  // px, until the system has told a size
+    std::optional<property::Vec2> opened_{};  // px, until the system has told another size
     bool reopened_ = false;
     unsigned next_gamepad_ = 0;  // to be reported
     std::unique_ptr<sf::Image> icon_;
