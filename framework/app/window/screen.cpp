@@ -226,7 +226,7 @@ class SfmlWindow : public Window {
         if (icon_) sfml::set_icon(window_, *icon_);
         if (state_.cursor != Cursor::arrow) show_cursor();
         window_.setMouseCursorGrabbed(state_.grab_mouse);
-        told_ = state_.fullscreen ? property::Vec2(0, 0) : state_.size;
+        told_ = {0, 0};  // the game learns the size of a window that was opened again
         opened_ = std::nullopt;
         reopened_ = true;
     }
