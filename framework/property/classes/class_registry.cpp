@@ -232,7 +232,8 @@ void ClassRegistry::add_property(Class& made, Property property) {
         property.read_only = true;
     if (property.binding.kind == BindingKind::node && property.binding.node_set == nullptr)
         property.read_only = true;
-    // Without a default, nothing could take the place of nil.
+    // Without a default, nothing could take the place of nil: `Tree::set` and `reset` would call
+    // each other without end.
     if (property.any_type && property.default_value.is_nil()) property.nullable = true;
     // A value that does not fit into the memory is refused; it must not wrap around.
     if (property.binding.kind == BindingKind::column && property.binding.native == Native::i32) {

@@ -115,8 +115,7 @@ void Tree::set(Handle instance, const Property& property, const Value& value) {
     if (value.is_nil() && !property.nullable && property.type != Type::reference) {
         if (property.binding.kind == BindingKind::ad_hoc)
             return remove_ad_hoc(instance, property.name);
-        // `reset` writes a default without a binding of its own by this function.
-        if (!property.default_value.is_nil()) return reset(instance, property);
+        return reset(instance, property);
     }
     const Pin pin(s.lifetime, "a binding of a property");
     const Value next = s.instances.coerce(instance, property, value);
