@@ -57,6 +57,7 @@ TEST_CASE("out of memory is reported with its place and the limit") {
         "local s = ('x'):rep(1e6)\nfor i = 1, 10 do s = s .. s end",
         "local s = ('x'):rep(1e6)\ns = s:gsub('x', ('y'):rep(100))",
         "local t = {}\nfor i = 1, 1e6 do t[i] = ('x'):rep(100) end t = table.concat(t)",
+        "local s = ('x'):rep(7e6)\nlocal t = table.pack(table.unpack({}, 1, 5e5))",
         "local f\nf = coroutine.wrap(function() local t = {} for i = 1, 1e9 do t[i] = i end end) "
         "f()");
     CHECK_FALSE(s.runtime->run(chunk, "chunk"));
@@ -71,6 +72,17 @@ TEST_CASE("out of memory is reported with its place and the limit") {
     s.run("ok, message = pcall(function() " + chunk + "\nend)");
     CHECK(s.prints("print(ok, message:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
     s.run("ok, message = xpcall(function() " + chunk + "\nend, function(e) return e end)");
+    CHECK(s.prints("print(ok, message:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
+}
+
+TEST_CASE("a stack that grows beyond the limit of memory is reported with its place") {
+    fettle::script::Options options;
+    options.memory_limit = std::size_t{16} << 20;
+    Stage s(options);
+    s.run(
+        "local s = ('x'):rep(7e6)\n"
+        "local function f(n) return f(n + 1) + 1 end\n"
+        "ok, message = pcall(f, 1)");
     CHECK(s.prints("print(ok, message:sub(1, 31))") == "false\tmain.lua:2: not enough memory: ");
 }
 

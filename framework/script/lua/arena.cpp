@@ -52,8 +52,7 @@ bool Arena::refuse(std::size_t growth, std::size_t size) {
 bool Arena::report_refusal(std::size_t size, bool by_system) {
     const bool final = refused_ == size;
     refused_ = final ? 0 : size;
-    if (on_refusal) on_refusal({.size = size, .by_system = by_system, .final = final});
-    return true;
+    return !on_refusal || on_refusal({.size = size, .by_system = by_system, .final = final});
 }
 
 void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t new_size) {
@@ -88,7 +87,10 @@ void* Arena::allocate(void* user, void* block, std::size_t old_size, std::size_t
     if (block && old_size > small && new_size > small) {
         result = std::realloc(block, new_size);
         if (!result && new_size <= old_size) return block;
-        if (!result && arena.report_refusal(new_size, true)) return nullptr;
+        if (!result) {
+            arena.report_refusal(new_size, true);
+            return nullptr;
+        }
     } else if (block && list_of(old_size) == list_of(new_size) && new_size <= small) {
         result = block;
     } else {

@@ -31,8 +31,10 @@ class Arena {
         bool by_system = false;
         bool final = false;
     };
-    /// Called for every refusal and for every large block.
-    std::function<void(const Refusal& refusal)> on_refusal;
+    /// Called for every refusal. If it returns false, the arena exceeds the limit and gives the
+    /// memory, unless the system has none.
+    std::function<bool(const Refusal& refusal)> on_refusal;
+    /// Called for every large block.
     std::function<void(std::size_t size)> on_large;
 
   private:

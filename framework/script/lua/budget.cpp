@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -26,6 +28,19 @@ std::size_t added(std::size_t now, std::size_t before) {
 
 std::string megabytes(std::size_t bytes) {
     return std::to_string((bytes + (std::size_t{1} << 19)) >> 20) + " MB";
+}
+
+// Whether Lua requests memory for a larger stack of `L`. Since version 5.4.5, the frames then have
+// offsets in place of addresses, and lua_getinfo, which uses them as addresses, ends the program.
+// No function of Lua tells it, but the first member of a frame is the position of its function, and
+// every offset is smaller than the largest stack (a million slots of 16 bytes).
+bool stack_grows(lua_State* L) {
+    constexpr std::uintptr_t largest_stack = std::uintptr_t{1} << 25;
+    lua_Debug frame;
+    if (!lua_getstack(L, 0, &frame)) return false;
+    std::uintptr_t function;
+    std::memcpy(&function, frame.i_ci, sizeof function);
+    return function < largest_stack;
 }
 
 }  // namespace
@@ -92,6 +107,7 @@ void Budget::hook(lua_State* L, lua_Debug*) {
     Budget& budget = machine.budget;
     Account& now = budget.now_;
     budget.stop_if_interrupted(L);
+    budget.refuse_grown_stack(L);
     if (!now.counting && !now.stopping) {
         // A coroutine that outlives its command, or a call that takes long.
         lua_sethook(L, nullptr, 0, 0);
@@ -174,7 +190,8 @@ void Budget::charge_quietly(std::uint64_t instructions) {
     if (!now_.counting || now_.stopping) return;
     now_.left -=
         static_cast<std::int64_t>(std::min<std::uint64_t>(instructions, std::uint64_t{1} << 61));
-    if (now_.left >= 0) return;
+    // While the stack grows, the place cannot be read; the hook stops the script a little later.
+    if (now_.left >= 0 || stack_grows(machine_.lua.running)) return;
     stop(machine_.lua.running, "stopped: it ran past its budget of " +
                                    std::to_string(now_.instructions) + " instructions");
 }
@@ -209,14 +226,35 @@ Budget::Refused Budget::refused_here(const Arena::Refusal& refusal) const {
 // Lua's own error contains neither place nor reason and calls no message handler. If the limit is
 // not that of the whole game, the script is stopped for good: otherwise it could catch the error
 // forever.
-void Budget::memory_refused(const Arena::Refusal& refusal) {
-    if (now_.stopping) return;
+bool Budget::memory_refused(const Arena::Refusal& refusal) {
+    if (now_.stopping) return true;
+    if (stack_grows(machine_.lua.running)) {
+        if (refusal.by_system) return true;
+        grown_stack_ = refusal;
+        arm(machine_.lua.running);
+        return false;
+    }
     refused_ = refused_here(refusal);
     const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
-    if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return;
+    if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
     stop(machine_.lua.running,
          refusal.by_system ? "stopped: " + out_of_memory(refused_) : too_much_memory());
     now_.out_of_room = true;
+    return true;
+}
+
+// A stack can exceed the limit by 16 MB until here. Lua did not collect for it, so this function
+// does.
+void Budget::refuse_grown_stack(lua_State* L) {
+    Arena::Refusal refusal = std::exchange(grown_stack_, {});
+    if (refusal.size == 0 || now_.stopping) return;
+    lua_gc(L, LUA_GCCOLLECT);
+    if (machine_.arena.bytes() <= machine_.arena.limit()) return;
+    refusal.final = true;
+    memory_refused(refusal);
+    if (now_.stopping) return;
+    push_text(L, take_refusal());
+    lua_error(L);
 }
 
 std::string Budget::take_refusal() {

@@ -93,8 +93,9 @@ class Budget {
     void charge(lua_State* L, std::uint64_t instructions);
     /// The same where no error may be raised; the script is stopped at its next instruction.
     void charge_quietly(std::uint64_t instructions);
-    /// To be called when Lua gets no more memory.
-    void memory_refused(const Arena::Refusal& refusal);
+    /// To be called when Lua is to get no more memory. Returns whether it gets none; false for a
+    /// larger stack, which is refused at the next instruction.
+    bool memory_refused(const Arena::Refusal& refusal);
     /// "not enough memory: ..." with the exceeded limit.
     std::string out_of_memory(const Arena::Refusal& refusal) const {
         return out_of_memory(refused_here(refusal));
@@ -122,6 +123,7 @@ class Budget {
     struct Refused;
     static std::string out_of_memory(const Refused& refused);
     Refused refused_here(const Arena::Refusal& refusal) const;
+    void refuse_grown_stack(lua_State* L);
     void notice_growth();
     void mark_next();
     std::string too_much_memory() const;
@@ -139,6 +141,7 @@ class Budget {
         char file[LUA_IDSIZE] = {};
         int line = 0;
     } refused_;
+    Arena::Refusal grown_stack_{};  // size 0: none
 };
 
 }  // namespace fettle::script

@@ -165,7 +165,9 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
     *static_cast<Machine**>(lua_getextraspace(L)) = &machine;
     watchdog.limit(options.call_seconds, {});
     tree.add_part(saved);
-    arena.on_refusal = [this](const Arena::Refusal& refusal) { budget.memory_refused(refusal); };
+    arena.on_refusal = [this](const Arena::Refusal& refusal) {
+        return budget.memory_refused(refusal);
+    };
     budget.passed_limit = [this]() -> std::string {
         const GameLimits& limits = options.limits;
         const auto passed = [](std::size_t count, std::size_t limit, const char* what) {
