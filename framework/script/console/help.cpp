@@ -5,7 +5,6 @@
 #include <fettle/property/spelling.h>
 
 #include <console/help.h>
-#include <library/sandbox.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
@@ -15,6 +14,7 @@
 #include <reference/language.h>
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
+#include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <text/words.h>
 #include <values/members.h>

@@ -8,12 +8,13 @@
 #include <fettle/script/runtime.h>
 
 #include <handlers/observed.h>
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <lua/guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <values/values.h>
 
 namespace fettle::script {

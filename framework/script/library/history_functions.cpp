@@ -4,10 +4,11 @@
 #include <fettle/property/path.h>
 
 #include <handlers/observed.h>
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <text/words.h>
 #include <values/values.h>

@@ -23,10 +23,10 @@
 #include <fettle/script/runtime.h>
 
 #include <library/pen.h>
-#include <library/sandbox.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <values/short_text.h>
 #include <values/values.h>
 

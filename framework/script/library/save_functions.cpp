@@ -4,10 +4,11 @@
 #include <fettle/property/storage/game_saves.h>
 #include <fettle/script/runtime.h>
 
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -66,6 +67,13 @@ int saves(lua_State* L) {
 }
 
 }  // namespace
+
+bool note_replay(Machine& machine, const std::string& what) {
+    if (machine.options.replay.empty()) return false;
+    print_line(machine,
+               what + ": nothing is written, since this is a replay of " + machine.options.replay);
+    return true;
+}
 
 void open_saves(lua_State* L) {
     add_function<save_game>(L, "save_game");

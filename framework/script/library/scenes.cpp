@@ -10,11 +10,12 @@
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <library/scene_files.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
+#include <sandbox/sandbox.h>
 #include <values/declarations.h>
 #include <values/values.h>
 #include <values/writes.h>

@@ -4,7 +4,7 @@
 #include <fettle/property/path.h>
 
 #include <library/globals.h>
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>

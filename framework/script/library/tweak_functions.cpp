@@ -8,9 +8,10 @@
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
-#include <library/sandbox.h>
+#include <library/library.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <sandbox/sandbox.h>
 #include <values/values.h>
 
 namespace fettle::script {

@@ -11,7 +11,7 @@
 
 #include <handlers/connections.h>
 #include <handlers/timers.h>
-#include <library/random.h>
+#include <sandbox/random.h>
 
 namespace fettle::script {
 

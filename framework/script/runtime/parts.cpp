@@ -10,9 +10,8 @@
 #include <handlers/subscriptions.h>
 #include <handlers/timers.h>
 #include <library/globals.h>
+#include <library/library.h>
 #include <library/pen.h>
-#include <library/random.h>
-#include <library/sandbox.h>
 #include <library/scene_changes.h>
 #include <library/time_functions.h>
 #include <lua/arena.h>
@@ -26,6 +25,8 @@
 #include <objects/instance_set.h>
 #include <runtime/parts.h>
 #include <runtime/runtime_part.h>
+#include <sandbox/random.h>
+#include <sandbox/sandbox.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/records.h>

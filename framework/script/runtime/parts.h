@@ -8,7 +8,6 @@
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/pen.h>
-#include <library/random.h>
 #include <library/time_functions.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
@@ -24,6 +23,7 @@
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
 #include <runtime/runtime_part.h>
+#include <sandbox/random.h>
 #include <values/declarations.h>
 #include <values/members.h>
 #include <values/recording.h>

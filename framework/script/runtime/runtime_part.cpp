@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include <handlers/timers.h>
-#include <library/random.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/script_classes.h>
 #include <objects/unplaced.h>
 #include <runtime/runtime_part.h>
+#include <sandbox/random.h>
 #include <values/values.h>
 
 namespace fettle::script {

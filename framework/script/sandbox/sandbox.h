@@ -19,18 +19,9 @@ void open_table_guards(lua_State* L);
 void open_strings(lua_State* L);
 void open_patterns(lua_State* L);
 void open_require(lua_State* L);
-void open_scenes(lua_State* L);
-void open_saves(lua_State* L);
-void open_stated(lua_State* L);
-void open_tweaks(lua_State* L);
-void open_history(lua_State* L);
-void open_console_functions(lua_State* L);
 
 /// Prints a line: into the result of a console command, or to the host.
 void print_line(Machine& machine, std::string text);
-/// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
-/// the replay would differ from the recorded run.
-bool note_replay(Machine& machine, const std::string& what);
 /// Pushes the text of any value. The only script function that it calls is a `__tostring`.
 void push_tostring(lua_State* L, int index);
 

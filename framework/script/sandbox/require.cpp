@@ -7,12 +7,12 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/assets.h>
 
-#include <library/sandbox.h>
 #include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <values/values.h>
 
 namespace fettle::script {

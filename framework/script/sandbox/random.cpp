@@ -4,9 +4,9 @@
 
 #include <fettle/script/runtime.h>
 
-#include <library/random.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <sandbox/random.h>
 #include <values/values.h>
 
 namespace fettle::script {

@@ -1,8 +1,8 @@
 // Makes the environment of games and the console, which contains only allowed names.
 
 #include <calls/errors.h>
-#include <library/sandbox.h>
 #include <lua/machine.h>
+#include <sandbox/sandbox.h>
 
 namespace fettle::script {
 

@@ -4,12 +4,12 @@
 #include <cstring>
 #include <string>
 
-#include <library/sandbox.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <text/patterns.h>
 #include <values/values.h>
 

@@ -9,13 +9,14 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
-#include <library/sandbox.h>
 #include <lua/arena.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/host.h>
+#include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <values/recording.h>
 #include <values/values.h>
@@ -62,13 +63,6 @@ void push_tostring(lua_State* L, int index) {
             lua_pushstring(L, luaL_typename(L, index));
             return;
     }
-}
-
-bool note_replay(Machine& machine, const std::string& what) {
-    if (machine.options.replay.empty()) return false;
-    print_line(machine,
-               what + ": nothing is written, since this is a replay of " + machine.options.replay);
-    return true;
 }
 
 void print_line(Machine& machine, std::string text) {

@@ -3,10 +3,10 @@
 
 #include <cctype>
 
-#include <library/sandbox.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <sandbox/sandbox.h>
 
 namespace fettle::script {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include <library/sandbox.h>
 #include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
+#include <sandbox/sandbox.h>
 #include <values/values.h>
 
 namespace fettle::script {

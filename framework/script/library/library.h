@@ -1,0 +1,24 @@
+#pragma once
+// The functions that the framework adds to Lua's own.
+
+#include <string>
+
+#include <lua/lua_api.h>
+
+namespace fettle::script {
+
+struct Machine;
+
+// Each function adds its names to the table of globals at the top of the stack.
+void open_scenes(lua_State* L);
+void open_saves(lua_State* L);
+void open_stated(lua_State* L);
+void open_tweaks(lua_State* L);
+void open_history(lua_State* L);
+void open_console_functions(lua_State* L);
+
+/// Returns true in a replay, and notes that `what` writes nothing. It is not an error, because then
+/// the replay would differ from the recorded run.
+bool note_replay(Machine& machine, const std::string& what);
+
+}  // namespace fettle::script
