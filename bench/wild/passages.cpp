@@ -12,13 +12,12 @@ bool joined_without_contact(const WorldPlan& plan, int a, int b) {
     });
 }
 
-/// The way of a point that turns with its body is a row of chords, which differ from the arc by
-/// less than a tenth of the depth of the point in its body.
-int chords(const Core& core, float turn) {
-    const float lever = core.point.norm();
+/// The way of a point at distance `lever` from the origin of a body that turns is a row of chords,
+/// which differ from the arc by less than a tenth of `depth`.
+int chords(float lever, float turn, float depth) {
     if (lever * std::abs(turn) < 1e-3f) return 1;
-    return std::clamp(int(std::abs(turn) * std::sqrt(1.25f * lever / std::max(core.depth, 1e-3f))),
-                      1, 32);
+    return std::clamp(int(std::abs(turn) * std::sqrt(1.25f * lever / std::max(depth, 1e-3f))), 1,
+                      32);
 }
 
 }  // namespace
@@ -73,8 +72,12 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
         return local(at, o0.position + t * (o1.position - o0.position),
                      o0.angle + t * (o1.angle - o0.angle));
     };
-    const int count = chords(pair.deep, b1.angle - b0.angle);
+    // Seen from an obstacle that turns, the body moves on an arc, too.
     Vec2 from = place(0);
+    const float depth = pair.deep.depth;
+    const int count =
+        std::max(chords(pair.deep.point.norm(), b1.angle - b0.angle, depth),
+                 chords(std::max(from.norm(), place(1).norm()), o1.angle - o0.angle, depth));
     for (int i = 1; i <= count; ++i) {
         const Vec2 to = place(float(i) / float(count));
         const Vec2 low = from.cwiseMin(to), high = from.cwiseMax(to);
