@@ -13,12 +13,25 @@ namespace {
 /// Boxes of a driven body are in groups, each after a box around the group.
 constexpr uint32_t boxes_of_group = 8;
 
+/// A body whose centroid is at an obstacle moves along it, and turns, but does not go farther. The
+/// contact of a thin body that turns fast cannot stop it, because the part that touches moves away.
+void slide_along(Impact impact, Motion& motion, Vec2& velocity) {
+    motion.velocity = motion.velocity + impact.back;
+    const V2 normal = normalized(impact.back);
+    velocity = to_vec2(to_v2(velocity) - min(dot(to_v2(velocity), normal), 0.0f) * normal);
+}
+
 /// Puts the body back to where a fixed shape stopped it. It keeps its velocity, and the next step
 /// finds an ordinary contact.
 void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) {
     Motion& motion = fast.motion;
-    motion.until = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
-    if (motion.until >= 1.0f) return;
+    Impact impact = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
+    if (impact.time >= 1.0f) return;
+    for (int obstacles = 0; obstacles < 2 && length_squared(impact.back) > 0.0f; ++obstacles) {
+        slide_along(impact, motion, in.columns.states[fast.body].velocity);
+        impact = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
+    }
+    motion.until = impact.time;
     follow_motion(in, fast.body, motion, piece);
     motion.angle = -motion.until * motion.turn;
 }

@@ -21,10 +21,14 @@ constexpr float core_depths[] = {0.5f, 0.75f};
 /// The least depth of a core, m. Resting contacts overlap by less.
 constexpr float least_depth = 0.25f * speculative_margin;
 
-/// The time of impact of a shape, or of a core of it, with one obstacle.
-class Impact {
+/// Distance at which the centroid of a shape stops before an obstacle, m. On the surface, rounding
+/// could put it behind.
+constexpr float centroid_gap = 0.0001f;
+
+/// An obstacle of a shape, or of a core of it.
+class Obstacle {
   public:
-    Impact(const FinishInput& in, uint32_t obstacle, const Motion& motion, float now)
+    Obstacle(const FinishInput& in, uint32_t obstacle, const Motion& motion, float now)
         : now_(now), is_border_(in.objects.forms[obstacle].kind == FormKind::border) {
         if (is_border_) {
             plane_ = border_plane(*in.settings.bounds, obstacle);
@@ -39,17 +43,23 @@ class Impact {
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
     /// The same for a point that moves from `start` to `end`.
-    float of_point(V2 start, V2 end) const {
-        float fraction = 1.0f;
+    Impact of_point(V2 start, V2 end) const {
+        Probe hit;
+        V2 way = end - start;
         if (is_border_) {
             const float before = dot(plane_.normal, start) - plane_.depth;
             const float after = dot(plane_.normal, end) - plane_.depth;
-            if (before > 0.0f && after < 0.0f) fraction = before / (before - after);
+            if (before > 0.0f && after < 0.0f) hit = {before / (before - after), plane_.normal};
         } else {
-            const V2 from = from_obstacle(start, now_), to = from_obstacle(end, 1.0f);
-            fraction = min(cast_segment(obstacle_.shape, from, to - from).fraction, 1.0f);
+            const V2 from = from_obstacle(start, now_);
+            way = from_obstacle(end, 1.0f) - from;
+            hit = cast_segment(obstacle_.shape, from, way);
         }
-        return fraction < 1.0f ? now_ + fraction * (1.0f - now_) : 1.0f;
+        if (hit.fraction >= 1.0f) return {};
+        const float inwards = max(-dot(hit.normal, way), 1e-9f);
+        if (hit.fraction * inwards < 2.0f * centroid_gap) return {now_, inwards * hit.normal};
+        const float fraction = hit.fraction - centroid_gap / inwards;
+        return {now_ + fraction * (1.0f - now_), {}};
     }
     /// A segment of a chain stops nothing that comes from behind it.
     bool is_from_behind(V2 start) const {
@@ -72,8 +82,8 @@ class Impact {
 
 }  // namespace
 
-float time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t obstacle,
-                     const Motion& obstacle_motion, float now) {
+Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t other,
+                      const Motion& other_motion, float now) {
     const BodyRecord& body = in.objects.bodies[in.objects.forms[s].body];
     const BodyState& state = in.columns.states[in.objects.forms[s].body];
     const V2 centroid =
@@ -81,8 +91,8 @@ float time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, ui
     const auto place = [&](float t) {
         return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid);
     };
-    const Impact impact(in, obstacle, obstacle_motion, now);
-    if (impact.is_from_behind(place(now))) return 1.0f;
+    const Obstacle obstacle(in, other, other_motion, now);
+    if (obstacle.is_from_behind(place(now))) return {};
     const Solid shape = solid_of(in.objects, in.columns, s);
     const float inner = inner_radius(shape, centroid);
     const float gap = min(arrival_gap, 0.05f * inner);
@@ -90,17 +100,17 @@ float time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, ui
         const float depth = max(part * inner, least_depth);
         if (depth >= inner) break;
         const Core core(shape, centroid, depth);
-        const float entry = impact.of({core.solid(), motion, body.extent}, gap);
-        if (entry >= 1.0f) return 1.0f;
+        const float entry = obstacle.of({core.solid(), motion, body.extent}, gap);
+        if (entry >= 1.0f) return {};
         if (!(entry > now)) continue;
-        const float arrival = impact.of({shape, motion, body.extent}, arrival_gap);
+        const float arrival = obstacle.of({shape, motion, body.extent}, arrival_gap);
         // If the shapes touch at the start, the contacts hold the shape, but it must not go beyond
         // the entry of the core.
-        return arrival > now ? min(arrival, entry) : entry;
+        return {arrival > now ? min(arrival, entry) : entry, {}};
     }
     // A thick body may have thin pieces.
-    if (shape.kind == FormKind::piece && inner < least_depth) return 1.0f;
-    return impact.of_point(place(now), place(1.0f));
+    if (shape.kind == FormKind::piece && inner < least_depth) return {};
+    return obstacle.of_point(place(now), place(1.0f));
 }
 
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
@@ -125,23 +135,24 @@ Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, floa
     return grow(path, min(rotation, 2.0f) * body.extent + speculative_margin);
 }
 
-float time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
-                                float now) {
+Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                 float now) {
     const std::vector<ShapeRecord>& shapes = in.objects.shapes;
-    float limit = 1.0f;
+    Impact first;
     for (uint32_t s = in.objects.bodies[body].first_shape; s != none; s = shapes[s].next) {
         if (shapes[s].surface.sensor || !in.objects.is_solid(s)) continue;
         const Box4 swept = swept_box(in, s, motion, now);
         const auto meet = [&](uint32_t other) {
             if (!may_meet(in, s, other)) return;
             const V2 center = in.objects.bodies[in.objects.forms[other].body].center;
-            limit = min(limit, time_of_impact(in, s, motion, other, standing(center), now));
+            const Impact impact = time_of_impact(in, s, motion, other, standing(center), now);
+            if (impact.time < first.time) first = impact;
         };
         in.boxes.fixed_tree.query(swept, meet);
         for (uint32_t side = 0; in.settings.bounds && side < 4; ++side)
             if (overlap(swept, in.boxes.fat_boxes[side])) meet(side);
     }
-    return limit;
+    return first;
 }
 
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,

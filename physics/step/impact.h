@@ -10,14 +10,21 @@
 
 namespace fettle::physics::detail {
 
-/// The time, from `now` to 1, until which `shape` may follow its motion without passing through
-/// `obstacle`; 1: all the time.
-float time_of_impact(const FinishInput& in, uint32_t shape, const Motion& motion, uint32_t obstacle,
-                     const Motion& obstacle_motion, float now);
+/// How far a shape may follow its motion.
+struct Impact {
+    float time = 1.0f;  ///< from now to 1; 1: it meets nothing
+    /// If the centroid of the shape is at the obstacle already: the displacement that keeps it from
+    /// going farther. Zero otherwise.
+    V2 back;
+};
+
+/// How far `shape` may follow its motion from `now` without passing through `obstacle`.
+Impact time_of_impact(const FinishInput& in, uint32_t shape, const Motion& motion,
+                      uint32_t obstacle, const Motion& obstacle_motion, float now);
 
 /// The same for all fixed obstacles together.
-float time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
-                                float now);
+Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                 float now);
 
 /// A box around the shape on its way from `now` to 1.
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);

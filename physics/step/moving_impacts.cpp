@@ -157,8 +157,8 @@ class MovingImpacts {
         const Motion motion = motion_of(body);
         // The core is that of the body that can be moved.
         const float time = mover.driven
-                               ? time_of_impact(in_, other, motion, shape, mover.motion, now)
-                               : time_of_impact(in_, shape, mover.motion, other, motion, now);
+                               ? time_of_impact(in_, other, motion, shape, mover.motion, now).time
+                               : time_of_impact(in_, shape, mover.motion, other, motion, now).time;
         if (time >= 1.0f) return;
         queue_.push_back({time, mover.body, body, mover.version, version_of(body)});
         std::push_heap(queue_.begin(), queue_.end());
@@ -223,7 +223,7 @@ class MovingImpacts {
             driver.center(1.0f) + rotate(rotation_of(turn), motion.from - driver.center(now));
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;
-        motion.until = time_of_impact_with_fixed(in_, movers_[i].body, motion, now);
+        motion.until = time_of_impact_with_fixed(in_, movers_[i].body, motion, now).time;
         movers_[i].held = motion.until < 1.0f;
         movers_[i].carrier = carrier;
         change(i, motion, now);
