@@ -72,7 +72,8 @@ void Inspector::draw_outline(float height) {
         float y = static_cast<float>(row) * row_height;
         float view = ImGui::GetScrollY();
         if (row >= 0 && (y < view || y + row_height > view + height))
-            ImGui::SetScrollY(std::max(0.0f, y - height / 2));
+            // Versions of Dear ImGui differ in how they round half a pixel.
+            ImGui::SetScrollY(std::max(0.0f, std::floor(y - height / 2)));
         scroll_to_selected_ = false;
     }
     if (rows.empty()) ImGui::TextDisabled(" nothing is called that");
