@@ -2716,6 +2716,7 @@ local fettle_Transition = {}
 
 ---A change of the scene that is being shown: game.transition, made by go_to_scene.
 ---@class Class.Transition : Class
+---@overload fun(members?: table): Transition
 Transition = {}
 
 ---The in-game console and inspector.

@@ -99,6 +99,57 @@ TEST_CASE("a snapshot brings the old scene back") {
     CHECK(game.get("game.scene.n").integer() == n.integer() + 1);
 }
 
+TEST_CASE("going back in time before a transition and into one") {
+    Game game(R"(class("A", Object) { } class("B", Object) { }
+        go_to_scene("A"))");
+    game.loop.turn();
+    const auto before = game.tree.snapshot();
+    game.runtime.run("go_to_scene('B', { transition = 'fade', seconds = 0.2 })", "test");
+    for (int i = 0; i < 3; ++i) game.loop.turn();
+    const auto within = game.tree.snapshot();
+    const Value progress = game.get("transition.progress");
+    game.tree.restore(before);
+    CHECK_FALSE(bool(game.tree.child(game.tree.root(), "transition")));
+    game.runtime.run("game.other = Object { }", "test");
+    game.tree.restore(within);
+    CHECK(game.get("transition.progress") == progress);
+    for (int i = 0; i < 20; ++i) game.loop.turn();
+    CHECK(game.tree.class_of(game.tree.child(game.tree.root(), "scene")).name() == "B");
+    game.tree.restore(before);
+    CHECK(game.tree.class_of(game.tree.child(game.tree.root(), "scene")).name() == "A");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("what enter began belongs to its scene also after going back in time") {
+    Game game(R"(
+        class("A", Object) { }  class("B", Object) { }
+        function A:enter()
+            every(0, function() print("a") end)
+            coroutine.wrap(function() while true do wait(0) print("waited") end end)()
+        end
+        function B:enter()
+            every(0, function() print("b") end)
+            watch("view.height", function() print("watched") end)
+        end
+        go_to_scene("A"))");
+    for (int i = 0; i < 3; ++i) game.loop.turn();
+    const auto then = game.tree.snapshot();
+    game.runtime.run("go_to_scene('B')", "test");
+    for (int i = 0; i < 3; ++i) game.loop.turn();
+    game.tree.restore(then);
+    game.heard();
+    game.set("view.height", Value(10.0));
+    game.loop.turn();
+    // Functions of timers come back, coroutines that ended do not, and the scene B is not there.
+    CHECK(game.heard() == "a");
+    game.runtime.run("go_to_scene('B') every(0, function() print('game') end)", "test");
+    game.loop.turn();
+    game.heard();
+    game.loop.turn();
+    CHECK(game.heard() == "game b");
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("callbacks of scenes may go on to another scene or delete theirs") {
     Game game(R"(class("A", Object) { }  class("B", Object) { }  class("C", Object) { }
         function A:enter() go_to_scene("B") end

@@ -7,6 +7,7 @@
 #include <calls/protected.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -103,8 +104,15 @@ WatchOptions options_here(lua_State* L) {
     return options;
 }
 
+/// Whether the scene whose `enter` connected a handler is gone: a rewind may have left it. A null
+/// handle never is.
+bool gone(const Machine& machine, Handle scene) {
+    return scene && !machine.tree.alive(scene);
+}
+
 property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<FunctionRef> function) {
-    return [&machine, function](const Change& change) {
+    return [&machine, function, scene = machine.globals.entering](const Change& change) {
+        if (gone(machine, scene)) return;
         protected_run(machine, Context("watcher", change.instance, change.property),
                       [&](lua_State* L) {
                           function->push(L);
@@ -118,14 +126,16 @@ property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<Functio
 
 property::ExistenceHandler existence_handler(Machine& machine, const char* name,
                                              std::shared_ptr<FunctionRef> function) {
-    return [&machine, function, name](const Existence& existence) {
-        protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
-                      [&](lua_State* L) {
-                          function->push(L);
-                          push_existence(L, existence);
-                          lua_call(L, 1, 0);
-                      });
-    };
+    return
+        [&machine, function, name, scene = machine.globals.entering](const Existence& existence) {
+            if (gone(machine, scene)) return;
+            protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
+                          [&](lua_State* L) {
+                              function->push(L);
+                              push_existence(L, existence);
+                              lua_call(L, 1, 0);
+                          });
+        };
 }
 
 const Event& event_of(const Class& of, const std::string& name) {
@@ -157,7 +167,9 @@ Connector event_connector(lua_State* L, Machine& machine, const Class& of, const
         };
     }
     const Event& event = event_of(of, name);
-    auto handler = [&machine, function, &event](const Occurrence& occurrence) {
+    auto handler = [&machine, function, &event,
+                    scene = machine.globals.entering](const Occurrence& occurrence) {
+        if (gone(machine, scene)) return;
         const Context context("handler of " + event.name, occurrence.instance);
         protected_run(machine, context, [&](lua_State* M) {
             push_occurrence(M, occurrence);

@@ -7,6 +7,7 @@
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/interpreter.h>
 #include <lua/life.h>
@@ -57,8 +58,11 @@ std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owne
     const std::size_t holds = noting_ ? held_memory(L, machine_, -1) : 0;
     const auto function = std::make_shared<FunctionRef>(L, machine_);
     function->set_holds(holds);
-    insert({due, id},
-           {.interval = interval, .function = function, .thread = LUA_NOREF, .owner = owner});
+    insert({due, id}, {.interval = interval,
+                       .function = function,
+                       .thread = LUA_NOREF,
+                       .owner = owner,
+                       .scene = machine_.globals.entering});
     if (noting_top_) noted_.push_back({.id = id, .delay = due - now, .interval = interval});
     return id;
 }
@@ -66,11 +70,14 @@ std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owne
 void Timers::wait(lua_State* L, double due) {
     lua_pushthread(L);
     const std::uint64_t id = next_id_++;
-    const auto owner = owners_.find(L);
+    // A coroutine that is no timer's and no instance's is the scene's whose `enter` made it wait.
+    const Lifetime lifetime =
+        lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering}).first->second;
     insert({due, id}, {.interval = -1,
                        .function = {},
                        .thread = luaL_ref(L, LUA_REGISTRYINDEX),
-                       .owner = owner == owners_.end() ? Handle{} : owner->second});
+                       .owner = lifetime.owner,
+                       .scene = lifetime.scene});
     waiting_[L] = id;
     if (!noting_top_) return;
     lua_pushthread(L);
@@ -112,13 +119,16 @@ void Timers::take_place(const Noted& old, const Noted& by) {
 
 void Timers::give_owner(Handle from, Handle to) {
     for (auto& [key, timer] : queue_)
-        if (timer.owner == from) timer.owner = to;
-    for (auto& [thread, owner] : owners_)
-        if (owner == from) owner = to;
+        for (Handle* const each : {&timer.owner, &timer.scene})
+            if (*each == from) *each = to;
+    for (auto& [thread, lifetime] : lifetimes_)
+        for (Handle* const each : {&lifetime.owner, &lifetime.scene})
+            if (*each == from) *each = to;
 }
 
 bool Timers::ended(const Timer& timer) const {
-    return timer.owner && !machine_.tree.alive(timer.owner);
+    const auto gone = [&](Handle each) { return each && !machine_.tree.alive(each); };
+    return gone(timer.owner) || gone(timer.scene);
 }
 
 bool Timers::active(std::uint64_t id) const {
@@ -130,9 +140,9 @@ void Timers::stop(std::uint64_t id) {
     const auto found = due_.find(id);
     if (found == due_.end()) return;
     const auto entry = queue_.find(Key{found->second, id});
-    if (!entry->second.function)
-        luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, entry->second.thread);
+    const Timer timer = entry->second;
     erase(entry);
+    forget(timer);
 }
 
 void Timers::clear() {
@@ -143,7 +153,7 @@ void Timers::clear() {
     queue_.clear();
     due_.clear();
     waiting_.clear();
-    owners_.clear();
+    lifetimes_.clear();
     changes_ = {.all = noting_, .queue = {}, .list = {}};
 }
 
@@ -253,22 +263,22 @@ void Timers::forget(const Timer& timer) {
     lua_State* thread = lua_tothread(L, -1);
     lua_pop(L, 1);
     waiting_.erase(thread);
-    owners_.erase(thread);
+    lifetimes_.erase(thread);
     luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
 }
 
-void Timers::resume(lua_State* L, lua_State* thread, int arguments, Handle owner) {
-    if (owner) owners_[thread] = owner;
-    const auto forget_owner = [&] {
-        if (owner && !waiting_.contains(thread)) owners_.erase(thread);
+void Timers::resume(lua_State* L, lua_State* thread, int arguments, Lifetime lifetime) {
+    lifetimes_[thread] = lifetime;
+    const auto forget_lifetime = [&] {
+        if (!waiting_.contains(thread)) lifetimes_.erase(thread);
     };
     try {
         resume_thread(L, thread, arguments);
     } catch (...) {
-        forget_owner();
+        forget_lifetime();
         throw;
     }
-    forget_owner();
+    forget_lifetime();
 }
 
 void Timers::start(lua_State* L, Handle owner) {
@@ -276,7 +286,7 @@ void Timers::start(lua_State* L, Handle owner) {
     lua_insert(L, -2);
     push_instance(L, owner);
     lua_xmove(L, thread, 2);
-    resume(L, thread, 1, owner);
+    resume(L, thread, 1, {owner, machine_.globals.entering});
 }
 
 // Runs a function as a coroutine, so that it can wait.
@@ -288,7 +298,7 @@ bool Timers::fire(const Timer& timer) {
             lua_State* thread = lua_tothread(L, -1);
             luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
             waiting_.erase(thread);
-            resume(L, thread, 0, timer.owner);
+            resume(L, thread, 0, {timer.owner, timer.scene});
             return;
         }
         const int reference = take_thread();
@@ -300,7 +310,7 @@ bool Timers::fire(const Timer& timer) {
         lua_xmove(L, thread, 1 + arguments);
         // A thread that waits or failed is left to the garbage collector; a finished one is reused.
         try {
-            resume(L, thread, arguments, timer.owner);
+            resume(L, thread, arguments, {timer.owner, timer.scene});
         } catch (...) {
             luaL_unref(L, LUA_REGISTRYINDEX, reference);
             throw;

@@ -26,6 +26,7 @@ class Timers {
 
     /// Adds the function at the top of the stack `L` and pops it. `interval` below 0: called once.
     /// With an `owner`, the timer ends when that is deleted, and the function gets it as argument.
+    /// A timer that `enter` of a scene adds ends with the scene, too.
     /// Returns the timer's number.
     std::uint64_t add(lua_State* L, double due, double interval, property::Handle owner = {});
     /// Runs the function at the top of the stack `L` as a coroutine that ends with `owner`, which
@@ -35,8 +36,6 @@ class Timers {
     void wait(lua_State* L, double due);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
-    /// The number of the next timer.
-    std::uint64_t next_number() const { return next_id_; }
     bool waiting(lua_State* thread) const { return waiting_.contains(thread); }
     /// Runs all timers that are due, in order of time, then of creation. Returns false if one
     /// raised an error.
@@ -68,6 +67,7 @@ class Timers {
         std::shared_ptr<FunctionRef> function;  // null: a waiting thread
         int thread = LUA_NOREF;
         property::Handle owner{};  // empty: the game
+        property::Handle scene{};  // whose `enter` began it
     };
     using Key = std::pair<double, std::uint64_t>;  // time at which it is due, number
     using Queue = std::map<Key, Timer>;
@@ -93,12 +93,18 @@ class Timers {
     void redo(const Changes& changes);
 
   private:
+    /// A timer or a coroutine ends when one of these is deleted; a null handle never is.
+    struct Lifetime {
+        property::Handle owner{};
+        property::Handle scene{};
+    };
+
     bool fire(const Timer& timer);
     bool ended(const Timer& timer) const;
     void forget(const Timer& timer);
     int take_thread();
     /// Resumes a thread that may wait again.
-    void resume(lua_State* L, lua_State* thread, int arguments, property::Handle owner);
+    void resume(lua_State* L, lua_State* thread, int arguments, Lifetime lifetime);
 
     void insert(const Key& key, Timer timer);
     void erase(Queue::iterator entry);
@@ -110,8 +116,8 @@ class Timers {
     bool noting_ = false;
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
-    std::unordered_map<lua_State*, property::Handle> owners_;  // of threads that run or wait
-    std::vector<int> idle_;                                    // finished threads, for reuse
+    std::unordered_map<lua_State*, Lifetime> lifetimes_;  // of threads that run or wait
+    std::vector<int> idle_;                               // finished threads, for reuse
     std::uint64_t next_id_ = 1;
     bool noting_top_ = false;
     std::vector<Noted> noted_;

@@ -46,7 +46,6 @@ property::ClassDescriptor transition_class() {
     return {
         .name = "Transition",
         .doc = "A change of the scene that is being shown: game.transition, made by go_to_scene.",
-        .creatable = false,
         .properties = {
             {.name = "kind",
              .type = Type::text,
@@ -145,13 +144,13 @@ bool call_of_scene(Machine& machine, Handle scene, const char* name, const Argum
     });
 }
 
-/// Ends the timers, watchers and handlers that `enter` of the last scene made.
-void end_what_it_made(Machine& machine) {
-    Environment::Made& made = machine.globals.made_by_scene;
-    for (std::uint64_t id = made.first_timer; id < made.end_timer; ++id) machine.timers.stop(id);
-    for (std::uint64_t id = made.first_connection; id < made.end_connection; ++id)
-        machine.connections.stop(id);
-    made = {};
+/// Ends the watchers and handlers that `enter` of deleted scenes made. Timers notice it themselves.
+void end_what_they_made(Machine& machine) {
+    std::erase_if(machine.globals.entered, [&](const Environment::Entered& made) {
+        if (machine.tree.alive(made.scene)) return false;
+        for (std::uint64_t id = made.first; id < made.end; ++id) machine.connections.stop(id);
+        return true;
+    });
 }
 
 void change_scene(Machine& machine, const std::string& name, const Arguments& arguments) {
@@ -167,7 +166,7 @@ void change_scene(Machine& machine, const std::string& name, const Arguments& ar
         call_of_scene(machine, old, "leave", nullptr);
         if (tree.alive(old)) tree.destroy(old);
     }
-    end_what_it_made(machine);
+    end_what_they_made(machine);
     if (!tree.alive(next)) return;
     const bool placed = protected_run(machine, "go_to_scene", [&](lua_State*) {
         if (const Handle other = tree.child(tree.root(), scene_name)) tree.destroy(other);
@@ -176,12 +175,11 @@ void change_scene(Machine& machine, const std::string& name, const Arguments& ar
     if (!placed) return;
     machine.classes.deliver_ready();
     if (!tree.alive(next)) return;
-    Environment::Made& owned = machine.globals.made_by_scene;
-    owned.first_timer = machine.timers.next_number();
-    owned.first_connection = machine.connections.next_number();
+    const std::uint64_t first = machine.connections.next_number();
+    machine.globals.entering = next;
     call_of_scene(machine, next, "enter", &arguments);
-    owned.end_timer = machine.timers.next_number();
-    owned.end_connection = machine.connections.next_number();
+    machine.globals.entering = {};
+    machine.globals.entered.push_back({next, first, machine.connections.next_number()});
 }
 
 /// At the next barrier between steps.
