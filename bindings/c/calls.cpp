@@ -37,7 +37,8 @@ fettle_code told(const char* function) noexcept {
 
 float checked(const Finite& number) {
     if (!std::isfinite(number.value))
-        throw Failure{FETTLE_INVALID, std::string(number.name) + ": expected a finite number"};
+        throw Failure{FETTLE_INVALID,
+                      stated(number.name, number.value) + ": expected a finite number"};
     return number.value;
 }
 

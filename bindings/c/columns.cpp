@@ -31,7 +31,8 @@ uint32_t body_slot(const World& world, uint32_t slot) {
 Written written(World& world, uint32_t slot, BodyNumber number, float value) {
     const auto not_negative = [&] {
         if (!(checked(Finite{"value", value}) >= 0.0f))
-            throw Failure{FETTLE_INVALID, "value: expected a finite number of at least 0"};
+            throw Failure{FETTLE_INVALID,
+                          stated("value", value) + ": expected a finite number of at least 0"};
         return value;
     };
     switch (number) {
@@ -63,7 +64,9 @@ std::vector<Body> checked_bodies(const fettle_world* const* worlds, uint32_t wor
     found.reserve(size_t(world_count) * body_count);
     for (size_t i = 0; i < world_count; ++i)
         for (size_t k = 0; k < body_count; ++k)
-            found.push_back(handle<Body>(worlds[i], bodies[i * body_count + k]));
+            found.push_back(
+                body_named([&] { return "bodies[" + std::to_string(i * body_count + k) + "]"; },
+                           worlds[i], bodies[i * body_count + k]));
     return found;
 }
 
@@ -175,7 +178,8 @@ fettle_code fettle_world_set_velocity(fettle_world* world, uint32_t slot, float 
 
 fettle_code fettle_worlds_step(fettle_world* const* worlds, uint32_t world_count, float dt) {
     return guarded(__func__, [&] {
-        if (std::isnan(dt)) throw Failure{FETTLE_INVALID, "dt: expected a number of seconds"};
+        if (std::isnan(dt))
+            throw Failure{FETTLE_INVALID, stated("dt", dt) + ": expected a number of seconds"};
         if (world_count > 0) needed("worlds", worlds);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]);
         for (uint32_t i = 0; i < world_count; ++i) editable(worlds[i]).step(dt);

@@ -57,8 +57,8 @@ void refuse_joint(JointType wanted, JointType is) {
                                       name_of(is) + " joint"};
 }
 
-Body body_or_world(const fettle_world* world, fettle_id id) {
-    return id == 0 ? Body() : handle<Body>(world, id);
+Body body_or_world(const char* name, const fettle_world* world, fettle_id id) {
+    return id == 0 ? Body() : body_named([=] { return name; }, world, id);
 }
 
 fettle_body_state converted(const BodyState& state) {

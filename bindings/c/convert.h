@@ -79,8 +79,19 @@ Object handle(const fettle_world* world, fettle_id id) {
     return object;
 }
 
+/// The body of an argument, a member or an element. Errors begin with the text that `name` makes.
+template <class Name>
+physics::Body body_named(const Name& name, const fettle_world* world, fettle_id id) {
+    try {
+        return handle<physics::Body>(world, id);
+    } catch (Failure& failure) {
+        failure.message = std::string(name()) + ": " + failure.message;
+        throw;
+    }
+}
+
 /// An empty body for id 0, which is the world.
-physics::Body body_or_world(const fettle_world* world, fettle_id id);
+physics::Body body_or_world(const char* name, const fettle_world* world, fettle_id id);
 
 template <class Id>
 bool lives(const fettle_world* world, fettle_id id) noexcept {

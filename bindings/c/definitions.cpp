@@ -20,10 +20,6 @@ void refuse_enumerator(const char* name, int32_t value, int32_t last) {
 
 namespace {
 
-BodyId id_of(const fettle_world* world, fettle_id body) {
-    return body_or_world(world, body).id();
-}
-
 fettle_world_def defaults(const WorldDef& def) {
     fettle_world_def told{};
     told.substeps = def.substeps;
@@ -149,8 +145,8 @@ JointDef definition_of(const fettle_world* world, const fettle_joint_def* def) {
     const fettle_joint_def& given = needed("def", def);
     check_size(given.size, sizeof given);
     JointDef taken;
-    taken.body_a = id_of(world, given.body_a);
-    taken.body_b = id_of(world, given.body_b);
+    taken.body_a = body_or_world("body_a", world, given.body_a).id();
+    taken.body_b = body_or_world("body_b", world, given.body_b).id();
     taken.anchor_a = vector_of(given.anchor_a);
     taken.anchor_b = vector_of(given.anchor_b);
     taken.collide = flag(given.collide);
@@ -163,7 +159,7 @@ MouseJointDef definition_of(const fettle_world* world, const fettle_mouse_joint_
     const fettle_mouse_joint_def& given = needed("def", def);
     check_size(given.size, sizeof given);
     MouseJointDef taken;
-    taken.body = handle<Body>(world, given.body).id();
+    taken.body = body_named([] { return "body"; }, world, given.body).id();
     taken.target = vector_of(given.target);
     if (flag(given.has_anchor)) taken.anchor = vector_of(given.anchor);
     taken.hertz = given.hertz;

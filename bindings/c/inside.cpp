@@ -1,9 +1,17 @@
 #include "inside.h"
 
+#include <cstdio>
 #include <deque>
 #include <mutex>
 
 namespace fettle::physics_c {
+
+std::string stated(const char* name, float value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s = %g", name, double{value});
+    return text;
+}
+
 namespace {
 
 /// The memory of worlds that are destroyed. It is used again when a thousand more are destroyed.

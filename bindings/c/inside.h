@@ -19,6 +19,9 @@ struct Failure {
     std::string message;
 };
 
+/// As in "dt = nan".
+std::string stated(const char* name, float value);
+
 /// The arrays that `fettle_world_events` gave.
 struct GivenEvents {
     std::vector<fettle_contact_event> contact_begin, contact_persist, contact_hit;

@@ -23,7 +23,7 @@ fettle_code fettle_joint_body_a(const fettle_world* world, fettle_id joint, fett
 
 fettle_code fettle_joint_set_body_a(fettle_world* world, fettle_id joint, fettle_id body) {
     return on<Joint>(__func__, world, joint,
-                     [&](Joint it) { it.set_body_a(body_or_world(world, body)); });
+                     [&](Joint it) { it.set_body_a(body_or_world("body_a", world, body)); });
 }
 
 fettle_code fettle_joint_body_b(const fettle_world* world, fettle_id joint, fettle_id* body_b) {
@@ -32,13 +32,13 @@ fettle_code fettle_joint_body_b(const fettle_world* world, fettle_id joint, fett
 
 fettle_code fettle_joint_set_body_b(fettle_world* world, fettle_id joint, fettle_id body) {
     return on<Joint>(__func__, world, joint,
-                     [&](Joint it) { it.set_body_b(body_or_world(world, body)); });
+                     [&](Joint it) { it.set_body_b(body_or_world("body_b", world, body)); });
 }
 
 fettle_code fettle_joint_connect(fettle_world* world, fettle_id joint, fettle_id body_a,
                                  fettle_id body_b) {
     return on<Joint>(__func__, world, joint, [&](Joint it) {
-        it.connect(body_or_world(world, body_a), body_or_world(world, body_b));
+        it.connect(body_or_world("body_a", world, body_a), body_or_world("body_b", world, body_b));
     });
 }
 

@@ -28,18 +28,24 @@ class VectorWorld:
     def __init__(self, build, count=256, dt=1 / 60, threads=1, **settings):
         if count < 1 or threads < 1:
             raise Invalid(f"count = {count}, threads = {threads}: expected at least 1")
-        self.template = World(**settings)
-        self.bodies = list(build(self.template))
+        self._template = World(**settings)
+        self._bodies = tuple(build(self.template))
         if not all(isinstance(body, Body) and body.world is self.template for body in self.bodies):
             raise Invalid("build: expected a function that returns bodies of the world that it gets")
         self.dt = dt
-        self.worlds = [self.template.clone() for _ in range(count)]
-        self.observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)
+        self._worlds = tuple(self.template.clone() for _ in range(count))
+        self._observation = numpy.zeros((count, len(self.bodies), 8), dtype=numpy.float32)
         self._forces = numpy.zeros((count, len(self.bodies), 2), dtype=numpy.float32)
-        self._worlds = ffi.new("fettle_world*[]", [world._pointer for world in self.worlds])
+        self._pointers = ffi.new("fettle_world*[]", [world._pointer for world in self.worlds])
         self._ids = ffi.new("fettle_id[]", [body.id for body in self.bodies] * count)
         self._parts = self._divide(count, threads)
         self._pool = ThreadPoolExecutor(threads) if threads > 1 else None
+
+    # The library reads and writes the memory of these, so a program cannot put others in their place.
+    template = property(lambda self: self._template, doc="The world that `build` filled.")
+    bodies = property(lambda self: self._bodies, doc="Those that `build` returned.")
+    worlds = property(lambda self: self._worlds, doc="The copies.")
+    observation = property(lambda self: self._observation, doc="The array that `reset` and `step` return.")
 
     @staticmethod
     def _divide(count, threads):
@@ -48,14 +54,15 @@ class VectorWorld:
 
     def _observe(self):
         states = ffi.cast("fettle_body_state*", self.observation.ctypes.data)
-        check(lib.fettle_worlds_read_states(self._worlds, len(self.worlds), self._ids, len(self.bodies), states))
+        check(lib.fettle_worlds_read_states(self._pointers, len(self.worlds), self._ids, len(self.bodies), states))
         return self.observation
 
     def reset(self, which=None):
         """Brings all copies, or those whose numbers or flags `which` has, back to the begin."""
         chosen = numpy.arange(len(self.worlds))
         if which is not None:
-            chosen = chosen[numpy.asarray(which)]
+            which = numpy.asarray(which)
+            chosen = chosen[which if which.size else which.astype(int)]
         for i in chosen:
             check(lib.fettle_world_assign(self.worlds[i]._pointer, self.template._pointer))
         return self._observe()
@@ -72,7 +79,7 @@ class VectorWorld:
 
     def _step_part(self, part, pushed, steps):
         begin, end = part
-        worlds, count, bodies = self._worlds + begin, end - begin, len(self.bodies)
+        worlds, count, bodies = self._pointers + begin, end - begin, len(self.bodies)
         ids = self._ids + begin * bodies
         forces = ffi.cast("fettle_vec2*", self._forces.ctypes.data) + begin * bodies
         for _ in range(steps):

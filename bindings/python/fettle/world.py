@@ -27,11 +27,20 @@ def _named(name, names):
     return property(read, write, doc=f"One of {', '.join(names.values())}.")
 
 
+def _restored(state):
+    world = World()
+    world.restore(state)
+    return world
+
+
 @bind("world", has_id=False)
 class World(Queries):
     """A world of rigid bodies. Its settings are properties with the names of fettle/physics_c/world_settings.h, and may be
     given at creation: `World(gravity=(0, 0), substeps=8)`. `room`: number of bodies for which there is room, so that arrays of
-    it stay valid while they are created. A world belongs to one thread at a time."""
+    it stay valid while they are created. A world belongs to one thread at a time. Copies by `copy` and `pickle` are as those by
+    `clone`; of a world and its handles together, both are copied."""
+
+    __slots__ = ("_pointer", "_columns", "_callbacks", "__weakref__")
 
     def __init__(self, room=0, **settings):
         self._pointer = ffi.NULL
@@ -219,7 +228,8 @@ class World(Queries):
         if isinstance(state, World):
             check(lib.fettle_world_assign(self._pointer, state._pointer))
         else:
-            check(lib.fettle_world_restore(self._pointer, ffi.from_buffer(state), len(state)))
+            data = ffi.from_buffer(state)
+            check(lib.fettle_world_restore(self._pointer, data, len(data)))
 
     def clone(self):
         """A copy with the same future; ids are valid in both. It has no callbacks."""
@@ -228,6 +238,9 @@ class World(Queries):
         copy = World.__new__(World)
         copy._begin(made[0])
         return copy
+
+    def __reduce__(self):
+        return _restored, (self.save(),)
 
     # --- Functions that the world calls ------------------------------------------------------------
 

@@ -1,7 +1,9 @@
 """Tests of the package: python3 -m unittest discover bindings/python/tests"""
 
+import copy
 import gc
 import math
+import pickle
 import unittest
 
 import numpy
@@ -204,6 +206,33 @@ class Snapshots(unittest.TestCase):
             world.restore(state[:-1])
 
 
+    def test_copies_and_pickles_are_worlds_of_their_own(self):
+        world = a_world(solver="direct")
+        ball = world.body(position=(0, 3))
+        ball.add(fettle.Circle(0.5))
+        for make in (copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))):
+            other = make(world)
+            other.step(1)
+            self.assertEqual((other.solver, len(other.bodies), ball.position.y), ("direct", 2, 3))
+            del other
+            gc.collect()
+            self.assertEqual(world.fault, None)
+            both = make({"world": world, "ball": ball})
+        self.assertIs(both["ball"].world, both["world"])
+        both["world"].step(1 / 60)
+        self.assertLess(both["ball"].position.y, 3)
+        self.assertEqual(ball.position.y, 3)
+
+    def test_a_state_of_any_layout_is_read_by_its_bytes(self):
+        world = a_world()
+        world.restore(numpy.frombuffer(world.save(), dtype=numpy.uint8).reshape(1, -1))
+        self.assertEqual(len(world.bodies), 1)
+
+    def test_a_misspelled_setting_is_refused(self):
+        with self.assertRaises(AttributeError):
+            fettle.World().gravty = (0, 0)
+
+
 class Vectors(unittest.TestCase):
     @staticmethod
     def build(world):
@@ -224,6 +253,8 @@ class Vectors(unittest.TestCase):
         env.reset([7])
         self.assertEqual(list(env.observation[7, 0]), list(begin[7, 0]))
         self.assertGreater(env.observation[6, 0, 0], 0.1)
+        env.reset([])
+        self.assertGreater(env.observation[6, 0, 0], 0.1)
         env.reset(env.observation[:, 0, 0] > 0.1)
         self.assertLess(env.observation[:, 0, 0].max(), 0.2)
 
@@ -240,6 +271,8 @@ class Vectors(unittest.TestCase):
         env = fettle.VectorWorld(self.build, count=2)
         with self.assertRaises(ValueError):
             env.step(numpy.zeros((3, 1, 2)))
+        with self.assertRaises(AttributeError):
+            env.observation = numpy.zeros(1)
 
 
 if __name__ == "__main__":
