@@ -97,6 +97,50 @@ TEST_CASE_METHOD(Land, "a restored map has the collisions of its cells") {
     CHECK(chains(top).size() == 2);
 }
 
+TEST_CASE_METHOD(Land, "going back in time does not undo what a game did to the outlines") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 1,0,1,1"));
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 2);
+    tree.destroy(chains(top)[0]);
+    step(1);
+    const Snapshot without = tree.snapshot();
+    step(1);
+    tree.restore(without);
+    step(1);
+    CHECK(chains(top).size() == 1);
+    // Other cells are followed again, and so is a file that is read again.
+    call(top, "set_tile", {Value(1), Value(0), Value(1)});
+    tree.barrier();
+    CHECK(chains(top).size() == 3);
+    call(top, "reload", {});
+    tree.barrier();
+    CHECK(chains(top).size() == 3);
+    for (const int x : {0, 1, 2, 3})
+        for (const int y : {0, 2}) call(top, "set_tile", {Value(x), Value(y), Value(0)});
+    tree.barrier();
+    CHECK(chains(top).empty());
+    tree.destroy(find(top, "collisions"));
+    call(top, "set_tile", {Value(1), Value(0), Value(1)});
+    tree.barrier();
+    CHECK(chains(top).size() == 1);
+}
+
+TEST_CASE_METHOD(Land, "a map without one of its layers gets a body") {
+    define_bodies();
+    write("level.tmj", level("0,0,0,0, 0,0,0,0, 0,0,0,0",
+                             R"(, {"type": "tilelayer", "id": 8, "name": "more", "width": 4,
+                                  "height": 3, "data": [0,0,0,0, 0,0,0,0, 0,0,0,0]})"));
+    const Handle top = map();
+    tree.barrier();
+    tree.destroy(find(top, "more"));
+    call(top, "set_tile", {Value(1), Value(0), Value(1)});
+    tree.barrier();
+    CHECK(chains(top).size() == 1);
+    CHECK(problems.empty());
+}
+
 TEST_CASE_METHOD(Land, "a map that is too large for its body leaves nothing half made") {
     define_bodies();
     const Handle top = map("level.tmj", 1e-3);

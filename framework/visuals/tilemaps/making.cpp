@@ -140,6 +140,7 @@ void Tilemaps::make(Handle map, std::map<std::int64_t, Value> changes) {
         if (each.reference() != map && tree_->alive(each.reference()) &&
             tree_->is_below(each.reference(), map))
             tree_->destroy(each.reference());
+    tree_->reset(map, *of_.followed);
     const Value name = tree_->peek(map, *of_.map);
     const auto file = loaded(map);
     if (file == nullptr) {

@@ -1,11 +1,14 @@
 // The body with the outlines of the solid cells. Its classes are those of whatever module defines
 // `Body` and `Chain`; without one, nothing is solid.
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,15 +23,15 @@ using property::List;
 using property::Value;
 using property::Vec2;
 
-namespace {
-
-constexpr const char* body_name = "collisions";
-
 struct WantedChain {
     Value points{};
     bool closed = false;
     double friction = 0, restitution = 0;
 };
+
+namespace {
+
+constexpr const char* body_name = "collisions";
 
 /// Values as the chain keeps them, so that they can be compared.
 double rounded(double x) {
@@ -50,6 +53,23 @@ std::string key_of(const WantedChain& chain) {
         add(point.vec2().y());
     }
     return key;
+}
+
+/// The same number for the same outlines at the same place, in any run; 0 for no outlines.
+std::int64_t number_of(const std::vector<WantedChain>& chains, const Vec2& at) {
+    if (chains.empty()) return 0;
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](std::string_view bytes) {
+        for (const char byte : bytes)
+            hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+    };
+    for (const WantedChain& chain : chains) add(key_of(chain));
+    for (const double x : {at.x(), at.y()}) {
+        char bytes[sizeof x];
+        std::memcpy(bytes, &x, sizeof x);
+        add({bytes, sizeof x});
+    }
+    return std::bit_cast<std::int64_t>(hash);
 }
 
 void add_chain(property::Tree& tree, const property::Class& of, Handle body,
@@ -77,50 +97,66 @@ std::vector<Handle> Tilemaps::solid_layers(Handle map) const {
     return all;
 }
 
+std::vector<WantedChain> Tilemaps::wanted_chains(Handle map) {
+    std::vector<WantedChain> wanted;
+    const auto file = loaded(map);
+    if (file == nullptr) return wanted;
+    for (const Handle layer : solid_layers(map)) {
+        const Grid* const cells = grid(layer);
+        if (cells == nullptr) continue;
+        const Reader read(*tree_, layer);
+        const Vec2 offset = read.vec2(in_layer_.offset);
+        const double unit = 1 / pixels_per_unit(map);
+        for (const SolidLine& line : solid_lines(*cells, *file)) {
+            WantedChain chain{.closed = line.closed,
+                              .friction = rounded(read.number(in_layer_.friction)),
+                              .restitution = rounded(read.number(in_layer_.restitution))};
+            List points;
+            points.reserve(line.points.size());
+            for (const Vec2& p : line.points)
+                points.emplace_back(
+                    Vec2(rounded(p.x() * unit + offset.x()), rounded(p.y() * unit + offset.y())));
+            chain.points = Value(std::move(points));
+            wanted.push_back(std::move(chain));
+        }
+    }
+    return wanted;
+}
+
+Handle Tilemaps::make_body(Handle map, const property::Class& of) {
+    const Handle body = tree_->create(of);
+    tree_->set(body, "type", Value("static"));
+    tree_->move(body, map, body_name);
+    List made = tree_->peek(map, *of_.made).list();
+    std::erase_if(made, [&](const Value& each) { return !tree_->alive(each.reference()); });
+    made.emplace_back(body);
+    tree_->set(map, *of_.made, Value(std::move(made)));
+    return body;
+}
+
 void Tilemaps::update_bodies(Handle map) {
     rows_[tree_->row(map)].outdated = false;
     const property::Class* const body_class = tree_->find_class("Body");
     const property::Class* const chain_class = tree_->find_class("Chain");
     if (body_class == nullptr || chain_class == nullptr) return;
     const auto file = loaded(map);
-    std::vector<WantedChain> wanted;
-    if (file != nullptr)
-        for (const Handle layer : solid_layers(map)) {
-            const Grid* const cells = grid(layer);
-            if (cells == nullptr) continue;
-            const Reader read(*tree_, layer);
-            const Vec2 offset = read.vec2(in_layer_.offset);
-            const double unit = 1 / pixels_per_unit(map);
-            for (const SolidLine& line : solid_lines(*cells, *file)) {
-                WantedChain chain{.closed = line.closed,
-                                  .friction = rounded(read.number(in_layer_.friction)),
-                                  .restitution = rounded(read.number(in_layer_.restitution))};
-                List points;
-                points.reserve(line.points.size());
-                for (const Vec2& p : line.points)
-                    points.emplace_back(Vec2(rounded(p.x() * unit + offset.x()),
-                                             rounded(p.y() * unit + offset.y())));
-                chain.points = Value(std::move(points));
-                wanted.push_back(std::move(chain));
-            }
-        }
+    const std::vector<WantedChain> wanted = wanted_chains(map);
+    const Vec2 at = file != nullptr ? upper_left(map, file->map()) : Vec2(0, 0);
+    // After a restore, every map is looked at. Then only what the outlines depend on counts, and
+    // not what a game did to the body itself: otherwise going back in time would undo that.
+    const std::int64_t followed = number_of(wanted, at);
+    if (tree_->peek(map, *of_.followed).integer() == followed) return;
     Handle body = tree_->child(map, body_name);
     if (body && !tree_->class_of(body).is_a(*body_class)) return;
-    if (wanted.empty() && !body) return;
+    if (wanted.empty() && !body) {
+        tree_->set(map, *of_.followed, Value(followed));
+        return;
+    }
     try {
-        if (!body) {
-            body = tree_->create(*body_class);
-            tree_->set(body, "type", Value("static"));
-            tree_->move(body, map, body_name);
-            List made = tree_->peek(map, *of_.made).list();
-            made.emplace_back(body);
-            tree_->set(map, *of_.made, Value(std::move(made)));
-        }
-        if (file != nullptr) {
-            const Vec2 at = upper_left(map, file->map());
-            if (tree_->get(body, "position").vec2() != Vec2(rounded(at.x()), rounded(at.y())))
-                tree_->set(body, "position", Value(at));
-        }
+        if (!body) body = make_body(map, *body_class);
+        if (file != nullptr &&
+            tree_->get(body, "position").vec2() != Vec2(rounded(at.x()), rounded(at.y())))
+            tree_->set(body, "position", Value(at));
         // Chains that are as they should be stay, with their contacts.
         std::map<std::string, std::vector<Handle>> there;
         for (const Handle child : tree_->children(body)) {
@@ -142,6 +178,7 @@ void Tilemaps::update_bodies(Handle map) {
         for (const auto& [key, chains] : there)
             for (const Handle chain : chains) tree_->destroy(chain);
         for (const WantedChain* chain : missing) add_chain(*tree_, *chain_class, body, *chain);
+        tree_->set(map, *of_.followed, Value(followed));
     } catch (const std::exception& error) {
         tell(map, std::string("collisions: ") + error.what());
     }

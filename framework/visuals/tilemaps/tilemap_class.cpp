@@ -68,6 +68,10 @@ std::vector<Property> Tilemaps::map_properties() {
          .doc = "The instances that were made from the map file, without those below them.",
          .hidden = true,
          .element = Type::reference},
+        {.name = "followed",
+         .type = Type::integer,
+         .doc = "What its collisions were made of last, as a number; 0: of nothing.",
+         .hidden = true},
         derived({.name = "columns",
                  .type = Type::integer,
                  .doc = "Number of cells side by side; 0 for an infinite map.",
@@ -153,8 +157,8 @@ void Tilemaps::define_map(property::Tree& tree) {
     const property::Class& made = tree.define(std::move(described));
     map_class_ = &made;
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("map"),    of("corner"),    of("pixels_per_unit"),
-           of("smooth"), of("made_from"), of("made")};
+    of_ = {of("map"),       of("corner"), of("pixels_per_unit"), of("smooth"),
+           of("made_from"), of("made"),   of("followed")};
     loaded_event_ = made.event("loaded");
     cell_changed_ = made.event("cell_changed");
 }

@@ -18,6 +18,8 @@
 
 namespace fettle::visuals {
 
+struct WantedChain;
+
 class Tilemaps {
   public:
     explicit Tilemaps(Images& images) : images_(images) {}
@@ -60,7 +62,8 @@ class Tilemaps {
         Grid grid{};
     };
     struct MapProperties {
-        const property::Property *map, *corner, *pixels_per_unit, *smooth, *made_from, *made;
+        const property::Property *map, *corner, *pixels_per_unit, *smooth, *made_from, *made,
+            *followed;
     };
     struct LayerProperties {
         const property::Property *layer, *changes, *offset, *parallax, *opacity, *tint, *blend,
@@ -101,8 +104,10 @@ class Tilemaps {
     void make(property::Handle map, std::map<std::int64_t, property::Value> changes);
 
     // --- map_bodies.cpp
-    /// Gives the body below the map the outlines of the solid cells.
+    /// Gives the body below the map the outlines of the solid cells, unless it got these already.
     void update_bodies(property::Handle map);
+    std::vector<WantedChain> wanted_chains(property::Handle map);
+    property::Handle make_body(property::Handle map, const property::Class& of);
 
     // --- tile_drawing.cpp
     void draw(property::Handle layer, property::Painter& painter);
