@@ -53,6 +53,10 @@ property::ClassDescriptor console_class() {
         flag_property("tweaks", false, "Whether tweaks are listed in place of the log."));
     list.push_back(flag_property(
         "picks", true, "Whether a click on a body selects it while the console is open."));
+    list.push_back(flag_property(
+        "listen", false,
+        "Whether `fettle repl --attach` may attach to this game: only this user, on this computer, "
+        "with the token in the user's runtime folder."));
     list.push_back(number_property("font_size", 15, {8, 48}, "px", "Height of the text."));
     list.push_back(
         number_property("scale", 1, {0.5, 4}, "",

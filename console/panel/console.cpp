@@ -233,6 +233,12 @@ bool Console::is_open() const {
 void Console::open(bool open) {
     state_->open(open);
 }
+bool Console::listens() const {
+    return state_->settings.flag("listen");
+}
+void Console::listen(bool listens) {
+    state_->settings.set("listen", Value(listens));
+}
 void Console::select(Handle instance) {
     state_->choose(instance);
 }

@@ -18,18 +18,17 @@
 #include <vector>
 
 #include <fettle/app/error_screen.h>
-#ifdef FETTLE_WITH_CONSOLE
-#include <fettle/console/console.h>
-#endif
 
+#include <command_line/answer.h>
 #include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
 #include <command_line/line_editor.h>
+#include <command_line/repl_lines.h>
 #include <command_line/terminal.h>
+#include <commands/attach.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
-#include <game/answer.h>
 #include <game/session.h>
 
 namespace fettle::program {
@@ -41,15 +40,6 @@ namespace fs = std::filesystem;
 constexpr double longest_advance = 3600;
 /// A game that was held up goes on by at most this, s.
 constexpr double longest_frame = 0.25;
-
-/// Beside the file of the console's own commands.
-fs::path history_file() {
-#ifdef FETTLE_WITH_CONSOLE
-    const fs::path console = console::default_history_file();
-    if (!console.empty()) return console.parent_path() / "repl_history";
-#endif
-    return {};
-}
 
 class Repl {
   public:
@@ -94,7 +84,7 @@ class Repl {
     /// In a terminal, the game goes on while the next command is typed.
     void talk() {
         print_line("Type any Lua, or help(). Tab completes, Ctrl+D ends.");
-        editor_.emplace(history_file(), [this](std::string_view line, std::size_t cursor) {
+        editor_.emplace(repl_history(), [this](std::string_view line, std::size_t cursor) {
             return candidates(line, cursor);
         });
         Clock::time_point last = Clock::now();
@@ -158,15 +148,10 @@ class Repl {
     }
 
     std::vector<LineEditor::Candidate> candidates(std::string_view line, std::size_t cursor) {
-        const std::size_t earlier = pending_.empty() ? 0 : pending_.size() + 1;
-        const std::string all =
-            pending_.empty() ? std::string(line) : pending_ + "\n" + std::string(line);
-        std::vector<LineEditor::Candidate> found;
-        for (script::Completion& c : session_.runtime().complete(all, earlier + cursor))
-            if (c.replace_from >= earlier)
-                found.push_back({std::move(c.text), std::move(c.label), std::move(c.detail),
-                                 c.replace_from - earlier});
-        return found;
+        return candidates_of(pending_, line, cursor,
+                             [this](const std::string& all, std::size_t at) {
+                                 return session_.runtime().complete(all, at);
+                             });
     }
 
     std::optional<LineEditor> editor_;
@@ -190,16 +175,25 @@ int repl(const fs::path& named) {
 
 Command add_repl(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
-        "repl", "Type commands of the console in the terminal, to a game without a window.");
+        "repl",
+        "Type commands of the console in the terminal, to a game without a window or to a game "
+        "that runs already.");
     command.allow_extras();
     const auto game = std::make_shared<fs::path>();
+    const auto attaches = std::make_shared<bool>(false);
+    command.add_flag("--attach", *attaches,
+                     "To the running game with that name, path or process; it must listen (fettle "
+                     "run --listen, or console.listen = true)");
     command.add_option_function<std::string>(
         "path",
         [game](const std::string& text) {
             *game = checked_text("path", text, "a folder with main.lua, or a .lua file");
         },
         "A folder with main.lua, or one .lua file; without it, a game with nothing in it");
-    return {&command, [game] { return with_file_errors([&] { return repl(*game); }); }};
+    return {&command, [game, attaches] {
+                return with_file_errors(
+                    [&] { return *attaches ? attach(game->string()) : repl(*game); });
+            }};
 }
 
 }  // namespace fettle::program

@@ -471,6 +471,8 @@ Command add_run(CLI::App& app) {
            });
     command.add_flag("--developer", options->developer,
                      "Have the console in a game that has it for developers only");
+    command.add_flag("--listen", options->listen,
+                     "Let \"fettle repl --attach\" of this user attach to the game's console");
     option("--screenshot", "Write the last frame there (png, jpg, bmp or tga)",
            [](RunOptions& to, const std::string& text) { to.screenshot = parse_picture(text); });
     option("--record",

@@ -23,6 +23,7 @@ struct RunOptions {
     bool sandbox = false;                   // the game is not trusted
     std::optional<std::uint64_t> memory{};  // MB; limit of what the scripts may use
     std::optional<std::uint64_t> seed{};    // of random(); none: that of game.json, else 0
+    bool listen = false;                    // for terminals that attach, from the beginning
     bool developer = false;                 // for the console, where game.json asks for it
     std::vector<std::string> modules{};     // files or names, in addition to the game's manifest
     std::filesystem::path screenshot{};

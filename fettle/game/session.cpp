@@ -6,17 +6,15 @@
 #include <utility>
 
 #include <fettle/app/error_screen.h>
-#ifdef FETTLE_WITH_CONSOLE
-#include <fettle/console/console.h>
 #include <fettle/property/formula_problems.h>
-#endif
 
+#include <command_line/answer.h>
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
-#include <game/answer.h>
+#include <game/console_layer.h>
 #include <game/game_window.h>
 #include <game/quota.h>
 
@@ -35,17 +33,6 @@ const std::filesystem::path& without_modules_in_sandbox(const RunOptions& option
 }
 
 }  // namespace
-
-#ifdef FETTLE_WITH_CONSOLE
-struct Session::ConsoleLayer : console::Console {
-    using Console::Console;
-};
-#else
-struct Session::ConsoleLayer {
-    void print(std::string_view) {}
-    void report(const script::ScriptError&) {}
-};
-#endif
 
 Session::Session(const RunOptions& options, app::Clipboard* clipboard,
                  std::function<void(const script::ScriptError&)> errors,
@@ -200,6 +187,7 @@ void Session::note(const std::string& text) {
         output_(text);
     else
         tell(text);
+    if (listener_) listener_->print(text);
     if (ending_) return;
     if (console_)
         console_->print(text);
@@ -242,6 +230,7 @@ void Session::add_modules() {
         modules_.renew();
         store_->tick();
         type_what_is_due();
+        listen();
 #ifdef FETTLE_WITH_CONSOLE
         if (console_) console_->between_frames();
 #endif
@@ -255,7 +244,7 @@ bool Session::has_console() const {
         case property::ConsoleUse::on:
             return true;
         case property::ConsoleUse::developer:
-            return options_.developer || !options_.console.empty();
+            return options_.developer || !options_.console.empty() || options_.listen;
         case property::ConsoleUse::off:
             break;
     }
@@ -266,6 +255,10 @@ void Session::make_console(app::Clipboard* clipboard) {
     (void)clipboard;
     if (settings_.console == property::ConsoleUse::off && !options_.console.empty())
         throw FileError("--console: this game has no console, as its game.json says");
+    if (settings_.console == property::ConsoleUse::off && options_.listen)
+        throw FileError("--listen: this game has no console, as its game.json says");
+    if (options_.sandbox && options_.listen)
+        throw FileError("--listen: nothing may attach to a game in a sandbox");
 #ifdef FETTLE_WITH_CONSOLE
     if (!has_console()) return;
     app::View& view = services_->view;
@@ -287,6 +280,7 @@ void Session::make_console(app::Clipboard* clipboard) {
     if (!options_.headless) options.history_file = console::default_history_file();
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : early_notes_) console_->print(text);
+    if (options_.listen) console_->listen(true);
 #endif
 }
 
@@ -366,6 +360,7 @@ void Session::print(std::string_view text) {
     else
         print_line(text);
     if (!options_.headless) std::fflush(stdout);
+    if (listener_) listener_->print(text);
     if (console_) console_->print(text);
 }
 
@@ -407,6 +402,7 @@ void Session::fail(const script::ScriptError& error) {
 
 void Session::tell_error(const script::ScriptError& error) {
     if (!output_) tell_lines(app::error_text(error));
+    if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }
 

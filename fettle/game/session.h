@@ -20,6 +20,7 @@
 #include <fettle/script/runtime.h>
 #include <fettle/visuals/visuals.h>
 
+#include <attach/listener.h>
 #include <files/file_watch.h>
 #include <game/game_modules.h>
 #include <game/run_options.h>
@@ -93,6 +94,9 @@ class Session {
     void print(std::string_view text);
     void run_at(std::uint64_t step);
     void type_what_is_due();
+    void listen();
+    void begin_to_listen();
+    std::string reason_not_to_listen() const;
     void make_files();
     void read_settings();
     bool has_console() const;
@@ -123,6 +127,7 @@ class Session {
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;
     std::unique_ptr<ConsoleLayer> console_;
+    std::unique_ptr<Listener> listener_;  // while console.listen is set
     std::unique_ptr<TestDriver> test_;
     std::unique_ptr<app::Recorder> recorder_;
     std::function<void(std::string_view)> output_;

@@ -198,10 +198,11 @@ const std::vector<DividedPart>& divided_parts() {
          {
              {"command_line", {}},
              {"files", {"command_line"}},
-             {"game", {"command_line", "files"}},
+             {"attach", {"command_line", "files"}},
+             {"game", {"command_line", "files", "attach"}},
              {"testing", {"command_line", "files", "game"}},
              {"packing", {"command_line", "files", "game"}},
-             {"commands", {"command_line", "files", "game", "testing", "packing"}},
+             {"commands", {"command_line", "files", "attach", "game", "testing", "packing"}},
          }},
     };
     return table;

@@ -70,6 +70,9 @@ class Console : public app::Layer {
 
     bool is_open() const;
     void open(bool open = true);
+    /// Whether terminals may attach (`console.listen`). The host listens, and says no by `false`.
+    bool listens() const;
+    void listen(bool listens);
     /// Pixels at the lower edge of the window that the console covers now.
     float covered_below() const;
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the

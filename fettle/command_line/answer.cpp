@@ -1,4 +1,4 @@
-#include <game/answer.h>
+#include <command_line/answer.h>
 
 #include <utility>
 

@@ -1,0 +1,259 @@
+#include <attach/listener.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <attach/protocol.h>
+#include <attach/socket_address.h>
+#include <files/game_path.h>
+
+namespace fettle::program {
+namespace {
+
+constexpr int backlog = 16;
+
+/// Whether the process at the other end belongs to this user.
+bool is_own(int socket) {
+    ucred other{};
+    socklen_t size = sizeof other;
+    return ::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &other, &size) == 0 &&
+           other.uid == ::geteuid();
+}
+
+int listening_socket(const std::filesystem::path& path) {
+    const auto fail = [&](const char* why) {
+        throw FileError("console.listen: " + path.string() + ": " + why);
+    };
+    const std::optional<SocketAddress> address = SocketAddress::of(path);
+    if (!address) fail("this path is too long for a socket; set XDG_RUNTIME_DIR to a shorter one");
+    const int made = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (made < 0) fail(std::strerror(errno));
+    ::fchmod(made, 0600);  // of the file that bind() makes
+    if (::bind(made, address->any(), address->size()) == 0 && ::listen(made, backlog) == 0)
+        return made;
+    const int problem = errno;
+    ::close(made);
+    fail(std::strerror(problem));
+    return -1;
+}
+
+}  // namespace
+
+Listener::Listener(const std::filesystem::path& game, Answers answers, ListenLimits limits)
+    : place_(named_for(game)),
+      answers_(std::move(answers)),
+      limits_(limits),
+      socket_(listening_socket(place_.socket)) {
+    try {
+        announce(place_);
+    } catch (...) {
+        ::close(socket_);
+        withdraw(place_);
+        throw;
+    }
+}
+
+Listener::~Listener() {
+    withdraw(place_);
+    ::close(socket_);
+    for (const Connection& each : connections_) ::close(each.socket);
+}
+
+std::size_t Listener::terminals() const {
+    return static_cast<std::size_t>(std::ranges::count(connections_, true, &Connection::greeted));
+}
+
+std::size_t Listener::largest_buffer() const {
+    std::size_t largest = 0;
+    for (const Connection& each : connections_)
+        largest = std::max({largest, each.in.size(), each.out.size()});
+    return largest;
+}
+
+void Listener::frame() {
+    printed_ = 0;
+    take_connections();
+    if (connections_.empty()) return;
+    std::vector<pollfd> ready;
+    ready.reserve(connections_.size());
+    for (const Connection& each : connections_)
+        ready.push_back({.fd = each.socket,
+                         .events = static_cast<short>(each.out.empty() ? POLLIN : POLLIN | POLLOUT),
+                         .revents = 0});
+    ::poll(ready.data(), ready.size(), 0);
+    for (std::size_t i = 0; i < ready.size(); ++i)
+        if ((ready[i].revents & (POLLIN | POLLHUP | POLLERR)) != 0) receive(connections_[i]);
+    // Each terminal has its turn, and another one is the first in the next frame.
+    std::size_t left = limits_.requests;
+    const auto begin = Clock::now();
+    const std::size_t count = connections_.size();
+    first_ = (first_ + 1) % count;
+    for (bool some = true; some && left > 0;) {
+        some = false;
+        for (std::size_t i = 0; i < count && left > 0; ++i)
+            if (answer_next(connections_[(first_ + i) % count])) {
+                --left;
+                some = true;
+                // A command that takes long is one of a person who may type it: it ends the turn.
+                if (std::chrono::duration<double>(Clock::now() - begin).count() >
+                    limits_.busy_seconds)
+                    left = 0;
+            }
+    }
+    for (Connection& each : connections_) send(each);
+    end_late();
+    remove_gone();
+}
+
+// --- Connections
+
+void Listener::take_connections() {
+    for (std::size_t i = 0; i < limits_.accepted; ++i) {
+        const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+        if (socket < 0) return;
+        if (!is_own(socket)) {
+            ::close(socket);
+            continue;
+        }
+        make_room();
+        connections_.push_back({.socket = socket, .since = Clock::now()});
+    }
+}
+
+/// Who has not said the token and waits longest is put out, so that nobody can take all places.
+void Listener::make_room() {
+    if (connections_.size() - terminals() < limits_.waiting) return;
+    const auto oldest = std::ranges::find(connections_, false, &Connection::greeted);
+    ::close(oldest->socket);
+    connections_.erase(oldest);
+}
+
+void Listener::refuse(Connection& whom, std::string_view why) {
+    whom.out += refusal_text(why);
+    whom.ending = true;
+    whom.in.clear();
+}
+
+void Listener::end_late() {
+    const auto now = Clock::now();
+    for (Connection& each : connections_)
+        if (!each.greeted &&
+            std::chrono::duration<double>(now - each.since).count() > limits_.greeting_seconds)
+            each.gone = true;
+}
+
+void Listener::remove_gone() {
+    std::size_t left = 0;
+    std::erase_if(connections_, [&](const Connection& each) {
+        const bool ends = each.gone || (each.ending && each.out.empty());
+        if (ends) ::close(each.socket);
+        if (ends && each.greeted) ++left;
+        return ends;
+    });
+    for (; left > 0; --left) answers_.note("a terminal is no longer attached");
+}
+
+// --- What they say
+
+void Listener::receive(Connection& from) {
+    // While answers wait to be read, no more requests are taken: the sender has to wait.
+    if (from.ending || from.out.size() > limits_.kept || from.in.size() > longest_request) return;
+    std::array<char, 4096> bytes;
+    for (std::size_t have = 0; have < limits_.received;) {
+        const ssize_t count = ::recv(from.socket, bytes.data(), bytes.size(), 0);
+        if (count <= 0) {
+            const bool nothing = count < 0 && (errno == EAGAIN || errno == EINTR);
+            from.gone = from.gone || !nothing;
+            break;
+        }
+        from.in.append(bytes.data(), static_cast<std::size_t>(count));
+        have += static_cast<std::size_t>(count);
+        if (from.in.size() > longest_request) break;
+    }
+    if (from.greeted) return;
+    const std::size_t end = from.in.find('\n');
+    if (end != std::string::npos && end < longest_greeting) {
+        const std::string line = from.in.substr(0, end);
+        from.in.erase(0, end + 1);
+        greet(from, line);
+    } else if (from.in.size() >= longest_greeting) {
+        from.gone = true;
+    }
+}
+
+void Listener::greet(Connection& who, std::string_view line) {
+    if (!is_greeting(line, place_.token)) {
+        who.gone = true;
+        return;
+    }
+    if (terminals() == limits_.terminals)
+        return refuse(who, "this game has as many terminals as it takes: " +
+                               std::to_string(limits_.terminals));
+    who.greeted = true;
+    who.out += welcome_text(place_.game.string());
+    answers_.note("a terminal is attached");
+}
+
+/// Answers the next request, if there is a whole one.
+bool Listener::answer_next(Connection& to) {
+    if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
+    const std::size_t end = to.in.find('\n');
+    if (end == std::string::npos || end > longest_request) {
+        if (to.in.size() <= longest_request) return false;
+        refuse(to, "a request has at most " + std::to_string(longest_request) + " bytes");
+        return true;
+    }
+    tell_lost(to);
+    const std::string line = to.in.substr(0, end);
+    to.in.erase(0, end + 1);
+    const std::optional<Request> request = read_request(line);
+    if (!request) {
+        refuse(to, "expected a line with {\"run\": …} or {\"complete\": …, \"cursor\": …}");
+        return true;
+    }
+    to.out += request->kind == Request::Kind::run
+                  ? answer_text(answers_.evaluate(request->text))
+                  : candidates_text(answers_.complete(request->text, request->cursor));
+    return true;
+}
+
+// --- What they get
+
+void Listener::print(std::string_view line) {
+    if (connections_.empty()) return;
+    const bool enough = ++printed_ > limits_.lines_a_frame;
+    const std::string text = enough ? std::string() : print_text(line);
+    for (Connection& each : connections_) {
+        if (!each.greeted || each.ending) continue;
+        if (enough || each.out.size() > limits_.kept)
+            ++each.lost;
+        else
+            each.out += text;
+    }
+}
+
+void Listener::tell_lost(Connection& to) {
+    if (to.lost > 0 && to.out.size() <= limits_.kept)
+        to.out += lost_text(std::exchange(to.lost, 0));
+}
+
+void Listener::send(Connection& to) {
+    tell_lost(to);
+    if (to.out.empty() || to.gone) return;
+    const ssize_t count =
+        ::send(to.socket, to.out.data(), std::min(to.out.size(), limits_.kept), MSG_NOSIGNAL);
+    if (count > 0) to.out.erase(0, static_cast<std::size_t>(count));
+    const bool waits = count < 0 && (errno == EAGAIN || errno == EINTR);
+    to.gone = to.gone || (count <= 0 && !waits);
+}
+
+}  // namespace fettle::program

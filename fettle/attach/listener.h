@@ -1,0 +1,93 @@
+#pragma once
+// The game's end: terminals attach to it and type commands. Everything has a limit, so that nobody
+// holds the game up who connects: the work of a frame, what is kept of each connection, their
+// number. Sockets never wait.
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fettle/script/runtime.h>
+
+#include <attach/running_games.h>
+
+namespace fettle::program {
+
+/// The limits; documented in docs/guide/all-of-the-console.md.
+struct ListenLimits {
+    std::size_t terminals = 8;  // that have said the token
+    std::size_t waiting = 8;    // that have not; the one that waits longest makes room
+    double greeting_seconds = 2;
+    std::size_t accepted = 4;         // connections of a frame
+    std::size_t requests = 8;         // of a frame
+    double busy_seconds = 0.0005;     // after which no request of this frame is begun
+    std::size_t received = 16384;     // bytes of a frame and connection
+    std::size_t kept = 65536;         // bytes of answers before requests have to wait
+    std::size_t lines_a_frame = 200;  // of what the game prints, for the terminals
+};
+
+class Listener {
+  public:
+    struct Answers {
+        std::function<script::Evaluation(std::string_view command)> evaluate;
+        std::function<std::vector<script::Completion>(std::string_view input, std::size_t cursor)>
+            complete;
+        /// A terminal has attached, or is gone.
+        std::function<void(const std::string& what)> note;
+    };
+
+    /// Begins to listen for `game`. Throws FileError.
+    Listener(const std::filesystem::path& game, Answers answers, ListenLimits limits = {});
+    ~Listener();
+    Listener(const Listener&) = delete;
+
+    /// Call between two frames: takes connections, answers requests, and sends.
+    void frame();
+    /// Gives a line that the game printed to all terminals. For those that do not read fast enough
+    /// it is dropped, and they are told how many were.
+    void print(std::string_view line);
+
+    const RunningGame& place() const { return place_; }
+    /// For tests.
+    std::size_t connections() const { return connections_.size(); }
+    std::size_t largest_buffer() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    struct Connection {
+        int socket = -1;
+        Clock::time_point since{};
+        bool greeted = false;
+        bool ending = false;  // when everything is sent
+        bool gone = false;
+        std::string in{}, out{};
+        std::size_t lost = 0;  // lines of the game since the last that was sent
+    };
+
+    void take_connections();
+    void make_room();
+    void receive(Connection& from);
+    void greet(Connection& who, std::string_view line);
+    bool answer_next(Connection& to);
+    void tell_lost(Connection& to);
+    void send(Connection& to);
+    void refuse(Connection& whom, std::string_view why);
+    void end_late();
+    void remove_gone();
+    std::size_t terminals() const;
+
+    RunningGame place_;
+    Answers answers_;
+    ListenLimits limits_;
+    int socket_ = -1;
+    std::deque<Connection> connections_;
+    std::size_t first_ = 0;  // whose requests are answered first in this frame
+    std::size_t printed_ = 0;
+};
+
+}  // namespace fettle::program

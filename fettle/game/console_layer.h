@@ -1,0 +1,25 @@
+#pragma once
+// The console of a session; it has none in a build without the console.
+
+#include <string_view>
+
+#ifdef FETTLE_WITH_CONSOLE
+#include <fettle/console/console.h>
+#endif
+
+#include <game/session.h>
+
+namespace fettle::program {
+
+#ifdef FETTLE_WITH_CONSOLE
+struct Session::ConsoleLayer : console::Console {
+    using Console::Console;
+};
+#else
+struct Session::ConsoleLayer {
+    void print(std::string_view) {}
+    void report(const script::ScriptError&) {}
+};
+#endif
+
+}  // namespace fettle::program

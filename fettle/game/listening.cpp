@@ -1,0 +1,60 @@
+// Terminals attach to the game's console while `console.listen` is set.
+
+#include <fettle/property/exception_text.h>
+
+#include <game/console_layer.h>
+#include <game/session.h>
+
+namespace fettle::program {
+
+/// Nobody types into a run that must be the same each time, and a game that is not trusted must not
+/// open a way to its user.
+std::string Session::reason_not_to_listen() const {
+    if (options_.sandbox) return "nothing may attach to a game in a sandbox";
+    if (replayed_ != nullptr) return "nothing may attach to a replay";
+    if (isolated()) return "nothing may attach to a test, or to a game without a path";
+    return {};
+}
+
+#ifdef FETTLE_WITH_CONSOLE
+
+/// Begins or ends to listen as `console.listen` says, and answers what terminals ask. Called
+/// between two frames, so that a recording contains their commands like typed ones.
+void Session::listen() {
+    if (!console_) return;
+    if (!console_->listens()) return listener_.reset();
+    if (!listener_) begin_to_listen();
+    if (listener_) listener_->frame();
+}
+
+void Session::begin_to_listen() {
+    std::string problem = reason_not_to_listen();
+    if (problem.empty()) {
+        try {
+            listener_ = std::make_unique<Listener>(
+                options_.game,
+                Listener::Answers{
+                    .evaluate =
+                        [this](std::string_view command) { return runtime_->evaluate(command); },
+                    .complete =
+                        [this](std::string_view input, std::size_t cursor) {
+                            return runtime_->complete(input, cursor);
+                        },
+                    .note = [this](const std::string& what) { note(what); }});
+            return note("fettle repl --attach " + std::to_string(listener_->place().process) +
+                        " attaches a terminal");
+        } catch (const std::exception& error) {
+            problem = property::exception_text(error);
+        }
+    }
+    console_->listen(false);
+    note("console.listen: " + problem);
+}
+
+#else
+
+void Session::listen() {}
+
+#endif
+
+}  // namespace fettle::program
