@@ -56,6 +56,8 @@ void ContextMenu::draw_instance(property::Handle instance) {
     if (item("Help", "What its class has")) run("help(" + path + ")");
     ImGui::Separator();
     if (item("Copy path", "Into the clipboard")) copy(path);
+    if (select_class && item("Select all of its class", "All edits go to all of them"))
+        select_class(tree_.class_of(instance));
     if (item("Put into the prompt", "The path, at the cursor")) insert(path);
     if (tree_.class_of(instance).creatable() && item("Delete", "undo brings it back"))
         run(path + ":delete()");

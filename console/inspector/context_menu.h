@@ -22,6 +22,8 @@ class ContextMenu {
 
     /// Runs a command as if it were typed.
     std::function<void(const std::string& command)> run;
+    /// Selects all instances of the class.
+    std::function<void(const property::Class&)> select_class;
     /// Puts a text into the prompt; into the clipboard.
     std::function<void(const std::string&text)> insert, copy;
 

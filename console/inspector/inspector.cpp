@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_set>
 #include <vector>
 
+#include <inspector/several.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 
@@ -18,13 +21,62 @@ Inspector::Inspector(property::Tree& tree) : tree_(tree), outline_(tree), editor
 
 void Inspector::select(Handle instance, const std::string& property) {
     if (!tree_.alive(instance)) return;
+    if (!is_selected(instance)) others_.clear();
+    std::erase(others_, instance);
+    if (instance != selected_ && !others_.empty()) others_.push_back(selected_);
     selected_ = instance;
     outline_.reveal(instance);
     scroll_to_selected_ = true;
     scroll_to_property_ = property;
 }
 
+bool Inspector::is_selected(Handle instance) const {
+    return instance == selected_ || std::ranges::find(others_, instance) != others_.end();
+}
+
+std::vector<Handle> Inspector::selection() const {
+    std::vector<Handle> all = others_;
+    all.push_back(selected_);
+    std::erase_if(all, [&](Handle each) { return !tree_.alive(each); });
+    return all;
+}
+
+void Inspector::toggle(Handle instance) {
+    std::vector<Handle> all = selection();
+    if (std::erase(all, instance) == 0) all.push_back(instance);
+    if (!all.empty()) select(all);
+}
+
+void Inspector::select(const std::vector<Handle>& instances) {
+    std::vector<Handle> all;
+    std::unordered_set<std::uint64_t> seen;
+    for (const Handle each : instances)
+        if (tree_.alive(each) &&
+            seen.insert(std::uint64_t{each.generation} << 32 | each.index).second)
+            all.push_back(each);
+    if (all.empty()) return;
+    const Handle last = all.back();
+    all.pop_back();
+    others_.clear();
+    select(last);
+    others_ = std::move(all);
+}
+
+void Inspector::run_for_all(const std::string& command, const char* what) {
+    if (!command.empty() && run) return run(command);
+    if (say)
+        say(std::string(what) + ": at most " + std::to_string(most_in_command) +
+            " instances at once; for more use selection()");
+}
+void Inspector::delete_selection() {
+    run_for_all(delete_command(tree_, selection()), "delete");
+}
+void Inspector::clone_selection() {
+    run_for_all(clone_command(tree_, selection()), "clone");
+}
+
 void Inspector::choose(Handle instance) {
+    others_.clear();
     select(instance);
     if (chosen) chosen(instance);
 }
@@ -50,7 +102,12 @@ void Inspector::draw(ImFont* bold) {
         ImGui::PopTextWrapPos();
     } else {
         last_path_ = tree_.path(selected_);
-        draw_header(bold);
+        std::erase_if(others_, [&](Handle each) { return !tree_.alive(each); });
+        editor_.also_edit(others_);
+        if (others_.empty())
+            draw_header(bold);
+        else
+            draw_several(bold);
         ImGui::BeginChild("properties");
         draw_properties(bold);
         ImGui::EndChild();
@@ -104,14 +161,19 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
         bool on_arrow = row.has_children && ImGui::GetIO().MousePos.x < x + em;
         if (on_arrow || (row.has_children && ImGui::IsMouseDoubleClicked(0)))
             outline_.fold(row.instance, !row.unfolded);
-        if (!on_arrow) choose(row.instance);
+        if (!on_arrow && ImGui::GetIO().KeyCtrl) {
+            toggle(row.instance);
+            if (chosen && is_selected(row.instance)) chosen(row.instance);
+        } else if (!on_arrow) {
+            choose(row.instance);
+        }
     }
     if (ImGui::IsItemClicked(1) && menu) menu(tree_.path(row.instance));
     ImGui::PopID();
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 end(at.x + width, at.y + height);
-    bool chosen_row = row.instance == selected_;
+    bool chosen_row = is_selected(row.instance);
     if (chosen_row || hovered)
         list.AddRectFilled(at, end, chosen_row ? palette::selection : palette::rgb(0x1b2029),
                            ImGui::GetStyle().FrameRounding);
@@ -172,6 +234,43 @@ void Inspector::draw_header(ImFont* bold) {
     draw_text(list, ImVec2(low.x + em * 0.4f, y), class_color(class_name), class_name);
 }
 
+/// The header for several selected instances, with what can be done to all of them.
+void Inspector::draw_several(ImFont* bold) {
+    const std::vector<Handle> all = selection();
+    const std::string& kind = tree_.class_of(selected_).name();
+    const bool alike =
+        std::ranges::all_of(all, [&](Handle each) { return tree_.class_of(each).name() == kind; });
+    compat::push_font(bold);
+    ImGui::TextUnformatted((std::to_string(all.size()) + " selected").c_str());
+    ImGui::PopFont();
+    const FontScope font(fonts().sans);
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, alike ? class_color(kind) : palette::dim);
+    ImGui::TextUnformatted(alike ? kind.c_str() : "what all of them have");
+    ImGui::PopStyleColor();
+    if (ImGui::SmallButton("Delete")) delete_selection();
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Clone")) clone_selection();
+    for (const int axis : {0, 1}) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton(axis == 0 ? "Align x" : "Align y")) align(tree_, all, axis);
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("Gives all the mean of their positions along %c",
+                              axis == 0 ? 'x' : 'y');
+    }
+}
+
+/// Of thousands, the first ones are asked: what a class has, all of its instances have.
+bool Inspector::all_have(const Property& property) const {
+    constexpr std::size_t most_asked = 50;
+    if (!others_.empty() && property.name == "name") return false;
+    const auto end =
+        others_.begin() + static_cast<std::ptrdiff_t>(std::min(others_.size(), most_asked));
+    return std::all_of(others_.begin(), end, [&](Handle each) {
+        return MixedValues::same(tree_, each, property) != nullptr;
+    });
+}
+
 bool Inspector::group(const std::string& title, bool open, ImFont* bold) {
     compat::push_font(bold);
     ImGui::PushStyleColor(ImGuiCol_Text, palette::dim);
@@ -189,7 +288,7 @@ void Inspector::draw_properties(ImFont* bold) {
     Handle shown = selected_;
     const std::vector<const Property*> properties = tree_.properties(shown);
     for (const Property* property : properties) {
-        if (property->hidden) continue;
+        if (property->hidden || !all_have(*property)) continue;
         bool ad_hoc = property->binding.kind == property::BindingKind::ad_hoc;
         const property::Class* now = ad_hoc ? nullptr : property->owner;
         if (now != owner || (owner == nullptr && property == properties.front())) {
@@ -204,7 +303,7 @@ void Inspector::draw_properties(ImFont* bold) {
         if (shown != selected_ || !tree_.alive(shown)) break;  // the user followed a link
         if (edited && tree_.properties(shown).size() != properties.size()) break;
     }
-    if (tree_.alive(shown) && shown == selected_) {
+    if (tree_.alive(shown) && shown == selected_ && others_.empty()) {
         if (!tree_.class_of(shown).methods().empty() && group("methods", false, bold))
             draw_methods();
         std::size_t children = tree_.child_count(shown);

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <fettle/property/tree.h>
 
@@ -25,6 +26,19 @@ class Inspector {
     std::function<void(const std::string& path)> menu;
 
     property::Handle selected() const { return selected_; }
+    /// All selected instances that are alive; `selected` is the last one.
+    std::vector<property::Handle> selection() const;
+    /// Adds the instance to the selection, or takes it out of it.
+    void toggle(property::Handle instance);
+    /// Selects all of them; the last one is `selected`.
+    void select(const std::vector<property::Handle>& instances);
+    /// Called with commands for all selected instances.
+    std::function<void(const std::string& command)> run;
+    /// Called when more instances are selected than can be deleted or copied by one command.
+    std::function<void(const std::string& problem)> say;
+    /// Deletes, or copies, all selected instances.
+    void delete_selection();
+    void clone_selection();
     /// Selects the instance and unfolds the outline down to it. `property`: name of the property to
     /// scroll to.
     void select(property::Handle instance, const std::string& property = {});
@@ -39,6 +53,10 @@ class Inspector {
     void draw_outline_row(const InstanceTree::Row& row);
     void draw_splitter();
     void draw_header(ImFont* bold);
+    void draw_several(ImFont* bold);
+    void run_for_all(const std::string& command, const char* what);
+    bool all_have(const property::Property& property) const;
+    bool is_selected(property::Handle instance) const;
     void draw_properties(ImFont* bold);
     void draw_methods();
     void draw_children();
@@ -50,6 +68,7 @@ class Inspector {
     PropertyEditor editor_;
     std::string search_;
     property::Handle selected_;
+    std::vector<property::Handle> others_;  // selected besides it
     std::string last_path_;  // path of the selected instance; shown when it is deleted
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;

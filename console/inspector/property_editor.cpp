@@ -91,8 +91,47 @@ void PropertyEditor::end_drag() {
     tree_.end_edit();
 }
 
+void PropertyEditor::edit_all(const Target& target, const std::string& name,
+                              const std::function<void(Handle, const Property&)>& edit) {
+    if (mixed_.others().empty()) return edit(target.instance, *target.property);
+    tree_.begin_edit(name);
+    std::exception_ptr problem;
+    const auto try_edit = [&](Handle instance, const Property& property) {
+        try {
+            edit(instance, property);
+        } catch (...) {
+            if (!problem) problem = std::current_exception();
+        }
+    };
+    try_edit(target.instance, *target.property);
+    for (const Handle other : mixed_.others())
+        if (const Property* same = MixedValues::same(tree_, other, *target.property))
+            try_edit(other, *same);
+    tree_.end_edit();
+    if (problem) std::rethrow_exception(problem);
+}
+
+/// What an edit from `before` to `after` means for another instance: of a vector, only the
+/// component that was edited changes.
+Value PropertyEditor::edited(Handle instance, const Property& property, const Value& before,
+                             const Value& after) const {
+    if (!before.is(Type::vec2) || !after.is(Type::vec2)) return after;
+    const Value old = tree_.peek(instance, property);
+    if (!old.is(Type::vec2)) return after;
+    Vec2 made = old.vec2();
+    for (const int i : {0, 1})
+        if (before.vec2()[i] != after.vec2()[i]) made[i] = after.vec2()[i];
+    return Value(made);
+}
+
 void PropertyEditor::write(const Target& target, const Value& value) {
-    attempt(target, [&] { tree_.set(target.instance, *target.property, value); });
+    attempt(target, [&] {
+        const Value before = tree_.peek(target.instance, *target.property);
+        edit_all(target, "edit " + target.property->name + " of all selected",
+                 [&](Handle instance, const Property& property) {
+                     tree_.set(instance, property, edited(instance, property, before, value));
+                 });
+    });
 }
 
 Rect PropertyEditor::widget_rect(const Property& property) const {
@@ -115,7 +154,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     Target target{instance, &property};
     float available = ImGui::GetContentRegionAvail().x;
     bool tall = property.type == Type::list || property.any_type;
-    bool plain = !tall && !problems_.contains(&property) && tree_.formula_count() == 0;
+    bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
+                 tree_.formula_count() == 0;
     if (plain && !ImGui::IsRectVisible(ImVec2(available, ImGui::GetFrameHeight()))) {
         ImGui::Dummy(ImVec2(available, ImGui::GetFrameHeight()));
         return false;
@@ -133,12 +173,14 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     bool resettable =
         !property.read_only && !ad_hoc && !computed && tree_.overridden(instance, property);
     bool gone = false;
+    std::string mixed;
     label(target, label_width, resettable, formula != nullptr, bold);
     ImGui::SameLine(start + label_width);
     try {
         // If a formula fails, its last valid value is shown, and the error below it.
         Value value =
             formula != nullptr ? tree_.peek(instance, property) : tree_.get(instance, property);
+        mixed = mixed_.look(tree_, property, value);
         float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
         ImGui::BeginGroup();
         widget(target, value, available - label_width - button);
@@ -155,7 +197,11 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     }
     const bool settled = fields_.take_settled();
     if (const std::string expression = fields_.take_formula(); !expression.empty() && define) {
-        const std::string refused = define(tree_.path(instance, property), expression);
+        std::string refused;
+        edit_all(target, "formula of " + property.name, [&](Handle to, const Property& its) {
+            const std::string why = define(tree_.path(to, its), expression);
+            if (refused.empty()) refused = why;
+        });
         problems_.erase(&property);
         if (!refused.empty()) {
             problems_[&property] = refused;
@@ -170,6 +216,7 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_.erase(&property);  // typing ended with the value that there was
     }
     if (!gone) {
+        remark(start + label_width, palette::dim, mixed);
         remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
         remark(start + label_width, palette::error, wrong);
         remark(start + label_width, palette::error, problem(property));
@@ -226,7 +273,12 @@ bool PropertyEditor::reset_button(const Target& target) {
         "back to " + tree_.text(target.property->default_value, target.property->precision());
     if (target.property->binding.reset != nullptr) tip = "back to what its owner computes";
     if (small_button("reset", "↺", tip.c_str()))
-        attempt(target, [&] { tree_.reset(target.instance, *target.property); });
+        attempt(target, [&] {
+            edit_all(target, "reset " + target.property->name + " of all selected",
+                     [&](Handle instance, const Property& property) {
+                         tree_.reset(instance, property);
+                     });
+        });
     return false;
 }
 

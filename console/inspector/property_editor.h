@@ -11,6 +11,7 @@
 
 #include <fettle/property/tree.h>
 
+#include <inspector/mixed_values.h>
 #include <inspector/reference_picker.h>
 #include <look/fields.h>
 #include <model/rect.h>
@@ -32,6 +33,8 @@ class PropertyEditor {
     /// Called with the path of a property that was clicked with the right button.
     std::function<void(const std::string& path)> menu;
 
+    /// Edits go to these instances, too, as far as they have the property.
+    void also_edit(const std::vector<property::Handle>& others) { mixed_.compare_with(others); }
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Must be called once per frame, before and after all rows.
@@ -84,7 +87,15 @@ class PropertyEditor {
     /// Runs an edit; the text of its exception is shown below the row.
     void attempt(const Target& target, const std::function<void()>& edit);
 
+    /// Runs an edit for the instance and for the others, as one step of undo.
+    void edit_all(const Target& target, const std::string& name,
+                  const std::function<void(property::Handle, const property::Property&)>& edit);
+
+    property::Value edited(property::Handle instance, const property::Property& property,
+                           const property::Value& before, const property::Value& after) const;
+
     property::Tree& tree_;
+    MixedValues mixed_;
     Fields fields_;
     ReferencePicker references_;
     bool edited_ = false;

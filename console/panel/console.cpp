@@ -6,6 +6,7 @@
 
 #include <fettle/property/path.h>
 
+#include <inspector/several.h>
 #include <panel/state.h>
 
 namespace fettle::console {
@@ -51,6 +52,8 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
             "console.memory_limit");
     if (interpreter.serve) {
         script::ConsoleFunctions functions = observing.functions();
+        functions.selection = [this] { return inspector.selection(); };
+        functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
     }
@@ -86,6 +89,11 @@ void Console::State::connect() {
         inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
     context_menu.run = watch_list.run =
         plot_view.run = [this](const std::string& command) { run(command); };
+    inspector.run = context_menu.run;
+    inspector.say = [this](const std::string& problem) { log.error(problem); };
+    context_menu.select_class = [this](const property::Class& wanted) {
+        choose_all(all_of_class(tree, wanted));
+    };
     context_menu.insert = inspector.insert;
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     watch_list.follow = tweak_list.follow;
@@ -146,6 +154,15 @@ void Console::State::choose(Handle instance) {
     if (interpreter.set_it) interpreter.set_it(instance);
     std::string line = "it = " + tree.path(instance);
     if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
+}
+
+void Console::State::choose_all(const std::vector<Handle>& instances) {
+    inspector.select(instances);
+    const std::vector<Handle> all = inspector.selection();
+    if (all.empty()) return;
+    selected_path = tree.path(all.back());
+    if (interpreter.set_it) interpreter.set_it(all.back());
+    log.note(std::to_string(all.size()) + " selected, it = " + selected_path);
 }
 
 void Console::State::find_selected_again() {

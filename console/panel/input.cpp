@@ -1,10 +1,12 @@
 // Routing of input events.
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/exception_text.h>
 
 #include <inspector/pick.h>
+#include <inspector/several.h>
 #include <panel/state.h>
 
 namespace fettle::console {
@@ -14,6 +16,12 @@ using app::InputEvent;
 
 bool Console::State::handle(const InputEvent& event) {
     follow_settings();
+    if (event.kind == EventKind::key_pressed || event.kind == EventKind::key_released) {
+        // The event of a modifier may have the state before it.
+        const bool down = event.kind == EventKind::key_pressed;
+        shift_held = event.name.ends_with("_shift") ? down : event.shift;
+        control_held = event.name.ends_with("_control") ? down : event.control;
+    }
     switch (event.kind) {
         case EventKind::key_pressed:
             return press_key(event);
@@ -38,6 +46,8 @@ void Console::State::lose_focus() {
     ui.release_all();
     keys.clear();
     buttons.clear();
+    box.reset();
+    shift_held = control_held = false;
     swallow_text = false;
 }
 
@@ -66,7 +76,7 @@ bool Console::State::press_key(const InputEvent& event) {
         feed(event);
     } else {
         ui.feed_modifiers(event);
-        prompt_key(event);
+        if (!selection_key(event)) prompt_key(event);
     }
     return true;
 }
@@ -150,12 +160,18 @@ bool Console::State::mouse(const InputEvent& event) {
     bool over = was_open && over_windows(event.x, event.y);
     switch (event.kind) {
         case EventKind::mouse_moved:
+            if (box) {
+                box->to_x = event.x;
+                box->to_y = event.y;
+                return true;
+            }
             feed(event);
             return buttons.any_of_console() || (over && !buttons.any_of_game());
         case EventKind::wheel:
             if (over) feed(event);
             return over;
         case EventKind::mouse_pressed:
+            keys_to_selection = false;
             if (over) {
                 buttons.press(event.name, HeldKeys::Owner::console);
                 feed(event);
@@ -171,17 +187,74 @@ bool Console::State::mouse(const InputEvent& event) {
         default:
             break;
     }
+    if (event.name == "left" && box) end_box();
     HeldKeys::Owner owner = buttons.release(event.name);
     if (owner == HeldKeys::Owner::game) return false;
     feed(event);
     return owner == HeldKeys::Owner::console || over;
 }
 
+void Console::State::end_box() {
+    const Box drawn = *std::exchange(box, std::nullopt);
+    try {
+        const std::vector<property::Handle> inside =
+            in_box(tree, options.to_world(drawn.from_x, drawn.from_y),
+                   options.to_world(drawn.to_x, drawn.to_y));
+        if (inside.empty()) return;
+        choose_all(inside);
+        keys_to_selection = true;
+    } catch (const std::exception& error) {
+        log.error(property::exception_text(error));
+    }
+}
+
+bool Console::State::selection_key(const InputEvent& event) {
+    if (!keys_to_selection || !options.to_world) return false;
+    const std::vector<property::Handle> all = inspector.selection();
+    if (all.empty() || event.name.ends_with("_shift") || event.name.ends_with("_control"))
+        return false;
+    property::Vec2 pixels(0, 0);
+    if (event.name == "left") pixels.x() = -1;
+    if (event.name == "right") pixels.x() = 1;
+    if (event.name == "up") pixels.y() = -1;
+    if (event.name == "down") pixels.y() = 1;
+    const bool moves = pixels != property::Vec2(0, 0) && !event.control;
+    if (moves) {
+        if (event.shift) pixels *= 10;
+        const auto x = static_cast<float>(pixels.x()), y = static_cast<float>(pixels.y());
+        try {
+            move_by(tree, all, options.to_world(x, y) - options.to_world(0, 0));
+        } catch (const std::exception& error) {
+            log.error(property::exception_text(error));
+        }
+        return true;
+    }
+    if (event.name == "delete" && prompt.edit().text().empty()) {
+        inspector.delete_selection();
+        return true;
+    }
+    keys_to_selection = false;  // the person types
+    return false;
+}
+
 /// The left button is never the game's here, the right one where there is no body.
 bool Console::State::click_game(float x, float y, bool menu) {
+    if (!menu && shift_held) {
+        box = Box{x, y, x, y};
+        return true;
+    }
     try {
         const property::Handle found = pick(tree, options.to_world(x, y));
         if (!found) return !menu;
+        keys_to_selection = true;
+        if (!menu && control_held) {
+            inspector.toggle(found);
+            if (inspector.selected()) choose_all(inspector.selection());
+            return true;
+        }
+        const std::vector<property::Handle> all = inspector.selection();
+        // A menu is for all of the selection, if it is opened on one of them.
+        if (!menu || std::ranges::find(all, found) == all.end()) inspector.select({found});
         choose(found);
         if (menu) context_menu.open(tree.path(found));
     } catch (const std::exception& error) {

@@ -34,10 +34,9 @@ void Console::State::frame(double seconds) {
                               6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
     draw_part([&] {
-        if (options.to_pixels && tree.alive(inspector.selected()))
-            draw_outline(*ImGui::GetBackgroundDrawList(), tree, inspector.selected(),
-                         options.to_pixels, ImGui::GetTime());
+        if (options.to_pixels && tree.alive(inspector.selected())) draw_outlines();
     });
+    draw_part([&] { draw_box(); });
     float right = 0;
     if (settings.flag("inspector")) {
         const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
@@ -56,6 +55,23 @@ void Console::State::frame(double seconds) {
     ui.end_frame();
     ui.navigate_with_keys(popup_open);
     building = false;
+}
+
+void Console::State::draw_outlines() {
+    constexpr std::size_t most = 300;  // more of them could not be told apart
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const std::vector<property::Handle> all = inspector.selection();
+    for (std::size_t i = all.size() > most ? all.size() - most : 0; i < all.size(); ++i)
+        draw_outline(list, tree, all[i], options.to_pixels, ImGui::GetTime());
+}
+
+void Console::State::draw_box() {
+    if (!box) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 low(std::min(box->from_x, box->to_x), std::min(box->from_y, box->to_y));
+    const ImVec2 high(std::max(box->from_x, box->to_x), std::max(box->from_y, box->to_y));
+    list.AddRectFilled(low, high, with_alpha(palette::accent, 0.12f));
+    list.AddRect(low, high, palette::accent);
 }
 
 /// Functions of the host may throw. The other parts are drawn all the same, and the log tells the

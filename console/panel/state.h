@@ -2,7 +2,9 @@
 // State of a console, and the receivers of an event in order: the toggle key, a widget of Dear
 // ImGui, the prompt, the game.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <fettle/console/console.h>
 
@@ -52,6 +54,10 @@ struct Console::State {
     bool widgets_have_keyboard();
     bool over_windows(float x, float y) const;
     bool click_game(float x, float y, bool menu);
+    /// Selects what is in the box that was drawn with Shift.
+    void end_box();
+    /// Keys for the selection, after a click into the game: arrows move it, Delete deletes it.
+    bool selection_key(const app::InputEvent& event);
     /// Runs the command of a key, if it has one. Function keys work while the console is open, the
     /// others only while it is closed.
     bool run_key(const app::InputEvent& event);
@@ -62,6 +68,7 @@ struct Console::State {
     void follow_settings();
     void pause_time(bool paused);
     void choose(property::Handle instance);
+    void choose_all(const std::vector<property::Handle>& instances);
     /// If the selected instance was deleted, and there is one at its path again (the game has made
     /// it anew), that is selected.
     void find_selected_again();
@@ -73,6 +80,8 @@ struct Console::State {
 
     // --- Appearance (layout.cpp)
     void frame(double seconds);
+    void draw_outlines();
+    void draw_box();
     void draw_part(const std::function<void()>& part);
     float panel_height();
     void draw_panel(float width, float height, float cell);
@@ -106,6 +115,12 @@ struct Console::State {
 
     std::string selected_path;  // of the selected instance when it was last seen
     HeldKeys keys, buttons;
+    bool shift_held = false, control_held = false;
+    struct Box {
+        float from_x = 0, from_y = 0, to_x = 0, to_y = 0;  // pixels
+    };
+    std::optional<Box> box;          // being drawn in the game
+    bool keys_to_selection = false;  // the last click was into the game
     bool was_open = false;
     bool swallow_text = false;  // the character of the toggle key follows and is dropped
     bool greeted = false;

@@ -2960,6 +2960,11 @@ function save_game(slot) end
 ---@return SavedGame[]
 function saves() end
 
+---The instances that are selected in the console, `it` last; with a list or an instance, selects these. In a replay nothing is selected.
+---@param instances? Object[]|Object
+---@return Set?
+function selection(instances) end
+
 ---Creates the instances of a scene file below the parent; detached without one.
 ---@param file string
 ---@param parent? Object

@@ -1,6 +1,6 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
-//   bind(key, command)  alias(word, command)  exec(file)  clear()
+//   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
 
 #include <fettle/property/path.h>
 #include <fettle/property/storage/assets.h>
@@ -14,6 +14,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <objects/instance_set.h>
 #include <sandbox/sandbox.h>
 #include <values/values.h>
 
@@ -121,6 +122,36 @@ int clear(lua_State* L) {
     return 0;
 }
 
+/// selection() returns the selected instances, selection(list) selects them.
+int selection(lua_State* L) {
+    Machine& machine = machine_of(L);
+    std::vector<property::Handle> all;
+    if (lua_isnoneornil(L, 1)) {
+        const auto* get = served(machine, &ConsoleFunctions::selection, "selection");
+        if (get != nullptr) all = (*get)();
+        push_set(L, all);
+        return 1;
+    }
+    if (instance_at(L, 1) != nullptr) {
+        all.push_back(check_instance(L, 1, "selection"));
+    } else {
+        const bool table = lua_istable(L, 1);
+        lua_pushnil(L);
+        if (!table || (lua_rawlen(L, 1) == 0 && lua_next(L, 1) != 0))
+            refuse_type(L, 1, "selection: expected a list of instances");
+        lua_settop(L, 1);
+        const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+        for (lua_Integer i = 1; i <= length; ++i) {
+            lua_rawgeti(L, 1, i);
+            all.push_back(check_instance(L, -1, "selection"));
+            lua_pop(L, 1);
+        }
+    }
+    const auto* set = served(machine, &ConsoleFunctions::select, "selection");
+    if (set != nullptr) (*set)(all);
+    return 0;
+}
+
 }  // namespace
 
 void open_console_functions(lua_State* L) {
@@ -133,6 +164,7 @@ void open_console_functions(lua_State* L) {
     add_function<alias>(L, "alias");
     add_function<exec>(L, "exec");
     add_function<clear>(L, "clear");
+    add_function<selection>(L, "selection");
 }
 
 }  // namespace fettle::script

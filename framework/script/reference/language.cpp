@@ -112,6 +112,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "are an error. Saves are in a folder for each game in `~/.local/share/fettle/`."},
         {"saves", "saves(): SavedGame[]",
          "The saved games by slot, including those that cannot be loaded."},
+        {"selection", "selection(instances?: Object[]|Object): Set?",
+         "The instances that are selected in the console, `it` last; with a list or an instance, "
+         "selects these. In a replay nothing is selected."},
         {"scene.load", "scene.load(file: string, parent?: Object, name?: string): Object",
          "Creates the instances of a scene file below the parent; detached without one."},
         {"scene.save", "scene.save(file: string, instance: Object)",

@@ -45,6 +45,9 @@ struct ConsoleFunctions {
     /// Runs the commands of a text after the present one, as if they were typed.
     std::function<void(const std::string& text)> exec{};
     std::function<void()> clear{};
+    /// The selected instances, `it` last; and selects others.
+    std::function<std::vector<property::Handle>()> selection{};
+    std::function<void(const std::vector<property::Handle>&)> select{};
 };
 
 }  // namespace fettle::script

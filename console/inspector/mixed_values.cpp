@@ -1,0 +1,64 @@
+#include <inspector/mixed_values.h>
+
+#include <algorithm>
+
+#include <look/fields.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Property;
+using property::Value;
+
+namespace {
+
+constexpr std::size_t compared_in_a_frame = 50;
+
+}  // namespace
+
+void MixedValues::compare_with(const std::vector<Handle>& others) {
+    if (others == others_) return;
+    others_ = others;
+    rows_.clear();
+}
+
+const Property* MixedValues::same(const property::Tree& tree, Handle other,
+                                  const Property& property) {
+    if (!tree.alive(other)) return nullptr;
+    const Property* found = tree.find(other, property.name);
+    return found != nullptr && found->type == property.type ? found : nullptr;
+}
+
+std::string MixedValues::look(const property::Tree& tree, const Property& property,
+                              const Value& value) {
+    if (others_.empty()) return {};
+    Comparison& row = rows_[&property];
+    const bool number = value.is_numeric();
+    if (row.next == 0) {
+        row.differ = false;
+        row.low = row.high = number ? value.as_double() : 0;
+    }
+    const std::size_t end = std::min(row.next + compared_in_a_frame, others_.size());
+    for (; row.next < end; ++row.next) {
+        const Handle other = others_[row.next];
+        const Property* found = same(tree, other, property);
+        if (found == nullptr) continue;
+        const Value theirs = tree.peek(other, *found);
+        row.differ = row.differ || theirs != value;
+        if (!number || !theirs.is_numeric()) continue;
+        row.low = std::min(row.low, theirs.as_double());
+        row.high = std::max(row.high, theirs.as_double());
+    }
+    if (row.next == others_.size()) {
+        row.next = 0;
+        row.differed = row.differ;
+        row.lowest = row.low;
+        row.highest = row.high;
+    }
+    if (!row.differ && !row.differed) return {};
+    if (!number || !(row.lowest < row.highest)) return "mixed";
+    const std::string unit = property.unit.empty() ? "" : " " + property.unit;
+    return "mixed: " + short_number(row.lowest) + " to " + short_number(row.highest) + unit;
+}
+
+}  // namespace fettle::console

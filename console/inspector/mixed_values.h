@@ -1,0 +1,38 @@
+#pragma once
+// Whether the selected instances have different values of a property. A row compares a few of them
+// in each frame, so thousands of selected instances cost no more than a few.
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::console {
+
+class MixedValues {
+  public:
+    /// The other selected instances are these from now on.
+    void compare_with(const std::vector<property::Handle>& others);
+    const std::vector<property::Handle>& others() const { return others_; }
+    /// The property of another selected instance that stands for `property`; null if it has none.
+    static const property::Property* same(const property::Tree& tree, property::Handle other,
+                                          const property::Property& property);
+    /// "" if the values are equal, as far as they were compared; otherwise what is shown, such as
+    /// "mixed: 1 to 5 kg".
+    std::string look(const property::Tree& tree, const property::Property& property,
+                     const property::Value& value);
+
+  private:
+    struct Comparison {
+        std::size_t next = 0;                   // whom to compare in the next frame
+        bool differ = false, differed = false;  // in this round; in the last complete one
+        double low = 0, high = 0, lowest = 0, highest = 0;
+    };
+
+    std::vector<property::Handle> others_;
+    std::unordered_map<const property::Property*, Comparison> rows_;
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,143 @@
+#include <inspector/several.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Property;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// The position that can be written; null if there is none.
+const Property* position_of(const property::Tree& tree, Handle instance) {
+    if (!tree.alive(instance)) return nullptr;
+    const Property* found = tree.find(instance, "position");
+    return found != nullptr && found->type == Type::vec2 && !found->read_only ? found : nullptr;
+}
+
+/// Those that can be moved; what is below one of them moves with it.
+std::vector<Handle> movable(const property::Tree& tree, std::vector<Handle> instances) {
+    std::erase_if(instances, [&](Handle each) { return position_of(tree, each) == nullptr; });
+    return topmost(tree, instances);
+}
+
+/// Writes a new position to each instance, as one step of undo.
+void place(property::Tree& tree, const std::string& name, const std::vector<Handle>& instances,
+           const std::function<Vec2(Vec2)>& to) {
+    tree.begin_edit(name);
+    try {
+        const property::Tree::CauseScope cause(tree, property::Writer::inspector);
+        for (const Handle each : instances)
+            if (const Property* position = position_of(tree, each))
+                tree.set(each, *position, Value(to(tree.get(each, *position).vec2())));
+    } catch (...) {
+        tree.end_edit();
+        throw;
+    }
+    tree.end_edit();
+}
+
+std::string command_for_each(const property::Tree& tree, const std::vector<Handle>& instances,
+                             const std::function<std::string(Handle)>& action) {
+    const std::vector<Handle> all = topmost(tree, instances);
+    if (all.empty() || all.size() > most_in_command) return {};
+    std::string command;
+    for (const Handle each : all) command += (command.empty() ? "" : "; ") + action(each);
+    return command;
+}
+
+}  // namespace
+
+std::vector<Handle> topmost(const property::Tree& tree, const std::vector<Handle>& instances) {
+    const auto key = [](Handle h) { return std::pair(h.index, h.generation); };
+    std::set<std::pair<std::uint32_t, std::uint32_t>> wanted;
+    for (const Handle each : instances)
+        if (tree.alive(each)) wanted.insert(key(each));
+    std::vector<Handle> top;
+    for (const Handle each : instances) {
+        if (!tree.alive(each)) continue;
+        bool below = false;
+        for (Handle above = tree.parent(each); above && !below; above = tree.parent(above))
+            below = wanted.contains(key(above));
+        // The first of several mentions; later ones are no longer wanted.
+        if (wanted.erase(key(each)) > 0 && !below) top.push_back(each);
+    }
+    return top;
+}
+
+std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) {
+    const Vec2 low = corner.cwiseMin(other), high = corner.cwiseMax(other);
+    std::vector<Handle> inside;
+    tree.each_below(tree.root(), [&](Handle instance) {
+        // A camera has a center and no position; a widget has a position on the screen and is
+        // drawn there, so it must lie below an instance that can say what is at a place.
+        const Handle world = tree.parent(instance);
+        if (!world || position_of(tree, instance) == nullptr) return;
+        bool placed = false;
+        for (Handle above = world; above && !placed; above = tree.parent(above))
+            placed = tree.class_of(above).method("at") != nullptr;
+        if (!placed) return;
+        const Vec2 at = tree.get(instance, *position_of(tree, instance)).vec2();
+        if ((at.array() >= low.array()).all() && (at.array() <= high.array()).all())
+            inside.push_back(instance);
+    });
+    // A shape has a position inside its body, which is no place in the world.
+    std::erase_if(inside, [&](Handle instance) {
+        for (Handle above = tree.parent(instance); above; above = tree.parent(above)) {
+            if (tree.class_of(above).method("at") != nullptr) return false;
+            if (position_of(tree, above) != nullptr) return true;
+        }
+        return false;
+    });
+    return inside;
+}
+
+std::vector<Handle> all_of_class(const property::Tree& tree, const property::Class& wanted) {
+    std::vector<Handle> all;
+    tree.each_below(tree.root(), [&](Handle instance) {
+        if (&tree.class_of(instance) == &wanted) all.push_back(instance);
+    });
+    return all;
+}
+
+std::string delete_command(const property::Tree& tree, const std::vector<Handle>& instances) {
+    return command_for_each(tree, instances,
+                            [&](Handle each) { return tree.path(each) + ":delete()"; });
+}
+
+std::string clone_command(const property::Tree& tree, const std::vector<Handle>& instances) {
+    return command_for_each(tree, instances, [&](Handle each) {
+        return tree.path(tree.parent(each)) + ":add(" + tree.path(each) + ":clone())";
+    });
+}
+
+void move_by(property::Tree& tree, const std::vector<Handle>& instances, Vec2 way) {
+    const std::vector<Handle> all = movable(tree, instances);
+    place(tree,
+          "move " + std::to_string(all.size()) + (all.size() == 1 ? " instance" : " instances"),
+          all, [&](Vec2 at) { return Vec2(at + way); });
+}
+
+void align(property::Tree& tree, const std::vector<Handle>& instances, int axis) {
+    const std::vector<Handle> all = movable(tree, instances);
+    double sum = 0;
+    int count = 0;
+    for (const Handle each : all)
+        if (const Property* position = position_of(tree, each)) {
+            sum += tree.get(each, *position).vec2()[axis];
+            ++count;
+        }
+    if (count == 0) return;
+    place(tree, axis == 0 ? "align x" : "align y", all, [&](Vec2 at) {
+        at[axis] = sum / count;
+        return at;
+    });
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,35 @@
+#pragma once
+// What is done to all selected instances at once.
+
+#include <string>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::console {
+
+/// The living ones, each once and in their order; those that are below another one are left out.
+std::vector<property::Handle> topmost(const property::Tree& tree,
+                                      const std::vector<property::Handle>& instances);
+/// Instances that are at a place inside the box; not those below another one.
+std::vector<property::Handle> in_box(const property::Tree& tree, property::Vec2 corner,
+                                     property::Vec2 other);
+/// All instances of exactly this class.
+std::vector<property::Handle> all_of_class(const property::Tree& tree,
+                                           const property::Class& wanted);
+
+/// Commands, with the paths of the instances, so that a recording is complete. "" if there are
+/// more than `most_in_command`.
+constexpr std::size_t most_in_command = 200;
+std::string delete_command(const property::Tree& tree,
+                           const std::vector<property::Handle>& instances);
+std::string clone_command(const property::Tree& tree,
+                          const std::vector<property::Handle>& instances);
+
+/// Each is one step of undo. Instances without a `position` that can be written are left out.
+void move_by(property::Tree& tree, const std::vector<property::Handle>& instances,
+             property::Vec2 way);
+/// Gives all the mean of their positions, 0: along x, 1: along y.
+void align(property::Tree& tree, const std::vector<property::Handle>& instances, int axis);
+
+}  // namespace fettle::console
