@@ -84,8 +84,15 @@ void Inspector::choose(Handle instance) {
 void Inspector::draw(ImFont* bold) {
     editor_.begin_frame();
     ImGui::SetNextItemWidth(-1);
-    input_line("##search", "search by name or class", search_, 0);
+    input_line("##search", "search by name, class, or mass > 5", search_, 0);
     outline_.search(search_);
+    if (!outline_.problem().empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
+        ImGui::TextUnformatted(outline_.problem().c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
     float available = ImGui::GetContentRegionAvail().y;
     bool alone = !tree_.alive(selected_);
     float below = 2.5f * ImGui::GetTextLineHeightWithSpacing();
@@ -133,7 +140,10 @@ void Inspector::draw_outline(float height) {
             ImGui::SetScrollY(std::max(0.0f, std::floor(y - height / 2)));
         scroll_to_selected_ = false;
     }
-    if (rows.empty()) ImGui::TextDisabled(" nothing is called that");
+    if (rows.empty() && outline_.problem().empty())
+        ImGui::TextDisabled(outline_.searching()                     ? " searching …"
+                            : property::Condition::is_meant(search_) ? " it holds for nothing"
+                                                                     : " nothing is called that");
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows.size()), row_height);
     while (clipper.Step())

@@ -16,15 +16,9 @@ std::uint64_t key(Handle instance) {
     return std::uint64_t{instance.generation} << 32 | instance.index;
 }
 
-bool contains(std::string_view text, std::string_view part) {
-    auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    auto same = [&](char a, char b) { return lower(a) == lower(b); };
-    return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
-}
-
 }  // namespace
 
-InstanceTree::InstanceTree(const property::Tree& tree) : tree_(tree) {
+InstanceTree::InstanceTree(const property::Tree& tree) : tree_(tree), matches_(tree) {
     fold(tree.root(), true);
     if (Handle world = tree.child(tree.root(), "world")) fold(world, true);
 }
@@ -49,6 +43,7 @@ void InstanceTree::reveal(Handle instance) {
 void InstanceTree::search(std::string_view text) {
     if (text == search_) return;
     search_ = text;
+    matches_.begin(search_);
     stale_ = true;
 }
 
@@ -56,12 +51,18 @@ const std::vector<InstanceTree::Row>& InstanceTree::rows(double now) {
     double age = now - taken_at_;
     bool changed = tree_.size() != taken_size_ && age > refresh_seconds;
     bool old = age > slow_refresh_seconds && tree_.size() < slow_refresh_rows;
-    if (stale_ || changed || old) {
+    if (!search_.empty()) {
+        // Values that a condition reads change all the time; a search is a part of a frame's work.
+        if (!matches_.running() && (changed || age > slow_refresh_seconds)) {
+            matches_.begin_again();
+            taken_at_ = now;
+            taken_size_ = tree_.size();
+        }
+        if (matches_.advance() || stale_) take_matches();
+        stale_ = false;
+    } else if (stale_ || changed || old) {
         rows_.clear();
-        if (search_.empty())
-            take_outline();
-        else
-            take_matches();
+        take_outline();
         stale_ = false;
         taken_at_ = now;
         taken_size_ = tree_.size();
@@ -92,11 +93,8 @@ void InstanceTree::take_outline() {
 }
 
 void InstanceTree::take_matches() {
-    tree_.each_below(tree_.root(), [&](Handle instance) {
-        if (contains(tree_.name(instance), search_) ||
-            contains(tree_.class_of(instance).name(), search_))
-            rows_.push_back({instance, 0, false, false});
-    });
+    rows_.clear();
+    for (const Handle instance : matches_.found()) rows_.push_back({instance, 0, false, false});
 }
 
 std::ptrdiff_t InstanceTree::row_of(Handle instance) const {

@@ -11,6 +11,8 @@
 
 #include <fettle/property/tree.h>
 
+#include <inspector/instance_search.h>
+
 namespace fettle::console {
 
 class InstanceTree {
@@ -28,9 +30,12 @@ class InstanceTree {
     /// changed, and from time to time because instances may be moved or renamed. `now`: real time
     /// in seconds, increasing.
     const std::vector<Row>& rows(double now);
-    /// Searches names and classes, ignoring case; "" shows the outline.
+    /// Searches by name, class or condition (instance_search.h); "" shows the outline.
     void search(std::string_view text);
     const std::string& searched() const { return search_; }
+    /// What is wrong with the search; "" if nothing is.
+    const std::string& problem() const { return matches_.problem(); }
+    bool searching() const { return matches_.running(); }
     void fold(property::Handle instance, bool unfolded);
     /// Unfolds all parents of the instance.
     void reveal(property::Handle instance);
@@ -46,6 +51,7 @@ class InstanceTree {
     std::vector<Row> rows_;
     std::unordered_set<std::uint64_t> unfolded_;
     std::string search_;
+    InstanceSearch matches_;
     bool stale_ = true;
     double taken_at_ = 0;
     std::size_t taken_size_ = 0;

@@ -2874,7 +2874,7 @@ function every(seconds, action) end
 ---@param file string
 function exec(file) end
 
----Lists every name and description that contains the word.
+---Lists every name and description that contains the word; for a condition such as "mass > 5 and awake", the instances for which it holds.
 ---@param word string
 function find(word) end
 
@@ -2916,7 +2916,7 @@ function pin(what, ...) end
 ---@param ... string|fun(): any
 function plot(...) end
 
----Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out.
+---Finds what a pattern matches. If its last part is the name of a child, the result is a set of instances: query("world.*.circle"). If it is the name of a property, or a star, which stands for every property, the result is a table of values by path: query("world.*.mass"). If nothing matches, it is an empty set. Formulas in error are left out. A condition gives the set of instances for which it holds: query("Body and mass > 5 and position.x < 0"). It can compare and compute, and calls nothing.
 ---@param pattern string
 ---@return Set|table<string, any>
 function query(pattern) end

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fettle/property/condition.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -10,6 +11,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
+#include <objects/instance_set.h>
 #include <objects/script_classes.h>
 #include <reference/language.h>
 #include <reference/reference_facts.h>
@@ -416,9 +418,28 @@ int help(lua_State* L) {
     return 0;
 }
 
+/// Paths with classes, as far as they fit.
+std::vector<std::string> lines_of(const property::Tree& tree, const std::vector<Handle>& found) {
+    constexpr std::size_t most = 50;
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
+        rows.push_back({"  " + tree.path(found[i]), tree.class_of(found[i]).name()});
+    std::vector<std::string> lines = columns(rows);
+    if (found.size() > most)
+        lines.push_back("… " + std::to_string(found.size() - most) + " more (" +
+                        std::to_string(found.size()) + " found)");
+    if (found.empty()) lines.push_back("it holds for nothing");
+    return lines;
+}
+
 int search(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING) refuse_type(L, 1, "find: needs a text");
     Machine& machine = machine_of(L);
+    if (const std::string text = string_at(L, 1); property::Condition::is_meant(text)) {
+        for (std::string& line : lines_of(machine.tree, those_for_which(L, text)))
+            print_line(machine, std::move(line));
+        return 0;
+    }
     for (std::string& line : find_lines(machine.tree, string_at(L, 1)))
         print_line(machine, std::move(line));
     return 0;

@@ -1,5 +1,6 @@
 #include <string>
 
+#include <fettle/property/condition.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -139,6 +140,10 @@ int query(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING)
         refuse_type(L, 1, "query: needs a pattern such as \"world.*.mass\"");
     Machine& machine = machine_of(L);
+    if (property::Condition::is_meant(string_at(L, 1))) {
+        push_set(L, those_for_which(L, string_at(L, 1)));
+        return 1;
+    }
     const property::Pattern pattern(string_at(L, 1));
     std::vector<Handle> instances;
     std::vector<std::pair<Handle, const Property*>> properties;
@@ -169,6 +174,19 @@ int query(lua_State* L) {
 }
 
 }  // namespace
+
+std::vector<Handle> those_for_which(lua_State* L, const std::string& text) {
+    Machine& machine = machine_of(L);
+    property::Condition condition(text);
+    std::vector<Handle> found;
+    machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
+        if (condition.holds(machine.tree, handle)) found.push_back(handle);
+    });
+    machine.budget.charge(L, machine.tree.size() * (1 + condition.weight()));
+    if (const std::string unknown = condition.unknown(machine.tree); !unknown.empty())
+        throw Error(ErrorKind::unknown_name, "\"" + text + "\": " + unknown);
+    return found;
+}
 
 void open_sets(lua_State* L, Machine& machine) {
     lua_newtable(L);

@@ -42,7 +42,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "Calls the function repeatedly at that interval of simulation time; 0 means every step."},
         {"exec", "exec(file: string)",
          "Runs the commands in a file of the game, as if they were typed into the console."},
-        {"find", "find(word: string)", "Lists every name and description that contains the word."},
+        {"find", "find(word: string)",
+         "Lists every name and description that contains the word; for a condition such as \"mass "
+         "> 5 "
+         "and awake\", the instances for which it holds."},
         {"formula", "formula(value: fun(): any): Formula",
          "Assigned to a property, the function computes its value: it is called again whenever "
          "something that it reads has changed. If it raises an error, the error is reported "
@@ -82,7 +85,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "set of instances: query(\"world.*.circle\"). If it is the name of a property, or a "
          "star, which stands for every property, the result is a table of values by path: "
          "query(\"world.*.mass\"). If nothing matches, it is an empty set. Formulas in error are "
-         "left out."},
+         "left out. A condition gives the set of instances for which it holds: query(\"Body and "
+         "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing."},
         {"quit", "quit(status?: integer|boolean)",
          "Ends the game with that exit status, 0 to 255; 0 without one."},
         {"random",
