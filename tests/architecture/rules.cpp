@@ -59,7 +59,7 @@ const std::vector<Part>& parts() {
         {"visuals",
          {"framework/visuals", "framework/include/fettle/visuals"},
          {"module", "property", "storage", "maps"},
-         {"Eigen", "JSON", "stb"}},
+         {"Eigen", "JSON", "stb", "FreeType", "Fontconfig"}},
         {"script",
          {"framework/script", "framework/include/fettle/script"},
          {"property", "storage"},
@@ -102,6 +102,8 @@ const std::vector<Library>& libraries() {
         {"JSON", std::regex("nlohmann/.*"), std::regex("nlohmann_json::.*")},
         // Only headers; the console links the library for ImGui.
         {"stb", std::regex("stb/stb_.*"), std::regex("")},
+        {"FreeType", std::regex("ft2build\\.h"), std::regex("fettle_fonts")},
+        {"Fontconfig", std::regex("fontconfig/.*"), std::regex("fettle_fonts")},
         {"SQLite", std::regex("sqlite3.*"), std::regex("fettle_sqlite|SQLite::.*|SQLite3::.*")},
         {"Zstandard", std::regex("zstd\\.h"), std::regex("fettle_zstd|PkgConfig::ZSTD|zstd::.*")},
         {"pugixml", std::regex("pugixml\\.hpp"), std::regex("fettle_pugixml|pugixml::.*")},

@@ -2,6 +2,7 @@
 
 #include <catch.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -25,6 +26,17 @@ struct Box {
         }
     }
 };
+
+constexpr const char* sans_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* chinese_file = "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf";
+
+/// Empty if this system has no such file.
+std::string file_of(const char* path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream content;
+    if (in) content << in.rdbuf();
+    return content.str();
+}
 
 struct Written : Gallery {
     Handle text = make("Text", {{"text", "Hamburg"}, {"size", 1.0}});
@@ -134,6 +146,61 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
     tree.set(text, "font", Value("broken.ttf"));
     CHECK(width() == sans);
     CHECK(problems.size() == 2);
+}
+
+// A file of a game may be made to break a reader of fonts.
+TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
+    const std::string header("\0\1\0\0", 4);
+    write("noise.ttf", header + std::string(4000, '\xff'));
+    write("short.ttf", header);
+    write("empty.ttf", "");
+    for (const char* name : {"noise.ttf", "short.ttf", "empty.ttf"}) {
+        problems.clear();
+        CAPTURE(name);
+        tree.set(text, "font", Value(name));
+        tree.set(text, "text", Value("hello"));
+        CHECK(width() > 0);
+        REQUIRE(problems.size() == 1);
+        CHECK(problems.front().find("is no font") != std::string::npos);
+    }
+    // One byte after the other is wrong; whatever can still be read is measured and drawn.
+    const std::string good = file_of(sans_file);
+    if (good.empty()) return;
+    std::uint64_t random = 1;
+    for (int i = 0; i < 60; ++i) {
+        std::string bad = good;
+        for (int n = 0; n < 40; ++n) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            const std::size_t within = n % 2 == 0 ? 1024 : bad.size();
+            bad[(random >> 33) % within] = static_cast<char>(random >> 20);
+        }
+        const std::string name = "bad" + std::to_string(i) + ".ttf";
+        write(name, bad);
+        tree.set(text, "font", Value(name));
+        CHECK(std::isfinite(width()));
+        draw();
+    }
+}
+
+TEST_CASE_METHOD(Written, "letters that no font of the game has are taken from the system") {
+    if (file_of(chinese_file).empty()) return;
+    tree.set(text, "text", Value("\xf4\x8f\xbf\xbf\xf4\x8f\xbf\xbf"));  // no font has U+10FFFF
+    const double boxes = width();
+    tree.set(text, "text", Value("\xe4\xbd\xa0\xe5\xa5\xbd"));  // U+4F60 U+597D
+    CHECK(width() == Approx(2).margin(0.2));
+    CHECK(width() != boxes);
+    const auto drawn = draw();
+    REQUIRE(drawn.size() == 2);
+    CHECK(drawn[0].picture != drawn[1].picture);
+}
+
+TEST_CASE_METHOD(Written, "of a very long text only the beginning is written") {
+    tree.set(text, "text", Value(std::string(100'000, 'x')));
+    const double most = width();
+    tree.set(text, "text", Value(std::string(5'000'000, 'x')));
+    CHECK(width() == most);
+    tree.set(text, "text", Value(std::string(99'999, 'x')));
+    CHECK(width() < most);
 }
 
 TEST_CASE_METHOD(Written, "any bytes can be written") {

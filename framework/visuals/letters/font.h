@@ -15,12 +15,14 @@ struct Letter {
     property::Picture picture;
     double size = 0;           // px, of the font
     double left = 0, top = 0;  // px, from the pen position on the baseline; y down
+    bool colored = false;      // has colors of its own, such as an emoji
 };
 
 class Font {
   public:
-    /// A TTF or OTF file. Throws std::runtime_error if it is none.
-    explicit Font(std::string file);
+    /// A TTF or OTF file. `index`: of the font in a file that has several. Throws
+    /// std::runtime_error if it is none.
+    explicit Font(std::string file, int index = 0);
     ~Font();
     Font(const Font&) = delete;
     Font& operator=(const Font&) = delete;
@@ -38,14 +40,20 @@ class Font {
 
   private:
     struct Data;
-    int glyph(char32_t letter) const;
+    struct Glyph {
+        unsigned index = 0;  // 0: the font lacks the letter
+        double advance = 0;
+    };
+    unsigned glyph(char32_t letter) const;
+    double set_size(double size) const;
+    std::unique_ptr<Letter> draw(char32_t letter, double wanted) const;
 
     std::string file_;
     std::unique_ptr<Data> data_;
     double unit_ = 0;  // size of a unit of the font, for a font of size 1
     double ascent_ = 0, descent_ = 0;
     std::unordered_map<std::uint64_t, std::unique_ptr<Letter>> letters_;
-    mutable std::unordered_map<char32_t, int> glyphs_;
+    mutable std::unordered_map<char32_t, Glyph> glyphs_;
 };
 
 }  // namespace fettle::visuals

@@ -40,7 +40,9 @@ std::string system_font(const std::string& name) {
 Font& Family::with(char32_t letter) const {
     const auto found = std::find_if(fonts_.begin(), fonts_.end(),
                                     [&](const auto& font) { return font->has(letter); });
-    return found == fonts_.end() ? main() : **found;
+    if (found != fonts_.end()) return **found;
+    Font* const other = others_ == nullptr ? nullptr : others_->with(letter);
+    return other == nullptr ? main() : *other;
 }
 
 const Family& Fonts::get(const std::string& what, const std::string& name) {
@@ -56,7 +58,7 @@ const Family& Fonts::get(const std::string& what, const std::string& name) {
     fonts.push_back(sans);
     std::erase(fonts, nullptr);
     if (fonts.empty()) tell_(what + ": this system has no font (Debian: fonts-dejavu-core)");
-    return families_.emplace(name, Family(std::move(fonts))).first->second;
+    return families_.emplace(name, Family(std::move(fonts), system_.get())).first->second;
 }
 
 bool Fonts::renew(const std::string& name) {
@@ -65,7 +67,7 @@ bool Fonts::renew(const std::string& name) {
     std::vector<std::shared_ptr<Font>> fonts = {of_game("font", name), bundled("DejaVuSans.ttf")};
     if (fonts.front() == nullptr) return false;
     std::erase(fonts, nullptr);
-    replaced_.push_back(std::exchange(known->second, Family(std::move(fonts))));
+    replaced_.push_back(std::exchange(known->second, Family(std::move(fonts), system_.get())));
     return true;
 }
 

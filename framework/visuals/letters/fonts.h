@@ -10,21 +10,24 @@
 #include <fettle/property/storage/assets.h>
 
 #include <letters/font.h>
+#include <letters/system_fonts.h>
 
 namespace fettle::visuals {
 
 /// A font, and those that are asked for letters that it lacks.
 class Family {
   public:
-    explicit Family(std::vector<std::shared_ptr<Font>> fonts) : fonts_(std::move(fonts)) {}
+    Family(std::vector<std::shared_ptr<Font>> fonts, SystemFonts* others)
+        : fonts_(std::move(fonts)), others_(others) {}
     /// Without any font on this system, a text has no size and is not drawn.
     bool empty() const { return fonts_.empty(); }
     Font& main() const { return *fonts_.front(); }
-    /// The first font that has the letter; the main font if none has it.
+    /// The first font that has the letter, then one of the system; the main font if none has it.
     Font& with(char32_t letter) const;
 
   private:
     std::vector<std::shared_ptr<Font>> fonts_;
+    SystemFonts* others_;
 };
 
 class Fonts {
@@ -48,6 +51,7 @@ class Fonts {
     std::map<std::string, std::shared_ptr<Font>> bundled_;
     std::map<std::string, Family> families_;
     std::vector<Family> replaced_;  // layouts refer to their fonts
+    std::unique_ptr<SystemFonts> system_ = std::make_unique<SystemFonts>();
 };
 
 }  // namespace fettle::visuals

@@ -109,7 +109,12 @@ class Setter {
 Layout Layout::of(std::string_view utf8, const Family& family, Align align, double wrap) {
     if (family.empty() || utf8.empty()) return {};
     Setter setter(family, wrap);
-    for (const char32_t c : decoded(utf8)) setter.add(c);
+    // A letter has at most four bytes; the last one may be cut, which `decoded` allows.
+    std::size_t left = most_letters;
+    for (const char32_t c : decoded(utf8.substr(0, 4 * most_letters))) {
+        if (left-- == 0) break;
+        setter.add(c);
+    }
     return setter.finish(align);
 }
 

@@ -22,8 +22,9 @@ void draw_letters(property::Painter& painter, const Layout& layout, double size,
         const double left = corner.x() + size * each.x + pixel * letter->left;
         const double top = corner.y() + size * each.y + pixel * letter->top;
         const double begin = down * top, end = down * (top + pixel * height);
+        const property::Color tint = letter->colored ? property::Color{1, 1, 1, color.a} : color;
         painter.picture(letter->picture, {0, 0, width, height}, {left, std::min(begin, end)},
-                        {left + pixel * width, std::max(begin, end)}, color, true);
+                        {left + pixel * width, std::max(begin, end)}, tint, true);
     }
 }
 

@@ -35,12 +35,16 @@ std::vector<Property> Texts::properties() {
         return property;
     };
     return {
-        {.name = "text", .type = Type::text, .doc = "What is written; it may have several lines."},
+        {.name = "text",
+         .type = Type::text,
+         .doc = "What is written; it may have several lines. What follows the first 100 000 "
+                "letters is "
+                "not shown."},
         {.name = "font",
          .type = Type::text,
          .default_value = "sans",
          .doc = "sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it "
-                "lacks are taken from sans."},
+                "lacks are taken from sans, then from other fonts of the system."},
         {.name = "size",
          .type = Type::number,
          .default_value = 0.5,

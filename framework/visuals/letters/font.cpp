@@ -1,0 +1,169 @@
+// Reads fonts with FreeType, which is made for files from strangers.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_ADVANCES_H
+#include FT_OUTLINE_H
+
+#include <letters/font.h>
+
+namespace fettle::visuals {
+namespace {
+
+constexpr std::size_t most_letters = 4000;  // pictures that a font keeps
+constexpr double largest = 256;             // px; larger letters are enlarged pictures of this size
+constexpr long most_pixels = 4096;  // width and height of a letter that such a size can have
+
+/// Few sizes for large letters, whose difference is not visible.
+double kept_size(double size) {
+    const double step = size < 24 ? 0.25 : size < 64 ? 0.5 : 1;
+    return std::clamp(step * std::round(size / step), 1.0, largest);
+}
+
+/// A pixel of a bitmap, as red, green, blue and opacity that is not multiplied into them.
+struct Pixel {
+    std::uint8_t red = 255, green = 255, blue = 255, opacity = 0;
+};
+
+Pixel pixel_of(const FT_Bitmap& from, unsigned x, unsigned y) {
+    const unsigned char* const row =
+        from.buffer + static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(from.pitch);
+    if (from.pixel_mode == FT_PIXEL_MODE_GRAY) return {.opacity = row[x]};
+    if (from.pixel_mode == FT_PIXEL_MODE_MONO)
+        return {.opacity = static_cast<std::uint8_t>((row[x / 8] >> (7 - x % 8) & 1) * 255)};
+    if (from.pixel_mode != FT_PIXEL_MODE_BGRA) return {};
+    const unsigned char* const p = row + std::size_t{4} * x;
+    const unsigned opacity = p[3];
+    const auto channel = [&](unsigned value) {
+        return static_cast<std::uint8_t>(opacity == 0 ? 0 : std::min(255u, value * 255u / opacity));
+    };
+    return {channel(p[2]), channel(p[1]), channel(p[0]), p[3]};
+}
+
+}  // namespace
+
+struct Font::Data {
+    ~Data() {
+        if (face != nullptr) FT_Done_Face(face);
+        if (library != nullptr) FT_Done_FreeType(library);
+    }
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+};
+
+Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::make_unique<Data>()) {
+    if (FT_Init_FreeType(&data_->library) != 0) throw std::runtime_error("cannot be read");
+    const auto* bytes = reinterpret_cast<const FT_Byte*>(file_.data());
+    if (FT_New_Memory_Face(data_->library, bytes, static_cast<FT_Long>(file_.size()), index,
+                           &data_->face) != 0)
+        throw std::runtime_error("is no font (TTF or OTF)");
+    const FT_Face face = data_->face;
+    if (face->units_per_EM == 0) throw std::runtime_error("is no font (TTF or OTF)");
+    // As in other programs, the size is that of the em square.
+    unit_ = 1.0 / face->units_per_EM;
+    ascent_ = unit_ * face->ascender;
+    descent_ = -unit_ * face->descender;
+}
+
+Font::~Font() = default;
+
+unsigned Font::glyph(char32_t letter) const {
+    const auto [at, added] = glyphs_.try_emplace(letter, Glyph{});
+    if (!added) return at->second.index;
+    at->second.index = FT_Get_Char_Index(data_->face, letter);
+    FT_Fixed advance = 0;
+    if (FT_Get_Advance(data_->face, at->second.index, FT_LOAD_NO_SCALE, &advance) == 0)
+        at->second.advance = unit_ * static_cast<double>(advance);
+    return at->second.index;
+}
+
+bool Font::has(char32_t letter) const {
+    return glyph(letter) != 0;
+}
+
+double Font::advance(char32_t letter) const {
+    glyph(letter);
+    return glyphs_.at(letter).advance;
+}
+
+double Font::kerning(char32_t first, char32_t second) const {
+    if (!FT_HAS_KERNING(data_->face)) return 0;
+    FT_Vector between{};
+    if (FT_Get_Kerning(data_->face, glyph(first), glyph(second), FT_KERNING_UNSCALED, &between) !=
+        0)
+        return 0;
+    return unit_ * static_cast<double>(between.x);
+}
+
+/// Sets the size in which letters are drawn next. Fonts of pictures have few sizes. Returns the
+/// size that is set, or 0.
+double Font::set_size(double size) const {
+    const FT_Face face = data_->face;
+    if (FT_IS_SCALABLE(face))
+        return FT_Set_Char_Size(face, 0, std::lround(size * 64), 72, 72) == 0 ? size : 0;
+    int best = -1;
+    for (int i = 0; i < face->num_fixed_sizes; ++i)
+        if (best < 0 ||
+            std::abs(static_cast<double>(face->available_sizes[i].y_ppem) / 64 - size) <
+                std::abs(static_cast<double>(face->available_sizes[best].y_ppem) / 64 - size))
+            best = i;
+    if (best < 0 || FT_Select_Size(face, best) != 0) return 0;
+    return static_cast<double>(face->available_sizes[best].y_ppem) / 64;
+}
+
+std::unique_ptr<Letter> Font::draw(char32_t letter, double wanted) const {
+    const double size = set_size(wanted);
+    if (!(size > 0)) return nullptr;
+    const FT_GlyphSlot slot = data_->face->glyph;
+    if (FT_Load_Glyph(data_->face, glyph(letter), FT_LOAD_NO_HINTING | FT_LOAD_COLOR) != 0)
+        return nullptr;
+    if (slot->format == FT_GLYPH_FORMAT_OUTLINE) {
+        FT_BBox box;
+        FT_Outline_Get_CBox(&slot->outline, &box);
+        if ((box.xMax - box.xMin) / 64 > most_pixels || (box.yMax - box.yMin) / 64 > most_pixels)
+            return nullptr;
+    }
+    if (slot->format != FT_GLYPH_FORMAT_BITMAP && FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0)
+        return nullptr;
+    const FT_Bitmap& drawn = slot->bitmap;
+    if (drawn.buffer == nullptr || drawn.width == 0 || drawn.rows == 0 ||
+        drawn.width > most_pixels || drawn.rows > most_pixels)
+        return nullptr;
+    // A transparent pixel on each side, so that the rim of a turned letter is smooth.
+    const unsigned wide = drawn.width + 2, high = drawn.rows + 2;
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(std::size_t{wide} * high * 4);
+    for (unsigned y = 0; y < high; ++y)
+        for (unsigned x = 0; x < wide; ++x) {
+            const bool inside = x >= 1 && y >= 1 && x <= drawn.width && y <= drawn.rows;
+            const Pixel p = inside ? pixel_of(drawn, x - 1, y - 1) : Pixel{};
+            rgba.insert(rgba.end(), {p.red, p.green, p.blue, p.opacity});
+        }
+    auto made = std::make_unique<Letter>();
+    made->picture.replace(wide, high, std::move(rgba));
+    made->picture.keep_on_pixels();
+    made->size = size;
+    made->left = slot->bitmap_left - 1;
+    made->top = -slot->bitmap_top - 1;
+    made->colored = drawn.pixel_mode == FT_PIXEL_MODE_BGRA;
+    return made;
+}
+
+const Letter* Font::letter(char32_t letter, double size) {
+    const double kept = kept_size(size);
+    const std::uint64_t key =
+        std::uint64_t{letter} << 32 | static_cast<std::uint64_t>(std::lround(4 * kept));
+    if (const auto found = letters_.find(key); found != letters_.end()) return found->second.get();
+    if (letters_.size() >= most_letters) letters_.clear();
+    auto& made = letters_[key];
+    made = draw(letter, kept);
+    return made.get();
+}
+
+}  // namespace fettle::visuals
