@@ -1099,7 +1099,7 @@ Ellipse = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 4096. · m · -1000000 to 1000000 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
@@ -1460,12 +1460,12 @@ Sprite = {}
 ---@field angle number Counter-clockwise, relative to what it hangs below. · rad · -1000000 to 1000000 · default 0
 ---@field blend "normal"|"add"|"multiply" How its colors are put on what is there: normal covers it, add makes it lighter, multiply makes it darker. · "normal", "add", "multiply" · default "normal"
 ---@field color color Color of the letters. · 0 to 1 · default color("#ffffff")
----@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans. · any text · default "sans"
+---@field font string sans, bold, mono, or a font file (TTF, OTF) in the game's folder. Letters that it lacks are taken from sans, then from other fonts of the system. · any text · default "sans"
 ---@field outline color Color around the letters; transparent: none. · 0 to 1 · default color("#00000000")
 ---@field outline_width number Width of the outline as a part of the size. · 0 to 1 · default 0.06
 ---@field position vec Where its anchor is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
 ---@field size number Size of the font; a line is 1.2 times as high. Pixels in a layer on the screen. · m · 0 to 1000000 · default 0.5
----@field text string What is written; it may have several lines. · any text · default ""
+---@field text string What is written; it may have several lines. What follows the first 100 000 letters is not shown. · any text · default ""
 ---@field text_height number Height of all lines. · m · any finite number · read-only
 ---@field text_width number Width of the longest line. · m · any finite number · read-only
 ---@field visible boolean Whether it is drawn. · true or false · default true
@@ -1633,7 +1633,7 @@ TileLayer = {}
 ---@field gravity vec Acceleration of all particles; pixels, y down, in a layer on the screen. · m/s² · -1000000 to 1000000 · default vec(0, 0)
 ---@field image string An image file in the game's folder; a soft white dot if it is empty. · any text · default ""
 ---@field lifetime number Time after which a particle ends. · s · 0.001 to 10000 · default 1
----@field limit integer Largest number of particles at a time; no further ones begin. · 0 to 200000 · default 1000
+---@field limit integer Largest number of particles at a time; no further ones begin. All emitters together have at most 500 000. · 0 to 200000 · default 1000
 ---@field playing boolean Whether new particles begin. Those that have begun live on. · true or false · default true
 ---@field position vec Where it is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
 ---@field randomness number Share by which lifetime, speed and size of a particle are larger or smaller. · 0 to 1 · default 0.3

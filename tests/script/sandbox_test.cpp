@@ -1,4 +1,24 @@
 // Hostile console commands: none may crash, run without end or leave the sandbox.
+//
+// attack                                      defence (what a test here fails without)
+// a loop; a loop around pcall                 Budget::hook, raised again at every instruction
+// an xpcall handler that loops                protected.cpp: no handler while a script is stopped
+// coroutines with counters of their own       Budget::enter: the hook, and 500 instructions each
+// __gc, where no hook runs                    base_functions.cpp: setmetatable refuses __gc
+// __close that loops while a script is ended  coroutines of a stopped script are not closed
+// patterns that go back and forth             text/patterns.cpp charges each step
+// rep, concat, move, insert, unpack, format   string_functions.cpp, table_functions.cpp: charged or
+//                                             refused before they begin
+// deep nesting in the parser and in gsub      limits of Lua, and of C calls in patterns
+// __tostring, __name, __index, errors that    errors.cpp calls them in protected mode, and only
+// are objects                                 while the budget lasts
+// out of memory, caught in a loop             Budget::memory_refused stops the script
+// bytecode, string.dump, debug, package, io   sandbox.cpp copies allowed names only; load is "t"
+// metatables of texts, instances, values      __metatable hides them; setmetatable takes tables
+// rawset and rawget on instances              Lua: they are no tables
+// collectgarbage("stop")                      base_functions.cpp allows collect, step, count
+// wrong self, stale handles                   guarded methods check the tag and the handle
+// .. and links in paths                       GameFiles; see tests/fettle/sandboxed_game_test.cpp
 
 #include "stage.h"
 
@@ -148,6 +168,67 @@ assert(not pcall(function() return ("").x.y end))
         CAPTURE(call);
         s.fails(call);
     }
+}
+
+// Each is refused by an error of its own; a defence that is missing shows as another text.
+TEST_CASE("an escape is refused with its reason") {
+    const auto [attack, reason] = GENERATE(table<std::string, std::string>({
+        {"local _ENV = { load = load } return load('return debug.getinfo')()", "no such name"},
+        {"return load('return io', 'x', 't', setmetatable({}, { __index = _G }))()", "no such "},
+        {"local e = setmetatable({}, { __index = function(_, k) return _G[k] end }) "
+         "return load('return package', 'x', 't', e)()",
+         "no such name"},
+        {"assert(load(string.char(27) .. 'LuaT'))", "binary chunk"},
+        {"assert(load((function() local n = 0 return function() n = n + 1 "
+         "return n == 1 and '\\27Lua' or nil end end)()))",
+         "binary chunk"},
+        {"return ('').dump(print)", "field 'dump'"},
+        {"getmetatable('').__index = {}", "index a string value"},
+        {"getmetatable(vec(1, 1)).__add = print", "index a string value"},
+        {"setmetatable('', {})", "needs a table, not a text"},
+        {"setmetatable(_G, { __index = print })", "protected metatable"},
+        {"setmetatable(world, {})", "needs a table"},
+        {"rawset(world, 'gravity', 1)", "table expected, got instance"},
+        {"rawget(vec(1, 2), 'x')", "table expected, got vec"},
+        {"next(world)", "table expected, got instance"},
+        {"table.concat({ world })", "invalid value"},
+        {"coroutine.close(coroutine.running())", "cannot close a running coroutine"},
+        {"coroutine.yield()", "from outside a coroutine"},
+        {"os.exit()", "field 'exit'"},
+        {"os.getenv('HOME')", "field 'getenv'"},
+        {"os.rename('a', 'b')", "field 'rename'"},
+        {"collectgarbage('setpause', 1)", "is not available"},
+        {"setmetatable({}, { __gc = true })", "finalizers"},
+        {"local m = {} setmetatable({}, m) m.__gc = print setmetatable({}, m)", "finalizers"},
+        {"string.format('%q', world)", "no literal form"},
+        {"return string.unpack('s4', '\\255\\255\\255\\127')", "data string too short"},
+        {"utf8.char(1e10)", "out of range"},
+        {"table.move({}, 1, math.maxinteger, 2)", "too many elements"},
+        {"assert(load(('do '):rep(1e5)))", "overflow"},
+        {"assert(load('return ' .. ('function() return '):rep(1e4)))", "overflow"},
+        {"assert(load('local ' .. ('a,'):rep(300) .. 'a'))", "too many local variables"},
+        {"local function f(n) return (('x'):gsub('x', function() return f(n + 1) end)) end f(1)",
+         "overflow"},
+        {"game:delete()", "cannot be deleted"},
+        {"world:delete()", "cannot be deleted"},
+        {"game:add(game)", "has its place already"},
+        {"local b = world:add(Body {}) b.parent = b", "below itself"},
+        {"class('Body', Body) {}", "a class of the framework"},
+        {"local b = world:add(Body {}) b:delete() return b.position", "was deleted"},
+        {"local b = world:add(Body {}) local p = b.position b:delete() p.x = 1", "was deleted"},
+        {"local b = world:add(Body {}) b:delete() b:delete()", "was deleted"},
+        {"rewind(0/0)", "finite"},
+        {"after(-1, print)", "not negative"},
+        {"every(math.huge, print)", "finite"},
+        {"every(1e-9, print)", "shorter than"},
+        {"tween(world, 'nope', 1, 1)", "no property"},
+        {"restore(1)", "what snapshot() returned"},
+        {"quit('x')", "whole number"},
+    }));
+    CAPTURE(attack);
+    Stage s(small_budget());
+    CHECK_THAT(s.fails(attack), contains(reason));
+    CHECK(s.console("1 + 1") == "2");
 }
 
 TEST_CASE("errors of any type are reported") {

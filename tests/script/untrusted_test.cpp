@@ -1,5 +1,7 @@
 // Games that are not trusted: every call of the host into their scripts is limited.
 
+#include <fettle/property/painter.h>
+
 #include "stage.h"
 
 namespace untrusted_test {
@@ -19,6 +21,22 @@ fettle::script::Options limited() {
                       .output = 100'000};
     return options;
 }
+
+struct NoPainter : fettle::property::Painter {
+    using Paint = fettle::property::Paint;
+    void circle(const stage::Vec2&, double, const Paint&) override {}
+    void ellipse(const stage::Vec2&, const stage::Vec2&, double, const Paint&) override {}
+    void polygon(std::span<const stage::Vec2>, double, const Paint&) override {}
+    void line(const stage::Vec2&, const stage::Vec2&, stage::Color, float) override {}
+    void point(const stage::Vec2&, stage::Color, float) override {}
+    void text(const stage::Vec2&, std::string_view, double, stage::Color,
+              fettle::property::TextAlign) override {}
+    void part_of(std::uint64_t) override {}
+    bool shows(fettle::property::Overlay) const override { return false; }
+    bool sees(const stage::Vec2&, const stage::Vec2&) const override { return true; }
+    void begin_screen() override {}
+    void end_screen() override {}
+};
 
 /// The error of a callback with this text.
 std::string attacked(Stage& s, const std::string& text) {
@@ -123,6 +141,33 @@ TEST_CASE("an untrusted game cannot flood the log") {
     CHECK_THAT(s.errors.front().message,
                contains("main.lua:1: stopped: it has printed more than 100000 bytes"));
     CHECK(s.printed.size() < 2000);
+}
+
+// The limit of time holds for functions of the host too, of which some thousand instructions may
+// take minutes.
+TEST_CASE("the time of a call of an untrusted game is limited by the host") {
+    auto options = limited();
+    options.limits.instructions = std::uint64_t{1} << 50;
+    Stage s(options);
+    s.runtime->limit_calls(0.2, {});
+    CHECK_THAT(attacked(s, "while true do world:find('World') end"),
+               contains("main.lua:1: stopped: it ran for 0.2 seconds"));
+}
+
+TEST_CASE("what an untrusted game draws is counted as instructions") {
+    const std::string attack =
+        GENERATE(as<std::string>{}, "for i = 1, 2000 do pen.circle(vec(0, 0), 1) end",
+                 "for i = 1, 2000 do pen.text('x', vec(0, 0)) end",
+                 "for i = 1, 2000 do pen.push() pen.pop() end",
+                 "local t = {} for i = 1, 2000 do t[i] = vec(i, i * i % 7) end pen.polygon(t)");
+    Stage s(limited());
+    CAPTURE(attack);
+    s.run("function draw(pen) " + attack + " end");
+    NoPainter painter;
+    s.runtime->draw(painter);
+    REQUIRE_FALSE(s.errors.empty());
+    CHECK_THAT(s.errors.front().message,
+               contains("main.lua:1: stopped: it ran past its budget of 1000000 instructions"));
 }
 
 TEST_CASE("a game within its limits runs as any other one") {

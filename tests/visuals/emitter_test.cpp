@@ -80,6 +80,16 @@ TEST_CASE_METHOD(Sparks, "no more than the limit") {
     CHECK(count(e) == 7);
 }
 
+TEST_CASE_METHOD(Sparks, "all emitters together have a limit") {
+    for (int i = 0; i < 4; ++i)
+        emitter({{"rate", 0.0}, {"burst", 200'000}, {"limit", 200'000}, {"lifetime", 9.0}});
+    step(2);
+    std::int64_t all = 0;
+    for (const Handle each : tree.children(tree.root()))
+        if (tree.class_of(each).name() == "Emitter") all += count(each);
+    CHECK(all == 500'000);
+}
+
 TEST_CASE_METHOD(Sparks, "particles fly in the direction of the emitter") {
     const Handle e = emitter({{"rate", 0.0},
                               {"burst", 1},

@@ -258,4 +258,18 @@ TEST_CASE_METHOD(Gallery, "a broken file of Aseprite is an error") {
     CHECK(draw().size() == 4);
 }
 
+TEST_CASE_METHOD(Gallery, "an image that is too large is refused before it is unpacked") {
+    // Only the beginning of a PNG file, which says 12000 x 12000 pixels.
+    const std::string png =
+        std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x2e\xe0\0\0\x2e\xe0\x08\x06\0\0\0", 29) +
+        std::string(20, '\0');
+    write("large.png", png);
+    const Handle s = make("Sprite", {{"image", "large.png"}});
+    CHECK(tree.get(s, "image_width").integer() == 32);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0] ==
+          "Sprite.image: \"large.png\": has 12000 x 12000 pixels, and an image may have 67108864 "
+          "(8192 x 8192)");
+}
+
 }  // namespace sprite_test

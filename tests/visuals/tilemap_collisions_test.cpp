@@ -2,6 +2,8 @@
 
 #include <catch.h>
 
+#include <cstring>
+
 #include "levels.h"
 
 namespace tilemap_collisions_test {
@@ -51,6 +53,26 @@ TEST_CASE_METHOD(Land, "collisions follow the cells at the next barrier") {
     step(1);
     REQUIRE(chains(top).size() == 2);
     CHECK(tree.get(chains(top)[0], "friction") == Value(0.25));
+}
+
+TEST_CASE_METHOD(Land, "a map of countless separate tiles is not solid and says so") {
+    define_bodies();
+    std::string cells;
+    for (int y = 0; y < 320; ++y)
+        for (int x = 0; x < 320; ++x) cells += (y + x) % 2 == 0 ? "1," : "0,";
+    cells.pop_back();
+    std::string file = level(cells);
+    for (const char* old : {"\"width\": 4", "\"width\": 4"})
+        file.replace(file.find(old), std::strlen(old), "\"width\": 320");
+    for (const char* old : {"\"height\": 3,", "\"height\": 3,"})
+        file.replace(file.find(old), std::strlen(old), "\"height\": 320,");
+    write("level.tmj", file);
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].find("collisions: the solid tiles have 51200 separate outlines, and a map "
+                           "may have 50000") != std::string::npos);
+    CHECK_FALSE(tree.child(top, "collisions"));
 }
 
 TEST_CASE_METHOD(Land, "a slope joins the ground beside it") {

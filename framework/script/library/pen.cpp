@@ -43,7 +43,12 @@ struct PenBox {
     bool on_screen = false;  // inside pen.screen(...)
 };
 
+// Instructions that drawing a figure costs an untrusted game, and a pair of corners of a polygon
+// that is not convex.
+constexpr std::uint64_t figure_charge = 1000, pair_charge = 1;
+
 Painter& painter(lua_State* L) {
+    machine_of(L).budget.charge_quietly(figure_charge);
     if (Painter* found = machine_of(L).pen.painter) return *found;
     throw Error(ErrorKind::rejected, "pen: draws only while draw(pen) is called");
 }
@@ -150,6 +155,7 @@ int polygon(lua_State* L) {
         check_finite(each.vec2().y(), "pen.polygon");
         vertices.push_back(each.vec2());
     }
+    machine_of(L).budget.charge(L, pair_charge * vertices.size() * vertices.size());
     painter(L).polygon(vertices, 0, paint_at(L, 2, "pen.polygon"));
     return 0;
 }

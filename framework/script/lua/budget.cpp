@@ -56,10 +56,12 @@ std::optional<Limits> Budget::of_call() const {
     const std::int64_t grown = machine_.tree.weight() - first_weight_;
     const std::size_t used =
         machine_.arena.bytes() + static_cast<std::size_t>(std::max<std::int64_t>(0, grown));
-    return Limits{.instructions = limits.instructions,
-                  .memory = whole - std::min(whole, used),
-                  .whole = whole,
-                  .who = "the scripts of a game"};
+    return Limits{
+        .instructions = limits.instructions,
+        .memory = whole - std::min(whole, used),
+        .whole = whole,
+        .who = "the scripts of a game",
+        .seconds = machine_.watchdog.limited() ? machine_.watchdog.patience() : Limits{}.seconds};
 }
 
 Budget::Scope::Scope(Budget& budget, const Limits& limits)
@@ -71,7 +73,10 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.instructions = limits.instructions;
     now.left = static_cast<std::int64_t>(
         std::min<std::uint64_t>(limits.instructions, std::uint64_t{1} << 62));
-    now.deadline = std::chrono::steady_clock::now() + longest;
+    now.seconds = limits.seconds;
+    now.deadline = std::chrono::steady_clock::now() +
+                   std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                       std::chrono::duration<double>(std::min(limits.seconds, 1e6)));
     now.outer_limit = machine.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
     now.whole = limits.whole;
@@ -114,18 +119,19 @@ void Budget::hook(lua_State* L, lua_Debug*) {
         guard(L, [&] { machine.watchdog.look(L); });
         if (!now.stopping) return;
     }
-    if (!now.stopping && lua_gethookcount(L) != interval) {
-        // A nested budget stopped its script and left the hook at every instruction.
-        lua_sethook(L, hook, LUA_MASKCOUNT, interval);
-        return;
-    }
     if (!now.stopping) {
-        now.left -= interval;
+        // Otherwise a nested budget stopped its script and left the hook at every instruction, or
+        // the watchdog asks for the time, since functions of the host may take long.
+        if (lua_gethookcount(L) == interval)
+            now.left -= interval;
+        else
+            lua_sethook(L, hook, LUA_MASKCOUNT, interval);
         const bool late = std::chrono::steady_clock::now() > now.deadline;
         if (now.left >= 0 && !late) return;
-        budget.stop(L, late ? "stopped: it ran for " + std::to_string(longest.count()) + " seconds"
-                            : "stopped: it ran past its budget of " +
-                                  std::to_string(now.instructions) + " instructions");
+        budget.stop(
+            L, late ? "stopped: it ran for " + property::number_text(now.seconds) + " seconds"
+                    : "stopped: it ran past its budget of " + std::to_string(now.instructions) +
+                          " instructions");
     }
     lua_sethook(L, hook, LUA_MASKCOUNT, 1);
     budget.raise_stop(L);

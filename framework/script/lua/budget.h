@@ -24,6 +24,7 @@ struct Limits {
     std::size_t whole = 0;           // the limit for messages, if a part of it is in use already
     const char* who = "a command";   // name of the limited code, for messages
     std::string raised_by{};         // path of the property that raises the limit; "": none
+    double seconds = 5;              // if instructions are limited: one can take long
 };
 
 class Budget {
@@ -38,6 +39,7 @@ class Budget {
         bool out_of_room = false;
         std::int64_t left = 0;
         std::uint64_t instructions = 0;
+        double seconds = 0;
         std::chrono::steady_clock::time_point deadline;
         // Values at the beginning, to compute the memory that was added since.
         std::size_t memory = 0, lua_before = 0, outer_limit = 0;
@@ -117,8 +119,6 @@ class Budget {
 
   private:
     static constexpr int interval = 250;
-    // One instruction can take long (comparing two texts of 60 MB), so time is limited as well.
-    static constexpr std::chrono::seconds longest{5};
     static void hook(lua_State* L, lua_Debug* frame);
     struct Refused;
     static std::string out_of_memory(const Refused& refused);

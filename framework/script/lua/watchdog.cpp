@@ -26,7 +26,7 @@ thread_local Machine* volatile in_call = nullptr;
 
 void on_signal(int) {
     Machine* const machine = in_call;
-    if (machine == nullptr || machine->budget.counting()) return;
+    if (machine == nullptr) return;
     Budget::arm(machine->lua.running);
 }
 

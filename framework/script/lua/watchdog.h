@@ -40,6 +40,8 @@ class Watchdog {
         Watchdog& watchdog_;
     };
 
+    bool limited() const { return patience_ > 0; }
+    double patience() const { return patience_; }  // s
     /// Whether the last call was stopped.
     bool stopped() const { return stopped_; }
     /// If the call has taken too long, asks whether it may go on, and stops it if not. Cheap

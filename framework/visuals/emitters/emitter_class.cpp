@@ -42,7 +42,8 @@ std::vector<Property> Emitters::flow_properties() {
          .type = Type::integer,
          .default_value = 1000,
          .range = {0, static_cast<double>(most_particles)},
-         .doc = "Largest number of particles at a time; no further ones begin."},
+         .doc = "Largest number of particles at a time; no further ones begin. All emitters "
+                "together have at most 500 000."},
         {.name = "seed",
          .type = Type::integer,
          .range = {0, 1e15},

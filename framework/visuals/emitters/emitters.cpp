@@ -19,6 +19,9 @@ namespace {
 
 constexpr int dot_size = 32;  // px
 
+/// Of all emitters of a game together; a step moves so many in some milliseconds.
+constexpr std::size_t most_in_game = 500'000;
+
 /// A white disc with a soft edge.
 std::vector<std::uint8_t> dot_pixels() {
     std::vector<std::uint8_t> rgba;
@@ -107,8 +110,10 @@ void Emitters::advance(Row& row, double dt) {
             at_once += static_cast<std::size_t>(read.value(of_.burst).integer());
         due = read.number(of_.rate) * dt;
     }
-    const auto limit = static_cast<std::size_t>(read.value(of_.limit).integer());
+    auto limit = static_cast<std::size_t>(read.value(of_.limit).integer());
     if (row.particles.size() > limit) row.particles.resize(limit);
+    limit = std::min(limit, row.particles.size() + most_in_game - std::min(most_in_game, all_));
+    const std::size_t before_births = row.particles.size();
     if (at_once > 0 || due > 0) {
         const Birth birth = birth_of(row, now, screen);
         // At the end of the step, the whole ones of `owed` have begun.
@@ -125,6 +130,7 @@ void Emitters::advance(Row& row, double dt) {
         for (; at_once > 0 && row.particles.size() < limit; --at_once)
             row.particles.push_back(new_particle(birth, motion, state.born++, 1, dt));
     }
+    all_ += row.particles.size() - before_births;
     state.at = now;
     state.placed = true;
     const bool was_busy = std::exchange(state.busy, !row.particles.empty());
@@ -134,6 +140,8 @@ void Emitters::advance(Row& row, double dt) {
 
 void Emitters::step(double dt) {
     ended_.clear();
+    all_ = 0;
+    for (const Row& row : rows_) all_ += row.particles.size();
     for (Row& row : rows_)
         // A detached emitter is not in the game yet.
         if (row.state.self && tree_->parent(row.state.self)) advance(row, dt);

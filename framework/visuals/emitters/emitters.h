@@ -75,6 +75,7 @@ class Emitters {
     std::vector<Row> rows_;
     std::vector<property::Row> free_;
     std::vector<property::Handle> ended_;
+    std::size_t all_ = 0;  // particles of all emitters
 };
 
 }  // namespace fettle::visuals

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg", ".bmp", ".tga", ".json"};
 
+constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of all images of a game
+
 void put(Sheet& sheet, Pixels pixels) {
     sheet.picture.replace(pixels.width, pixels.height, std::move(pixels.rgba));
 }
@@ -34,7 +36,16 @@ void Images::read(Sheet& into, const std::string& what, const std::string& name)
         found = read_export(assets_->read(what, name, endings));
         image = (std::filesystem::path(name).parent_path() / found.image).generic_string();
     }
-    put(into, decode(assets_->read(what, image, endings)));
+    Pixels pixels = decode(assets_->read(what, image, endings));
+    std::size_t all = pixels.rgba.size();
+    for (const auto& [known, sheet] : sheets_)
+        if (sheet != nullptr && sheet.get() != &into)
+            all += std::size_t{4} * sheet->picture.width() * sheet->picture.height();
+    if (all > most_bytes)
+        throw std::runtime_error("is too large: the images of this game would have " +
+                                 std::to_string(all >> 20) + " MB of pixels, and may have " +
+                                 std::to_string(most_bytes >> 20) + " MB");
+    put(into, std::move(pixels));
     into.frames = std::move(found.frames);
     into.animations = std::move(found.animations);
     into.image = image;

@@ -19,6 +19,8 @@
 namespace fettle::visuals {
 namespace {
 
+constexpr std::int64_t most_pixels = 8192 * 8192;
+
 /// Filtering mixes the colors of neighbors, also of those that are transparent and usually black.
 /// So transparent pixels get the mean color of their visible neighbors.
 void spread_colors(Pixels& image) {
@@ -47,11 +49,15 @@ void spread_colors(Pixels& image) {
 
 Pixels decode(std::string_view file) {
     int width = 0, height = 0, channels = 0;
+    const auto* const bytes = reinterpret_cast<const stbi_uc*>(file.data());
+    const int size = static_cast<int>(std::min<std::size_t>(file.size(), 1u << 30));
+    if (stbi_info_from_memory(bytes, size, &width, &height, &channels) != 0 &&
+        static_cast<std::int64_t>(width) * height > most_pixels)
+        throw std::runtime_error("has " + std::to_string(width) + " x " + std::to_string(height) +
+                                 " pixels, and an image may have " + std::to_string(most_pixels) +
+                                 " (8192 x 8192)");
     const std::unique_ptr<stbi_uc, decltype(&std::free)> read(
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
-                              static_cast<int>(std::min<std::size_t>(file.size(), 1u << 30)),
-                              &width, &height, &channels, 4),
-        &std::free);
+        stbi_load_from_memory(bytes, size, &width, &height, &channels, 4), &std::free);
     if (read == nullptr)
         throw std::runtime_error(std::string("cannot be read as PNG, JPEG, BMP or TGA: ") +
                                  stbi_failure_reason());

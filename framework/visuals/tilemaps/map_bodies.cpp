@@ -32,6 +32,7 @@ struct WantedChain {
 namespace {
 
 constexpr const char* body_name = "collisions";
+constexpr std::size_t most_chains = 50'000;  // separate outlines; each is an instance
 
 /// Values as the chain keeps them, so that they can be compared.
 double rounded(double x) {
@@ -140,7 +141,13 @@ void Tilemaps::update_bodies(Handle map) {
     const property::Class* const chain_class = tree_->find_class("Chain");
     if (body_class == nullptr || chain_class == nullptr) return;
     const auto file = loaded(map);
-    const std::vector<WantedChain> wanted = wanted_chains(map);
+    std::vector<WantedChain> wanted = wanted_chains(map);
+    if (wanted.size() > most_chains) {
+        tell(map, "collisions: the solid tiles have " + std::to_string(wanted.size()) +
+                      " separate outlines, and a map may have " + std::to_string(most_chains) +
+                      "; nothing of it is solid");
+        wanted.clear();
+    }
     const Vec2 at = file != nullptr ? upper_left(map, file->map()) : Vec2(0, 0);
     // After a restore, every map is looked at. Then only what the outlines depend on counts, and
     // not what a game did to the body itself: otherwise going back in time would undo that.

@@ -27,6 +27,9 @@ Property rounding(Hosting& hosting, std::string doc) {
                   bound<&Shape::rounding, &Shape::set_rounding>(hosting));
 }
 
+// The time to divide a concave outline grows with the square of the number of its corners.
+constexpr std::size_t most_corners = 4096, most_points = std::size_t{1} << 20;
+
 Value list_of(const auto& points) {
     property::List list;
     for (const physics::Vec2& v : points) list.push_back(widen(v));
@@ -34,10 +37,16 @@ Value list_of(const auto& points) {
 }
 
 /// A list of points that the shape is made of.
+template <std::size_t most>
 Property points(Hosting& hosting, std::string name, const std::vector<physics::Vec2>& given,
                 std::string doc) {
     const auto get = [](Hosting& h, Row row) { return list_of(h.shape(row).vertices()); };
     const auto set = [](Hosting& h, Row row, const Value& value) {
+        if (value.list().size() > most)
+            throw property::Error(property::ErrorKind::out_of_range,
+                                  "there are " + std::to_string(value.list().size()) +
+                                      " points, and at most " + std::to_string(most) +
+                                      " are possible");
         std::vector<physics::Vec2> points;
         for (const Value& v : value.list()) points.push_back(narrow(v.vec2()));
         h.shape(row).set_vertices(points);
@@ -119,15 +128,17 @@ void define_outlines(Hosting& hosting) {
     define(
         hosting, 6, "Concave",
         "A polygon that may be concave. It collides in convex pieces, but is one shape.",
-        {points(hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
-                "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
-                "outline that crosses or touches itself is refused, and so is a hole.")});
+        {points<most_corners>(
+            hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
+            "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
+            "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
     define(hosting, 7, "Chain",
            "A line of segments without seams, solid on its left: points from left to right are "
            "ground; a closed counter-clockwise chain is a container. Bodies pass through it from "
            "the other side.",
-           {points(hosting, "points", std::get<physics::Chain>(hosting.kinds[7].geometry).points,
-                   "Its points in the coordinates of the body."),
+           {points<most_points>(hosting, "points",
+                                std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                                "Its points in the coordinates of the body."),
             flag("closed", false,
                  "True if the last point is connected to the first; this needs three points.",
                  bound<&Shape::closed, &Shape::set_closed>(hosting))});
@@ -163,13 +174,13 @@ void define_shapes(Hosting& hosting) {
                              bound<&Shape::rounding, &Shape::set_rounding>(hosting)));
     define(hosting, 3, "Capsule", "A straight line with round ends and a thickness.",
            std::move(rounded));
-    define(
-        hosting, 4, "Polygon", "A convex polygon.",
-        {points(hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
+    define(hosting, 4, "Polygon", "A convex polygon.",
+           {points<most_points>(
+                hosting, "vertices", std::get<physics::Polygon>(hosting.kinds[4].geometry).vertices,
                 "Its corners in the coordinates of the body, counter-clockwise. The convex hull "
                 "of the written points becomes the shape."),
-         rounding(hosting, "Radius that is added on all sides.")},
-        {add_vertex(hosting)});
+            rounding(hosting, "Radius that is added on all sides.")},
+           {add_vertex(hosting)});
     define_ellipse(hosting);
     define_outlines(hosting);
 }

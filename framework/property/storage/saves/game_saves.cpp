@@ -49,9 +49,11 @@ GameSaves::~GameSaves() {
 void GameSaves::save(const std::string& slot) {
     tree().require_changeable("save the game");
     Saves::check_slot(slot);
-    if (requests_ == max_requests)
+    // Each packs the whole game.
+    const std::size_t most = options_.space == 0 ? max_requests : max_limited_requests;
+    if (requests_ == most)
         throw Error(ErrorKind::rejected,
-                    "the game is asked to be saved more than " + std::to_string(max_requests) +
+                    "the game is asked to be saved more than " + std::to_string(most) +
                         " times at one barrier, the last time as \"" + slot + "\"");
     // The request is queued in order with the other work of the barrier: a game that is loaded in
     // between is a different one.

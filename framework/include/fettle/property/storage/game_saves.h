@@ -45,9 +45,9 @@ class GameSaves {
     /// Saves at the next barrier. If a slot is saved several times before it, only the last call
     /// counts. The save is read back as by `load` before it is written. Throws Error(bad_name) for
     /// a name that no slot can have, Error(rejected) after `max_requests` calls between two
-    /// barriers.
+    /// barriers, or `max_limited_requests` if the space is limited.
     void save(const std::string& slot);
-    static constexpr std::size_t max_requests = 1000;
+    static constexpr std::size_t max_requests = 1000, max_limited_requests = 4;
     /// Restores the last save of that slot at the next barrier: from a `save` that still waits for
     /// that barrier or for its picture, otherwise from the file. The file is read at once and
     /// checked as far as possible before the barrier. Throws as `Saves::load` does, and

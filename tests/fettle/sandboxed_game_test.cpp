@@ -1,0 +1,169 @@
+// Games from strangers that attack the engine with files and properties: `fettle run --sandbox`
+// ends with an error that names the place and the limit, or goes on, and neither crashes nor hangs.
+
+#include <catch.h>
+
+#include <filesystem>
+#include <tuple>
+
+#include "program.h"
+
+namespace sandboxed_game_test {
+
+using namespace program_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+Outcome play(const Folder& folder, const std::string& main, std::vector<std::string> more = {}) {
+    folder.write("game/main.lua", main);
+    std::vector<std::string> all = {
+        "run", (folder / "game").string(), "--sandbox", "--headless", "--steps", "3"};
+    all.insert(all.end(), more.begin(), more.end());
+    return fettle(folder, all);
+}
+
+}  // namespace
+
+TEST_CASE("each limit of a sandbox is reported with its place and value") {
+    const auto [main, reason] = GENERATE(table<std::string, std::string>({
+        // instructions, memory, instances, handlers, timers, log, disk, time
+        {"while true do end", "main.lua:1: stopped: it ran past its budget of 100000000 instr"},
+        {"local t = {} for i = 1, 1e9 do t[i] = { i } end",
+         "main.lua:1: stopped: it needs more memory than the scripts of a game may use, 512 MB"},
+        {"for i = 1, 2e5 do game:add(Object { }) end", "main.lua:1: stopped: there are 100"},
+        {"for i = 1, 2e5 do world:watch('gravity', print) end",
+         "handlers, and this game may have 100000"},
+        {"for i = 1, 2e5 do after(1e6, print) end", "timers, and this game may have 100000"},
+        {"print(('x'):rep(100e6))", "main.lua:1: stopped: it has printed more than 16777216 bytes"},
+        {"store.x = ('x'):rep(100e6)",
+         "main.lua:1: store.x: the store would have more than 16 MiB"},
+        {"function step() for i = 1, 9 do save_game('s' .. i) end end",
+         "main.lua:1: the game is asked to be saved more than 4 times at one barrier"},
+        // what is made of properties
+        {"local p = game for i = 1, 2000 do p.l = Layer { } p = p.l end", "main.lua:1: l.l.l.l"},
+        {"local p = interface for i = 1, 2000 do p.c = Column { } p = p.c end",
+         "a tree has 1000 levels at most"},
+        {"for i = 1, 300 do game:add(World { }) end", "at most 255 worlds"},
+        {"for i = 1, 1e6 do class('C' .. i, Body) { } end", "10000 classes"},
+        {"local t = {} for i = 1, 5000 do t[i] = vec(i, i % 7) end "
+         "world.b = Body { Concave { vertices = t } }",
+         "main.lua:1: Concave: there are 5000 points, and at most 4096 are possible"},
+        {"local t = {} for i = 1, 1e5 do t[i] = 'space' end input.actions.jump = t",
+         "an action has 64 keys and buttons at most"},
+        {"local all = {} for i = 1, 100 do all[i] = snapshot() end", "64 are held already"},
+        {"view.window.size = vec(1e9, 1e9)", "expected a vec2 from 1 to 16384 px"},
+        {"world.substeps = 1000000000", "expected an integer from 1 to 64"},
+        {"game[('n'):rep(5000)] = Object { }", "a name has at most 1000"},
+        {"world.o = Object { } function step() for i = 1, 30 do world.o['c' .. i] = "
+         "world.o:clone() end end",
+         "instances, and this game may have 100000"},
+        {"world.luck = 1 world:watch('luck', function() world.luck = world.luck + 1 end) "
+         "world.luck = 2",
+         "handlers keep making changes"},
+    }));
+    CAPTURE(main);
+    const Folder folder;
+    const Outcome run = play(folder, main, {"--budget", "600000"});  // ms; other limits are met first
+    CAPTURE(run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, reason));
+}
+
+TEST_CASE("the time of a call in a sandbox is that of the command line") {
+    const Folder folder;
+    const Outcome run = play(folder, "while true do world:find('World') end",
+                             {"--budget", "200", "--memory", "64"});
+    CHECK(run.status == 1);
+    CHECK(contains(run.err, "main.lua:1: stopped: it ran for 0.2 seconds"));
+}
+
+TEST_CASE("a hostile file is a message and the game goes on") {
+    const Folder folder;
+    const auto [name, content, code,
+                reason] = GENERATE(table<std::string, std::string, std::string, std::string>({
+        {"a.ttf", "\0\1\0\0",
+         "game.t = Text { text = 'x', font = 'a.ttf' } print(game.t.text_width)", "is no font"},
+        {"a.png", "\x89PNG\r\n", "game.s = Sprite { image = 'a.png' } print(game.s.image_width)",
+         "cannot be read as PNG"},
+        {"a.json", R"({"frames": [], "meta": {"image": "a.json"}})",
+         "game.s = Sprite { image = 'a.json' } print(game.s.image_width)", "a.json"},
+        {"a.tmj",
+         R"({"type": "map", "orientation": "orthogonal", "width": 1000000000, "height": 1,
+                 "tilewidth": 16, "tileheight": 16, "layers": [], "tilesets": []})",
+         "game.m = Tilemap { map = 'a.tmj' } print(game.m.size)",
+         "expected an integer from 0 to 65536, got 1000000000"},
+        {"a.tmx",
+         "<?xml version=\"1.0\"?><!DOCTYPE m [<!ENTITY a SYSTEM \"file:///etc/passwd\">]>"
+         "<map><properties><property name=\"x\" value=\"&a;\"/></properties></map>",
+         "game.m = Tilemap { map = 'a.tmx' } print(game.m.size)", "a.tmx"},
+        {"a.tmx", "<map><layer>", "game.m = Tilemap { map = 'a.tmx' } print(game.m.size)", "a.tmx"},
+    }));
+    CAPTURE(name, content);
+    folder.write("game/" + name, content);
+    const Outcome run = play(folder, code + " function step() print('goes on') end");
+    CAPTURE(run.out, run.err);
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "goes on"));
+    CHECK(contains(run.err, reason));
+    CHECK_FALSE(contains(run.out + run.err, "root:"));
+}
+
+TEST_CASE("work that a game gives to the engine is bounded") {
+    const std::string main = GENERATE(
+        as<std::string>{},
+        "for i = 1, 3000 do game:add(Emitter { limit = 200000, burst = 200000, lifetime = 1e4 "
+        "}) end",
+        "game.t = Text { text = ('hello '):rep(10000000), wrap = 3 } print(game.t.text_width)",
+        "game.t = Text { text = ('\\n'):rep(10000000) } print(game.t.text_height)",
+        "interface.b = Button { text = 'x' } interface.b:on('pressed', function() "
+        "interface.b:delete() end) function step() if interface:has('b') then interface.b:focus() "
+        "end end",
+        "interface.s = Slider { bind = 'interface.t.value' } "
+        "interface.t = Slider { bind = 'interface.s.value' }",
+        "game.s = Synth { sustain = 10, retrigger = 1e-9, flanger = 50 } "
+        "function step() for i = 1, 1000 do game.s:play() end end",
+        "local function f() after(0, f) after(0, f) end f()",
+        "world.o = Object { } world.o:on('deleted', function() world.o = Object { } "
+        "world.o = nil end) world.o = nil",
+        "for i = 1, 3000 do world:add(Body { Circle { } }) end",
+        "game:run(function() while true do wait(0) end end)");
+    CAPTURE(main);
+    const Folder folder;
+    const Outcome run = play(folder, main);
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+}
+
+TEST_CASE("files outside of a game stay unread") {
+    const Folder folder;
+    folder.write("secret.json", R"({"secret": "found it"})");
+    folder.write("scenes/secret.json", R"({"secret": "found it"})");
+    folder.write("secret.lua", "print('found it')");
+    folder.write("game/inside.txt", "");
+    fs::create_symlink(folder / "secret.lua", folder / "game/link.lua");
+    fs::create_symlink(folder / "secret.json", folder / "game/link.json");
+    const std::string path =
+        GENERATE(as<std::string>{}, "../secret", "../secret.lua", "../secret.json", "link",
+                 "link.lua", "link.json", "./../secret.lua", "x/../../secret.lua", "absolute");
+    const std::string tried = path == "absolute" ? (folder / "secret.lua").string() : path;
+    CAPTURE(path);
+    const Outcome run = play(folder, "local p = '" + tried + R"lua('
+for _, read in ipairs {
+    function() require(p) end,
+    function() exec(p) end,
+    function() go_to_scene(p) end,
+    function() scene.load(p, game) end,
+    function() scene.save(p, world) end,
+    function() game.t = Tilemap { map = p } print(game.t.size) end,
+    function() game.s = Sprite { image = p } print(game.s.image_width) end,
+    function() game.f = Text { text = "x", font = p } print(game.f.text_width) end,
+    function() game.a = Sound { file = p } game.a:play() end,
+} do pcall(read) end)lua");
+    CAPTURE(run.out, run.err);
+    CHECK_FALSE(contains(run.out + run.err, "found it"));
+    CHECK(folder.text("secret.json") == R"({"secret": "found it"})");
+    CHECK(folder.text("secret.lua") == "print('found it')");
+}
+
+}  // namespace sandboxed_game_test
