@@ -103,6 +103,15 @@ void add_hosted_steps(CLI::App& app, HostedStepsOptions& options) {
     command->add_option("--steps", options.steps);
 }
 
+#ifdef FETTLE_BENCH_GAMES
+void add_games(CLI::App& app, GamesOptions& options) {
+    CLI::App* command = app.add_subcommand("games", "What games cost: steps, frames, loading");
+    command->add_option("--only", options.only, "Only rows with this in their name")
+        ->type_name("TEXT");
+    add_json(*command, options.json);
+}
+#endif
+
 void add_past(CLI::App& app, PastOptions& options) {
     CLI::App* command = app.add_subcommand(
         "past", "What it costs that the past of a game is kept, and to go back into it");
@@ -186,6 +195,10 @@ int main(int argc, char** argv) {
     HostedStepsOptions hosted_steps;
     PastOptions past;
     add_past(app, past);
+#ifdef FETTLE_BENCH_GAMES
+    GamesOptions games;
+    add_games(app, games);
+#endif
     StabilityOptions stability;
     add_scenes(app, scenes);
     ThreadsOptions threads;
@@ -227,6 +240,9 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("hosting")) return run_hosting(hosting);
         if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
         if (app.got_subcommand("past")) return run_past(past);
+#ifdef FETTLE_BENCH_GAMES
+        if (app.got_subcommand("games")) return run_games(games);
+#endif
         if (app.got_subcommand("stability")) return run_stability(stability);
         if (app.got_subcommand("shapes")) return run_shapes(shapes);
         if (app.got_subcommand("growth")) return run_growth(growth);

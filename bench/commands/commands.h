@@ -58,6 +58,12 @@ struct PastOptions {
 };
 int run_past(const PastOptions& options);
 
+struct GamesOptions {
+    std::string only;  // rows with this in their names; empty: all
+    bool json = false;
+};
+int run_games(const GamesOptions& options);
+
 struct TreeOptions {
     int repetitions = 7;
     std::string only;  // only rows with this text, and those they are compared with

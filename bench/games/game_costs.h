@@ -1,0 +1,22 @@
+#pragma once
+// What games of usual kinds cost.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "report/bounds.h"
+
+namespace fettle::bench {
+
+struct GameCost {
+    std::string name;
+    std::string unit;
+    Bound bound{};
+    bool needs_display = false;
+    std::function<double()> measure;
+};
+
+std::vector<GameCost> game_costs();
+
+}  // namespace fettle::bench
