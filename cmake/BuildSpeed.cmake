@@ -11,7 +11,10 @@ if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 endif()
 
-# A linker faster than the usual one.
+# A linker faster than the usual one, which may know this machine's programs only.
+if(CMAKE_CROSSCOMPILING)
+  return()
+endif()
 include(CheckLinkerFlag)
 foreach(linker mold lld)
   check_linker_flag(CXX "-fuse-ld=${linker}" FETTLE_LINKS_WITH_${linker})

@@ -59,7 +59,10 @@ function(fettle_library name text)
     target_compile_definitions(${target} PUBLIC ${defines})
     list(APPEND of_PACKAGES ${of_BEHIND})
     list(APPEND of_PKGCONFIG ${of_PKGCONFIG_BEHIND})
-  else()
+  elseif(MINGW)
+    # Linkers for Windows export all names, but here none of the static libraries behind this one.
+    target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
+  elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     # What it lacks is an error here, not in the program of whoever links it.
     set(exports "${PROJECT_SOURCE_DIR}/cmake/exports.map")
     target_link_options(${target} PRIVATE "LINKER:--version-script=${exports}")

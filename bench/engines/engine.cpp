@@ -1,13 +1,14 @@
 #include "engines/engine.h"
 
-#include <bit>
+#include <cstring>
 #include <stdexcept>
 
 namespace fettle::bench {
 namespace {
 
 void mix(std::uint64_t& hash, float number) {
-    const auto bits = std::bit_cast<std::uint32_t>(number);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
     for (int shift = 0; shift < 32; shift += 8) {
         hash ^= (bits >> shift) & 0xff;
         hash *= 0x100000001b3;

@@ -26,7 +26,9 @@ std::span<const CatalogueEntry> catalogue() {
 
 const CatalogueEntry& scene_named(std::string_view name) {
     const auto entries = catalogue();
-    const auto found = std::ranges::find(entries, name, &CatalogueEntry::name);
+    const auto found =
+        std::find_if(entries.begin(), entries.end(),
+                     [&](const CatalogueEntry& entry) { return entry.name == name; });
     if (found == entries.end()) {
         std::string names;
         for (const CatalogueEntry& entry : entries)

@@ -6,7 +6,7 @@ namespace fettle::bench {
 
 bool Scene::runs_on(std::string_view engine) const {
     return !peers || engine == "fettle" || engine == "hosted" ||
-           std::ranges::find(*peers, engine) != peers->end();
+           std::find(peers->begin(), peers->end(), engine) != peers->end();
 }
 
 Point local_anchor(const std::vector<SceneBody>& bodies, std::size_t body, Point anchor) {

@@ -1,9 +1,9 @@
 #include <contacts/crowds.h>
 #include <contacts/narrow_phase.h>
+#include <geometry/bits.h>
 #include <state/limits.h>
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace fettle::physics::detail {
@@ -24,12 +24,14 @@ uint64_t hash_of(uint64_t pair) {
 
 /// Areas of the same power of two count as equal.
 uint32_t size_class(const ShapeRecord& shape) {
-    return std::bit_cast<uint32_t>(shape.area) >> 23;
+    return bits_of(shape.area) >> 23;
 }
 
 struct Candidate {
     uint64_t order;
     uint32_t shape;
+
+    friend bool operator<(const Candidate& a, const Candidate& b) { return a.order < b.order; }
 };
 
 struct Choice {
@@ -93,9 +95,9 @@ struct Choice {
         }
         if (!awake) return true;
         // Another order in every step, since the filter of the user may refuse some of them.
-        std::ranges::make_heap(candidates, {}, &Candidate::order);
+        std::make_heap(candidates.begin(), candidates.end());
         while (touched < most_touched && !candidates.empty()) {
-            std::ranges::pop_heap(candidates, {}, &Candidate::order);
+            std::pop_heap(candidates.begin(), candidates.end());
             const uint32_t other = candidates.back().shape;
             candidates.pop_back();
             if (!touch(std::min(shape, other), std::max(shape, other))) continue;

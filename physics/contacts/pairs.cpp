@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <numeric>
 
@@ -24,13 +23,16 @@ struct PairSearch {
     FindOverlaps overlaps;
     ThreadPool* threads;
 
-    std::atomic_ref<uint32_t> finds_of(uint32_t decider) const {
-        return std::atomic_ref<uint32_t>(scratch.finds[decider]);
+    // Several threads count at a time. Some standard libraries have no std::atomic_ref.
+    uint32_t finds_of(uint32_t decider) const {
+        return __atomic_load_n(&scratch.finds[decider], __ATOMIC_RELAXED);
+    }
+    void count_find_of(uint32_t decider) const {
+        __atomic_fetch_add(&scratch.finds[decider], 1u, __ATOMIC_RELAXED);
     }
     /// True if the pairs of the shape need no list: it chooses them by itself.
     bool is_crowded(uint32_t decider) const {
-        return objects.shapes[decider].crowded ||
-               finds_of(decider).load(std::memory_order_relaxed) > most_decided;
+        return objects.shapes[decider].crowded || finds_of(decider) > most_decided;
     }
 
     /// Adds the pair if it is new: the fat boxes overlap, and one of them has moved.
@@ -43,7 +45,7 @@ struct PairSearch {
             joint_forbids_contact(objects, objects.forms[shape].body, objects.forms[other].body) ||
             boxes.pairs.find(shape, other) != PairSet::absent)
             return;
-        if (decider != none) finds_of(decider).fetch_add(1, std::memory_order_relaxed);
+        if (decider != none) count_find_of(decider);
         found.push_back(uint64_t{std::max(shape, other)} << 32 | std::min(shape, other));
     }
 

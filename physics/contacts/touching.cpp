@@ -95,8 +95,9 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
     }
     if (touching.parted != nullptr) {
         auto& parted = *touching.parted;
-        const auto left = std::ranges::find_if(
-            parted, [&](const ContactRecord& d) { return same_pair(objects, c, d); });
+        const auto left = std::find_if(parted.begin(), parted.end(), [&](const ContactRecord& d) {
+            return same_pair(objects, c, d);
+        });
         if (left != parted.end()) {
             parted.erase(left);  // the touch only moved to another part
             return;

@@ -42,7 +42,7 @@ void make_border(const Editing& e) {
         e.broad_phase.fat_boxes.emplace_back();
         e.broad_phase.paired_boxes.push_back(no_box);
         e.columns.shape_generations.push_back(e.generations.take());
-        objects.forms[side] = {side, 0, FormKind::border, 0.0f, 0, {}};
+        objects.forms[side] = ShapeForm{side, 0, FormKind::border, 0.0f, 0, {}};
         objects.shapes[side].type = ShapeType::border;
     }
     objects.body_slots.count = 0;
@@ -251,7 +251,7 @@ void destroy_shape(const Editing& e, uint32_t shape) {
     objects.shape_slots.give_back(objects.shapes, shape);
     objects.shape_slots.count += part;     // parts are not counted
     objects.shapes[shape].moved = listed;  // also for the next shape in the slot
-    objects.forms[shape] = {};
+    objects.forms[shape] = ShapeForm{};
     e.columns.shape_generations[shape] = 0;
 }
 

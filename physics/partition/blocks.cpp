@@ -20,7 +20,8 @@ void SolverBlocks::remember(std::span<const uint32_t> bodies, bool several) {
 }
 
 bool SolverBlocks::are_of(std::span<const uint32_t> bodies) const {
-    return block_of_.size() == bodies.size() + 1 && std::ranges::equal(bodies_, bodies);
+    return block_of_.size() == bodies.size() + 1 &&
+           std::equal(bodies_.begin(), bodies_.end(), bodies.begin(), bodies.end());
 }
 
 bool SolverBlocks::may_be_linked(std::span<const uint32_t> bodies) const {

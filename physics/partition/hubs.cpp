@@ -20,7 +20,8 @@ void Hubs::add(uint32_t body, float inverse_mass_at_rim, std::vector<SolverBody>
 /// Number of the hub, from 1 on; 0: the body is no hub.
 uint8_t Hubs::hub_of(SolverEnd end) const {
     if (!end.is_hub()) return 0;
-    const auto hub = std::ranges::find(hubs_, end.index(), &Hub::body);
+    const auto hub = std::find_if(hubs_.begin(), hubs_.end(),
+                                  [&](const Hub& h) { return h.body == end.index(); });
     return uint8_t(hub - hubs_.begin() + 1);
 }
 

@@ -375,7 +375,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
         order_by_node({&acting[begin], last}, nodes, piece.nodes);
         scratch.acting_pieces[begin / piece_length] = piece;
     });
-    if (std::ranges::any_of(scratch.acting_pieces, &ActingPiece::meets))
+    if (std::any_of(scratch.acting_pieces.begin(), scratch.acting_pieces.end(),
+                    [](const ActingPiece& piece) { return piece.meets; }))
         choose_bouncing(objects, active, bodies, scratch);
 }
 

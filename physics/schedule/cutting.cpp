@@ -42,7 +42,7 @@ void order_by_strip(ThreadPool* threads, Reordering& scratch, std::vector<uint32
     std::vector<StripNode>& strips = scratch.strips;
     strips.resize(list.size());
     each([&](size_t i) { strips[i] = strip_of(list[i]); });
-    if (!std::ranges::is_sorted(strips)) {
+    if (!std::is_sorted(strips.begin(), strips.end())) {
         NodeRanges ranges;
         for (const StripNode strip : strips) ranges.count(strip);
         ranges.sum_up();
@@ -103,8 +103,9 @@ void order_lists(ObjectState& objects, ActiveLists& active, const Strips& strips
         order_by_strip(threads, reordering, list, placed, records, strip_of_one, place);
     };
     // The bodies of a strip in the order of their memory.
-    const bool in_order = step % sort_interval != 0 || std::ranges::is_sorted(active.awake_bodies);
-    if (!in_order) std::ranges::sort(active.awake_bodies);
+    std::vector<uint32_t>& awake = active.awake_bodies;
+    const bool in_order = step % sort_interval != 0 || std::is_sorted(awake.begin(), awake.end());
+    if (!in_order) std::sort(awake.begin(), awake.end());
     order(
         active.awake_bodies, in_order, objects.bodies,
         [&](uint32_t body) { return bodies.solver_ends[body].strip(); },

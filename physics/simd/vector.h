@@ -10,6 +10,8 @@
 
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace fettle::physics::detail {
@@ -42,8 +44,14 @@ inline Wide limit(Wide v, Wide low, Wide high) {
 }
 
 inline Wide root(Wide v) {
+#if FETTLE_LANES == 4 && defined(__aarch64__)
+    return reinterpret_cast<Wide>(vsqrtq_f32(reinterpret_cast<float32x4_t>(v)));
+#elif FETTLE_LANES == 4 && defined(__wasm_simd128__)
+    return __builtin_wasm_sqrt_f32x4(v);
+#else
     for (int lane = 0; lane < width; ++lane) v[lane] = std::sqrt(v[lane]);
     return v;
+#endif
 }
 inline WideInt load_int(const int32_t* from) {
     WideInt v;
@@ -67,6 +75,11 @@ inline uint32_t bits(WideInt v) {
     return uint32_t(_mm256_movemask_ps(reinterpret_cast<__m256>(v)));
 #elif FETTLE_LANES == 4 && defined(__SSE2__)
     return uint32_t(_mm_movemask_ps(reinterpret_cast<__m128>(v)));
+#elif FETTLE_LANES == 4 && defined(__aarch64__)
+    const uint32x4_t signs = reinterpret_cast<uint32x4_t>(v) >> 31;
+    return vaddvq_u32(vshlq_u32(signs, int32x4_t{0, 1, 2, 3}));
+#elif FETTLE_LANES == 4 && defined(__wasm_simd128__)
+    return uint32_t(__builtin_wasm_bitmask_i32x4(v));
 #else
     uint32_t set = 0;
     for (int lane = 0; lane < width; ++lane) set |= (uint32_t(v[lane]) >> 31) << lane;

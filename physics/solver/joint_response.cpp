@@ -89,16 +89,15 @@ void JointResponse::factorize(Component& component) const {
     for (uint32_t i = 0; i < rows.size(); ++i)
         for (const uint32_t body : {rows_[rows[i]].jacobian.a, rows_[rows[i]].jacobian.b})
             if (moves(scales_[body])) ends.emplace_back(body, i);
-    std::ranges::sort(ends);
+    std::sort(ends.begin(), ends.end());
     std::vector<std::pair<uint32_t, uint32_t>> pairs;  // of rows with a body in common
     for (size_t first = 0, end = 0; first < ends.size(); first = end) {
         while (end < ends.size() && ends[end].first == ends[first].first) ++end;
         for (size_t i = first; i < end; ++i)
             for (size_t k = first; k <= i; ++k) pairs.emplace_back(ends[i].second, ends[k].second);
     }
-    std::ranges::sort(pairs);
-    const auto same = std::ranges::unique(pairs);
-    pairs.erase(same.begin(), same.end());
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     // Rows that say the same thing twice would make the matrix singular.
     constexpr double yielding = 1e-9;
     std::vector<Eigen::Triplet<double>> entries;

@@ -91,8 +91,8 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
     const OverlapLimits limits = {input, columns};
     ObjectState& objects = input.objects;
     const std::vector<uint32_t>& awake = input.active.awake_bodies;
-    if (std::ranges::none_of(
-            awake, [&](uint32_t body) { return limits.overlaps_others(body, least_overlaps); }))
+    if (std::none_of(awake.begin(), awake.end(),
+                     [&](uint32_t body) { return limits.overlaps_others(body, least_overlaps); }))
         return;
     std::vector<uint32_t> open;
     std::vector<bool> seen;  // by index in the solver

@@ -103,7 +103,7 @@ bool may_meet_moving(const FinishInput& in, const BodyRecord& record, const Moti
     const std::vector<DrivenBody>& driven = in.scratch.driven_bodies;
     if (in.bodies.bullets || record.mobility == Mobility::kinematic) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
-    return std::ranges::any_of(driven, [&](const DrivenBody& other) {
+    return std::any_of(driven.begin(), driven.end(), [&](const DrivenBody& other) {
         return is_fast_beside(in, record, motion, path, other);
     });
 }

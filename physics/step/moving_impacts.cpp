@@ -262,8 +262,9 @@ class MovingImpacts {
 }  // namespace
 
 void meet_moving_bodies(const FinishInput& in) {
-    const auto meets = [](const FastBody& fast) { return fast.meets_moving; };
-    if (std::ranges::any_of(in.scratch.fast_bodies, meets)) MovingImpacts(in).run();
+    const auto meets = [](const FastBody& body) { return body.meets_moving; };
+    const std::vector<FastBody>& fast = in.scratch.fast_bodies;
+    if (std::any_of(fast.begin(), fast.end(), meets)) MovingImpacts(in).run();
 }
 
 }  // namespace fettle::physics::detail

@@ -121,7 +121,8 @@ void report_crossings(const FinishInput& in) {
     const auto key = [](const Crossing& c) {
         return std::tuple(c.sensor, c.visitor, c.part_of_sensor, c.part_of_visitor);
     };
-    std::ranges::sort(all, {}, key);
+    std::sort(all.begin(), all.end(),
+              [&](const Crossing& a, const Crossing& b) { return key(a) < key(b); });
     for (auto begin = all.begin(); begin != all.end();) {
         const auto end = std::find_if(begin, all.end(), [&](const Crossing& c) {
             return c.sensor != begin->sensor || c.visitor != begin->visitor;

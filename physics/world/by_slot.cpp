@@ -2,9 +2,8 @@
 // that the body lives.
 
 #include <fettle/physics/world.h>
+#include <geometry/bits.h>
 #include <world/world_data.h>
-
-#include <bit>
 
 namespace fettle::physics {
 
@@ -40,7 +39,7 @@ bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
 }
 
 bool same(float a, float b) {
-    return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b);
+    return detail::bits_of(a) == detail::bits_of(b);
 }
 
 bool same(const Vec2& a, const Vec2& b) {

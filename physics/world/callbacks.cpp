@@ -95,7 +95,7 @@ class ContactCallbacks {
             const auto [first, last] =
                 std::equal_range(parts_.begin(), parts_.end(), part,
                                  [](const Part& a, const Part& b) { return a.pair < b.pair; });
-            if (first->at == i) ask({first, last});
+            if (first->at == i) ask({&*first, size_t(last - first)});
         }
     }
 

@@ -114,7 +114,8 @@ const std::vector<Library>& libraries() {
         {"POSIX",
          std::regex("(sys/.*|unistd|fcntl|dlfcn|link|poll|pthread|signal|spawn|termios)(\\.h)?"),
          std::regex("dl")},
-        {"intrinsics", std::regex("immintrin\\.h"), std::regex("")},  // from the compiler
+        {"intrinsics", std::regex("(immintrin|arm_neon)\\.h"),
+         std::regex("")},  // from the compiler
         {"Catch2", std::regex("catch2/.*"), std::regex("Catch2::.*|fettle_catch")},
         {"rapidcheck", std::regex("rapidcheck.*"), std::regex("rapidcheck")},
         {"benchmark", std::regex("benchmark/.*"), std::regex("benchmark::.*")},
