@@ -17,10 +17,9 @@
 #include "condition_words.h"
 
 namespace fettle::property {
-namespace {
 
-constexpr std::size_t longest = 2000;  // bytes
-constexpr int deepest = 50;
+/// The parts of a compiled condition.
+namespace condition_program {
 
 enum class Do : std::uint8_t {
     constant,
@@ -61,6 +60,15 @@ struct Lookup {
         return all;
     }
 };
+
+}  // namespace condition_program
+
+namespace {
+
+using namespace condition_program;
+
+constexpr std::size_t longest = 2000;  // bytes
+constexpr int deepest = 50;
 
 bool truth(const Tree& tree, const Value& value) {
     if (value.is(Type::boolean)) return value.boolean();

@@ -23,6 +23,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/pen.h>
+#include <lua/budget.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
