@@ -155,10 +155,11 @@ class MovingImpacts {
         const uint32_t body = in_.objects.forms[other].body;
         if (!may_meet(in_, shape, other)) return;
         const Motion motion = motion_of(body);
-        // The core is that of the body that can be moved.
-        const float time = mover.driven
-                               ? time_of_impact(in_, other, motion, shape, mover.motion, now).time
-                               : time_of_impact(in_, shape, mover.motion, other, motion, now).time;
+        // What is driven does not stop: the core of the body that it carries along counts. Of two
+        // other bodies, neither may reach the core of the other.
+        float time = time_of_impact(in_, other, motion, shape, mover.motion, now).time;
+        if (!mover.driven)
+            time = min(time, time_of_impact(in_, shape, mover.motion, other, motion, now).time);
         if (time >= 1.0f) return;
         queue_.push_back({time, mover.body, body, mover.version, version_of(body)});
         std::push_heap(queue_.begin(), queue_.end());

@@ -1,0 +1,66 @@
+// Thin bodies that a bullet hits: a bat on a pin, which is thicker than they are. FETTLE_SEEDS=n: n
+// bodies.
+
+#include <fettle/physics/physics.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "catch.h"
+#include "family.h"
+
+namespace thin_on_bullets_test {
+
+using namespace fettle::physics;
+
+Geometry thin_shape(families::Random& random, int kind) {
+    const float length = random(0.3f, 0.6f), width = random(0.02f, 0.04f);
+    if (kind == 0) return Ellipse{.radius_x = 0.5f * length, .radius_y = 0.5f * width};
+    if (kind == 1) return Box{.width = length, .height = width};
+    return Segment{.from = {-0.5f * length, 0}, .to = {0.5f * length, 0}, .rounding = 0.5f * width};
+}
+
+/// In coordinates of the bat, which lies along x from its pin.
+Vec2 seen_from(const Body& bat, Vec2 pin, Vec2 place) {
+    const Vec2 d = place - pin;
+    const float c = std::cos(bat.angle()), s = std::sin(bat.angle());
+    return {c * d.x() + s * d.y(), c * d.y() - s * d.x()};
+}
+
+TEST_CASE("thin bodies do not pass through a thicker bullet") {
+    const int seeds = int(families::seeds_or(150));
+    int through = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world(WorldDef{.gravity = {0, 0}});
+        const Vec2 pin(0, 2);
+        Body bat = world.create_body({.position = {1, 2}, .bullet = true});
+        bat.add(Box{.width = 2, .height = random(0.1f, 0.3f)});
+        RevoluteJoint joint{&world, world.create_joint(JointType::revolute).id()};
+        joint.connect(Body(), bat);
+        joint.set_anchor_a(pin);
+        joint.set_anchor_b({-1, 0});
+        joint.set_motor_speed(random(5, 20));
+        joint.set_max_motor_torque(300);
+        const float at = random(1, 2.5f), distance = random(0.5f, 1.9f);
+        Body thin =
+            world.create_body({.position = pin + distance * Vec2(std::cos(at), std::sin(at)),
+                               .angle = random(-3, 3)});
+        thin.add(thin_shape(random, seed % 3));
+        Vec2 before = seen_from(bat, pin, thin.position());
+        for (int step = 0; step < 60; ++step) {
+            world.step(1.0f / 60);
+            const Vec2 now = seen_from(bat, pin, thin.position());
+            const bool crossed = before.y() > 0 && now.y() < 0;
+            if (crossed && before.x() > 0 && now.x() > 0 && before.x() < 1.8f && now.x() < 1.8f) {
+                ++through;
+                break;
+            }
+            before = now;
+        }
+    }
+    std::printf("thin bodies: %d of %d through the bullet\n", through, seeds);
+    CHECK(through == 0);
+}
+
+}  // namespace thin_on_bullets_test
