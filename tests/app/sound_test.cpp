@@ -311,6 +311,14 @@ TEST_CASE("damaged files are refused or played and never do harm") {
     }
 }
 
+TEST_CASE("a sound of more than eight channels is refused") {
+    std::string bytes = tone_file(440, 0.05);
+    for (const int channels : {0, 9, 64, 255}) {
+        bytes[22] = static_cast<char>(channels);
+        CHECK_THROWS_AS(SoundFile(bytes), std::invalid_argument);
+    }
+}
+
 TEST_CASE("a file that is too large when it is decoded is played as music only") {
     SoundGame game;
     game.write("long.wav",

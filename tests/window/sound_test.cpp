@@ -88,6 +88,10 @@ TEST_CASE("a game without a sound device says so once and its voices end") {
 
 TEST_CASE("a game in a window is heard") {
     if (skipped()) return;
+    if (std::string(FETTLE_SFML) == "3") {
+        std::cout << "SKIPPED: SFML 3 plays without OpenAL, whose writer of files listens here\n";
+        return;
+    }
     const Settings settings("wave");
     const std::string printed = played(settings);
     INFO(printed);

@@ -17,18 +17,32 @@ namespace {
 constexpr std::uint64_t block_frames = 4096;
 constexpr double longest = 24 * 3600.0;  // s
 
-/// A WAV file whose samples come before their format. SFML divides by zero there.
-bool lacks_format(const std::string& bytes) {
+constexpr unsigned most_channels = 8;
+
+std::size_t number_at(const std::string& bytes, std::size_t at, std::size_t size) {
+    std::size_t number = 0;
+    for (std::size_t i = size; i-- > 0;)
+        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return number;
+}
+
+/// A WAV file with which SFML ends the program: it divides by zero if the samples come before their
+/// format, and version 3 knows no positions for more than eight channels. That version also reads
+/// the relatives of the format whose numbers are written in other ways.
+bool ends_the_program(const std::string& bytes) {
+    for (const char* relative : {"RIFX", "RF64", "riff", "FORM"})
+        if (bytes.starts_with(relative)) return true;
     constexpr std::size_t head = 12;  // "RIFF", a size, "WAVE"
     if (!bytes.starts_with("RIFF")) return false;
     for (std::size_t at = head; at + 8 <= bytes.size();) {
         const std::string_view name(bytes.data() + at, 4);
-        if (name == "fmt ") return false;
         if (name == "data") return true;
-        std::size_t size = 0;
-        for (std::size_t i = 4; i-- > 0;)
-            size = size << 8 | static_cast<unsigned char>(bytes[at + 4 + i]);
-        at += 8 + size;
+        if (name == "fmt ") {
+            if (at + 12 > bytes.size()) return true;
+            const std::size_t channels = number_at(bytes, at + 10, 2);
+            return channels < 1 || channels > most_channels;
+        }
+        at += 8 + number_at(bytes, at + 4, 4);
     }
     return true;
 }
@@ -52,14 +66,14 @@ SoundFile::SoundFile(std::string bytes) : bytes_(std::move(bytes)) {
     sf::InputSoundFile file;
     {
         const sfml::NoMessages quiet;
-        if (lacks_format(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
+        if (ends_the_program(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
             throw std::invalid_argument(
                 "it is damaged, or no sound that can be played: WAV (PCM), OGG (Vorbis) and FLAC "
                 "are, and MP3 with SFML 2.6 or newer");
     }
     rate_ = file.getSampleRate();
     channels_ = file.getChannelCount();
-    if (rate_ < 1000 || rate_ > 400000 || channels_ < 1 || channels_ > 8)
+    if (rate_ < 1000 || rate_ > 400000 || channels_ < 1 || channels_ > most_channels)
         throw std::invalid_argument("it is damaged: " + std::to_string(channels_) +
                                     " channels of " + std::to_string(rate_) + " Hz");
     const std::uint64_t samples = file.getSampleCount();
