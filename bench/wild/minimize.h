@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "wild/plan.h"
+#include "wild/plans/plan.h"
 
 namespace fettle::bench::wild {
 

@@ -1,6 +1,6 @@
 #include "wild/same_runs.h"
 
-#include "wild/fettle_world.h"
+#include "wild/plans/fettle_world.h"
 
 namespace fettle::bench::wild {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "measure/timing.h"
 #include "report/table.h"
-#include "wild/cpp_text.h"
-#include "wild/facts.h"
-#include "wild/grammar.h"
+#include "wild/checks/facts.h"
+#include "wild/grammar/grammar.h"
 #include "wild/minimize.h"
+#include "wild/plans/cpp_text.h"
 #include "wild/same_runs.h"
 
 namespace fettle::bench::wild {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "wild/check.h"
+#include "wild/checks/check.h"
 
 namespace fettle::bench::wild {
 

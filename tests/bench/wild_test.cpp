@@ -4,8 +4,8 @@
 #include <set>
 
 #include "catch.h"
-#include "wild/cpp_text.h"
-#include "wild/grammar.h"
+#include "wild/plans/cpp_text.h"
+#include "wild/grammar/grammar.h"
 #include "wild/minimize.h"
 #include "wild/survey.h"
 

@@ -1,0 +1,127 @@
+// Energy does not come from nowhere; bodies that only meet each other keep their momentum.
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/table.h"
+#include "wild/checks/check.h"
+#include "wild/checks/facts.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+bool moves_freely(const BodyNow& body) {
+    return body.exists && body.type == BodyType::dynamic_body && std::isfinite(body.mass);
+}
+
+double kinetic(const BodyNow& body) {
+    const double spin = std::isfinite(body.inertia)
+                            ? double(body.inertia) * body.angular_velocity * body.angular_velocity
+                            : 0;
+    return 0.5 * (double(body.mass) * body.velocity.squaredNorm() + spin);
+}
+
+/// Kinetic energy and height never exceed what they were at the last edit, but for
+/// - 5 % of the largest kinetic energy: bounces are exact to 1 %, and a body may bounce several
+///   times before it loses energy;
+/// - 2 cm of height for each body: contacts may sink in by that and spring back;
+/// - what pushes overlapping bodies apart: the speed that the library allows for it, 3 m/s, for
+/// each
+///   body that was deeper than 1 cm in another.
+class Energy : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        if (moment.step == 0) driven_ = is_driven(moment.plan);
+        if (driven_) return {};
+        if (moment.edited || moment.step == 0) begin(moment);
+        const double now = energy(moment.after, moment.plan.def.gravity);
+        const float gravity = moment.plan.def.gravity.norm();
+        double moving = 0, allowed = 0;
+        overlapped_.resize(moment.after.size(), false);
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            if (!moves_freely(body)) continue;
+            moving += kinetic(body);
+            if (std::max(body.deepest, moment.before[i].deepest) > 0.01f) overlapped_[i] = true;
+            allowed += body.mass * gravity * std::abs(body.gravity_scale) * 0.02;
+            if (overlapped_[i]) allowed += 0.5 * body.mass * 9;
+        }
+        most_moving_ = std::max(most_moving_, moving);
+        allowed += 0.05 * most_moving_ + 1e-6;
+        if (now - first_ <= allowed) return {};
+        return "energy grows by " + figure(now - first_) + " J; " + figure(allowed) +
+               " would have a cause, and the bodies move with " + figure(moving) + " J";
+    }
+
+  private:
+    void begin(const Moment& moment) {
+        first_ = energy(moment.before, moment.plan.def.gravity);
+        most_moving_ = 0;
+        for (const BodyNow& body : moment.before)
+            if (moves_freely(body)) most_moving_ += kinetic(body);
+        overlapped_.assign(moment.after.size(), false);
+    }
+
+    static double energy(const std::vector<BodyNow>& bodies, const Vec2& gravity) {
+        double sum = 0;
+        for (const BodyNow& body : bodies) {
+            if (!moves_freely(body)) continue;
+            const double height =
+                -(double(gravity.x()) * body.center.x() + double(gravity.y()) * body.center.y());
+            sum += kinetic(body) + body.mass * body.gravity_scale * height;
+        }
+        return sum;
+    }
+
+    bool driven_ = false;
+    double first_ = 0, most_moving_ = 0;
+    std::vector<bool> overlapped_;
+};
+
+/// Impulses act on two bodies with opposite signs, so their sum changes by rounding alone: a part
+/// in 10⁷ for each of some hundred impulses a step, which add up like a random walk.
+class Momentum : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        if (moment.step == 0) isolated_ = is_isolated(moment.plan);
+        if (!isolated_) return {};
+        // What falls asleep loses what little it has.
+        for (const BodyNow& body : moment.after)
+            if (body.exists && !body.awake) isolated_ = false;
+        if (!isolated_) return {};
+        if (moment.edited || moment.step == 0) begin(moment);
+        double x = 0, y = 0, all = 0;
+        sum(moment.after, x, y, all);
+        most_ = std::max(most_, all);
+        const double lost = std::hypot(x - x_, y - y_);
+        if (lost <= 1e-3 * most_ + 1e-6) return {};
+        return "momentum changes by " + figure(lost) + " of " + figure(most_) + " kg m/s";
+    }
+
+  private:
+    void begin(const Moment& moment) {
+        most_ = x_ = y_ = 0;
+        sum(moment.before, x_, y_, most_);
+    }
+    static void sum(const std::vector<BodyNow>& bodies, double& x, double& y, double& all) {
+        for (const BodyNow& body : bodies) {
+            if (!moves_freely(body)) continue;
+            x += double(body.mass) * body.velocity.x();
+            y += double(body.mass) * body.velocity.y();
+            all += double(body.mass) * body.velocity.norm();
+        }
+    }
+    bool isolated_ = false;
+    double x_ = 0, y_ = 0, most_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_energy(const WorldPlan&) {
+    return std::make_unique<Energy>();
+}
+std::unique_ptr<Check> check_momentum(const WorldPlan&) {
+    return std::make_unique<Momentum>();
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,154 @@
+// Joints hold.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "report/table.h"
+#include "wild/checks/check.h"
+#include "wild/checks/facts.h"
+#include "wild/checks/gaps.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+/// A joint is a soft constraint of 60 Hz: what a blow leaves is gone within some periods, so only
+/// what lasts for a quarter of a second is a failure of the joint.
+constexpr double settling_time = 0.25;  // s
+
+/// A chain of 30 links may stretch by 2 % under 100 times its weight, which a joint alone may not
+/// exceed: 2 % of the size of its bodies, and 1 cm of slack; 0.05 rad are 1 cm at 20 cm.
+constexpr float slack = 0.01f;          // m
+constexpr float share = 0.02f;          // of the size of the bodies
+constexpr float angular_slack = 0.05f;  // rad
+
+class Joints : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        const WorldPlan& plan = moment.plan;
+        if (moment.step == 0) reset(plan);
+        for (std::size_t i = 0; i < plan.joints.size(); ++i) {
+            const JointPlan& joint = plan.joints[i];
+            if (joint.born > moment.step) continue;
+            leave_out_infeasible(moment, i);
+            if (left_out_[i]) continue;
+            const auto gap = gap_of(joint, moment.after);
+            if (!gap) continue;
+            if (joint.born == moment.step) leave_out_unless_held(moment, i);
+            const float size = size_of(plan, joint);
+            // What a joint sees for the first time in a step, it answers in the next.
+            const Anchors at = anchors_of(joint, moment.after);
+            const float speed =
+                (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).norm();
+            const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
+            // A contact that pushes apart what the joint holds together may win for as long.
+            const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b);
+            const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);
+            const bool bad =
+                !pushed && (gap->length > slack + share * size + speed * moment.dt + arc ||
+                            gap->angle > angular_slack + spin * moment.dt);
+            since_[i] = bad ? since_[i] + moment.dt : 0;
+            if (since_[i] > settling_time)
+                return "joint " + std::to_string(i) + " is " + figure(1000 * gap->length) +
+                       " mm and " + figure(gap->angle) + " rad from what it holds";
+        }
+        return {};
+    }
+
+  private:
+    void reset(const WorldPlan& plan) {
+        since_.assign(plan.joints.size(), 0);
+        left_out_.assign(plan.joints.size(), false);
+        leave_out_taut(plan);
+        for (std::size_t i = 0; i < plan.joints.size(); ++i)
+            for (const Edit& edit : plan.edits)
+                if (edit.target == Target::joint && edit.object == int(i) &&
+                    (edit.setting.setter == "destroy" || edit.setting.setter == "set_enabled" ||
+                     edit.setting.setter == "set_break_force"))
+                    left_out_[i] = true;
+    }
+
+    /// Joints of a group that is held at two places, or in a ring, may be unable to hold: a
+    /// straight bridge between two posts is stretched without bound by the smallest weight.
+    void leave_out_taut(const WorldPlan& plan) {
+        std::vector<int> group(plan.bodies.size());
+        std::iota(group.begin(), group.end(), 0);
+        std::vector<bool> held(plan.bodies.size()), taut(plan.bodies.size());
+        for (std::size_t i = 0; i < plan.bodies.size(); ++i) held[i] = is_fixed(plan.bodies[i]);
+        for (const JointPlan& joint : plan.joints) {
+            const auto group_of = [&](int body) {
+                return body == the_world ? the_world : group[std::size_t(body)];
+            };
+            const int a = group_of(joint.a), b = group_of(joint.b);
+            if (a == the_world && b == the_world) continue;
+            const bool holds_a = a == the_world || held[std::size_t(a)];
+            const bool holds_b = b == the_world || held[std::size_t(b)];
+            const auto one = std::size_t(a == the_world ? b : a);
+            taut[one] = taut[one] || a == b || (holds_a && holds_b);
+            held[one] = holds_a || holds_b;
+            if (a == the_world || b == the_world || a == b) continue;
+            taut[one] = taut[one] || taut[std::size_t(b)];
+            for (int& of : group)
+                if (of == b) of = a;
+        }
+        for (std::size_t i = 0; i < plan.joints.size(); ++i)
+            for (const int end : {plan.joints[i].a, plan.joints[i].b})
+                if (end != the_world && taut[std::size_t(group[std::size_t(end)])])
+                    left_out_[i] = true;
+    }
+
+    /// A joint that begins apart may never close.
+    void leave_out_unless_held(const Moment& moment, std::size_t i) {
+        const auto gap = gap_of(moment.plan.joints[i], moment.before);
+        if (!gap || gap->length > slack || gap->angle > angular_slack) left_out_[i] = true;
+    }
+
+    /// A joint whose ends are both held elsewhere, at least by other joints, may be unable to hold:
+    /// such are left out when a body of its group is teleported or moves by command.
+    void leave_out_infeasible(const Moment& moment, std::size_t i) {
+        const JointPlan& joint = moment.plan.joints[i];
+        for (const int end : {joint.a, joint.b})
+            if (end != the_world && moment.edited_bodies[std::size_t(end)]) left_out_[i] = true;
+        if (!left_out_[i]) return;
+        // The rest of the group follows.
+        for (std::size_t k = 0; k < moment.plan.joints.size(); ++k) {
+            const JointPlan& other = moment.plan.joints[k];
+            for (const int end : {joint.a, joint.b})
+                if (end != the_world && (other.a == end || other.b == end)) left_out_[k] = true;
+        }
+    }
+
+    static bool is_pushed(const Moment& moment, int body) {
+        return body != the_world && moment.after[std::size_t(body)].deepest > 2 * slack;
+    }
+    static float size_of(const WorldPlan& plan, const JointPlan& joint) {
+        float size = 0;
+        for (const int end : {joint.a, joint.b})
+            if (end != the_world) size += 2 * reach_of(plan.bodies[std::size_t(end)]);
+        return size;
+    }
+    static Vec2 velocity(const Moment& moment, int body, const Vec2& at) {
+        return body == the_world ? Vec2(0, 0) : moment.after[std::size_t(body)].velocity_at(at);
+    }
+    /// A sub-step moves an anchor along a tangent, which leads it away from its circle.
+    static float beside_arc(const Moment& moment, int body, const Vec2& at) {
+        if (body == the_world) return 0;
+        const BodyNow& now = moment.after[std::size_t(body)];
+        const float turn = now.angular_velocity * moment.dt / float(moment.plan.def.substeps);
+        return (at - now.center).norm() * turn * turn;
+    }
+    static float rate(const Moment& moment, int body) {
+        return body == the_world ? 0 : moment.after[std::size_t(body)].angular_velocity;
+    }
+
+    std::vector<double> since_;
+    std::vector<bool> left_out_;
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_joints(const WorldPlan&) {
+    return std::make_unique<Joints>();
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,86 @@
+// States are numbers; what has a speed moves; nothing is much faster than what drives it.
+
+#include <cmath>
+
+#include "report/table.h"
+#include "wild/checks/check.h"
+#include "wild/checks/facts.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+class Finite : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            if (body.exists && !(body.position.allFinite() && body.velocity.allFinite() &&
+                                 std::isfinite(body.angle) && std::isfinite(body.angular_velocity)))
+                return "body " + std::to_string(i) + " has a state that is not a number";
+        }
+        return {};
+    }
+};
+
+/// No awake body with a speed of over 1 m/s keeps its place for three steps without a contact.
+class Frozen : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        still_.resize(moment.after.size(), 0);
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            still_[i] = stands_still(moment, i) ? still_[i] + 1 : 0;
+            if (still_[i] >= 3)
+                return "body " + std::to_string(i) + " keeps its place at a speed of " +
+                       figure(moment.after[i].velocity.norm()) + " m/s";
+        }
+        return {};
+    }
+
+  private:
+    static bool stands_still(const Moment& moment, std::size_t i) {
+        const BodyNow &before = moment.before[i], &after = moment.after[i];
+        const float speed = after.velocity.norm();
+        if (!after.exists || !after.awake || after.touching() || speed <= 1) return false;
+        if (after.type != BodyType::dynamic_body || moment.edited_bodies[i]) return false;
+        // Far less than it should, in place and angle: what is put back to an impact still turns.
+        return (after.position - before.position).norm() < 0.01f * speed * moment.dt &&
+               std::abs(after.angle - before.angle) <=
+                   0.01f * std::abs(after.angular_velocity) * moment.dt;
+    }
+    std::vector<int> still_;
+};
+
+/// A blow of a heavy body doubles the speed of a light one, and a whip multiplies it further. Four
+/// times is rare in games, and an explosion is far beyond it. 20 m/s more are for what begins in
+/// overlap, which many bodies at once may push out.
+class Speed : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        time_ += moment.dt;
+        const float bound = 20 + 4 * plausible_speed(moment.plan, time_);
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            if (!body.exists || body.velocity.norm() <= bound) continue;
+            return "body " + std::to_string(i) + " has " + figure(body.velocity.norm()) +
+                   " m/s; more than " + figure(bound) + " has no cause";
+        }
+        return {};
+    }
+
+  private:
+    float time_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_finite(const WorldPlan&) {
+    return std::make_unique<Finite>();
+}
+std::unique_ptr<Check> check_frozen(const WorldPlan&) {
+    return std::make_unique<Frozen>();
+}
+std::unique_ptr<Check> check_speed(const WorldPlan&) {
+    return std::make_unique<Speed>();
+}
+
+}  // namespace fettle::bench::wild

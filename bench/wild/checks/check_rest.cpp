@@ -1,0 +1,46 @@
+// What can rest rests in time.
+
+#include <algorithm>
+
+#include "report/table.h"
+#include "wild/checks/check.h"
+#include "wild/checks/facts.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+/// Box2D lets heaps of hundreds of bodies sleep within 5 s of their fall, and these worlds have
+/// some tens. A fall from the height of the grammar takes 1.7 s.
+constexpr double allowed = 8;  // s after the last edit
+
+class Rest : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        if (moment.step == 0) judged_ = can_rest(moment.plan);
+        if (!judged_) return {};
+        time_ = moment.step <= moment.plan.last_edit() ? 0 : time_ + moment.dt;
+        if (time_ <= allowed) return {};
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            // What fell off the ground falls for ever.
+            if (!body.exists || !body.awake || body.type != BodyType::dynamic_body ||
+                body.position.y() < -2)
+                continue;
+            return "body " + std::to_string(i) + " is awake, at " + figure(body.velocity.norm()) +
+                   " m/s and " + figure(body.angular_velocity) + " rad/s";
+        }
+        return {};
+    }
+
+  private:
+    bool judged_ = false;
+    double time_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_rest(const WorldPlan&) {
+    return std::make_unique<Rest>();
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,71 @@
+// A sensor reports the beginning of an overlap with everything whose inside enters it: in the same
+// step, or in the next one, which finds what overlaps at its beginning.
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "wild/checks/passages.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+class Sensors : public Check {
+  public:
+    explicit Sensors(const WorldPlan& plan)
+        : passages_(plan, [](const auto& obstacle, const auto& of_obstacle, const auto& body,
+                             const auto& of_body) {
+              const ShapeDef &a = of_obstacle.def, &b = of_body.def;
+              return obstacle.def.type == BodyType::static_body && a.sensor && !b.sensor &&
+                     (a.mask & b.category) != 0 && (b.mask & a.category) != 0 && !is_fixed(body);
+          }) {}
+
+    std::optional<std::string> look(const Moment& moment) override {
+        if (moment.world == nullptr) return {};
+        const Events& events = moment.world->events();
+        std::set<Pair> told = inside_;
+        for (const SensorEvent& begin : events.sensor_begin) {
+            told.insert(pair_of(begin));
+            inside_.insert(pair_of(begin));
+        }
+        for (const SensorEvent& end : events.sensor_end) inside_.erase(pair_of(end));
+        for (const auto& [pair, words] : entered_)
+            if (!told.contains(pair)) return words;
+        entered_.clear();
+        for (const Passage& passage : passages_.of(moment)) {
+            if (passage.sense < 0) continue;
+            // Where the body touched something, its way was not straight.
+            const auto body = std::size_t(passage.body);
+            if (moment.before[body].touching() || moment.after[body].touching()) continue;
+            const std::uint32_t sensor = moment.after[std::size_t(passage.obstacle)].slot;
+            const Pair pair = {sensor, moment.after[body].slot};
+            if (told.contains(pair)) continue;
+            entered_.emplace_back(
+                pair, "body " + std::to_string(passage.body) + " enters the sensor on body " +
+                          std::to_string(passage.obstacle) + " at " +
+                          std::to_string(int(moment.after[body].velocity.norm())) +
+                          " m/s, and no begin is told");
+        }
+        return {};
+    }
+
+  private:
+    using Pair = std::pair<std::uint32_t, std::uint32_t>;  // slots of both bodies
+    static Pair pair_of(const SensorEvent& event) {
+        return {event.sensor_body.index, event.visitor_body.index};
+    }
+
+    Passages passages_;
+    std::set<Pair> inside_;
+    std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, and not told yet
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_sensors(const WorldPlan& plan) {
+    return std::make_unique<Sensors>(plan);
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,156 @@
+// Nothing passes through what is static or kinematic; bullets and moving bodies do not pass through
+// each other.
+
+#include <map>
+
+#include "report/table.h"
+#include "wild/checks/passages.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+/// The library pushes overlapping shapes apart with up to 3 m/s, so an overlap that it still pushes
+/// back is gone after a quarter of a second; what is inside or behind for longer is through.
+constexpr double push_time = 0.25;  // s
+
+std::string words(const char* says, const Passage& passage, int entered) {
+    return "body " + std::to_string(passage.body) + says + std::to_string(passage.obstacle) +
+           ", entered at step " + std::to_string(entered);
+}
+
+class Through : public Check {
+  public:
+    Through(const WorldPlan& plan, bool bullets)
+        : bullets_(bullets),
+          passages_(plan, [&](const auto& obstacle, const auto& of_obstacle, const auto& body,
+                              const auto& of_body) {
+              if (!plan.def.continuous || !may_collide(of_obstacle.def, of_body.def)) return false;
+              if (bullets) return !is_fixed(obstacle) && (obstacle.def.bullet || body.def.bullet);
+              return is_fixed(obstacle);
+          }) {}
+
+    std::optional<std::string> look(const Moment& moment) override {
+        const auto crossed = passages_.of(moment);
+        if (!crossed.empty() && !bullets_) pressed_ = pressed(moment);
+        for (const Passage& passage : crossed)
+            if (auto what = cross(passage, moment)) return what;
+        time_ += moment.dt;
+        if (bullets_) return {};
+        for (const auto& [pair, entry] : inside_) {
+            const Passage& passage = entry.passage;
+            const BodyNow& body = moment.after[std::size_t(passage.body)];
+            if (passages_.is_left_out(passage.body) || passages_.is_left_out(passage.obstacle))
+                continue;
+            if (body.exists && time_ - entry.time > push_time)
+                return words(" passes through body ", passage, entry.step);
+        }
+        return {};
+    }
+
+  private:
+    struct Entry {
+        Passage passage;
+        int step;
+        double time;
+    };
+
+    std::optional<std::string> cross(const Passage& passage, const Moment& moment) {
+        const auto found = inside_.find(passage.pair());
+        if (found == inside_.end()) {
+            const bool enters = passage.sense > 0 || passage.kind == Outline::Kind::line;
+            if (enters && !is_squeezed(passage, moment))
+                inside_.insert({passage.pair(), {passage, moment.step, time_}});
+            return {};
+        }
+        const Entry entry = found->second;
+        if (passage.sense == entry.passage.sense) return {};
+        inside_.erase(found);
+        // It leaves a solid on the opposite side.
+        if (passage.kind == Outline::Kind::solid &&
+            passage.normal.dot(entry.passage.normal) < -0.3f)
+            return words(" passes through body ", passage, entry.step);
+        return {};
+    }
+
+    /// Something must give way where a body is pressed between what moves by command and what does
+    /// not move, or between a bullet and another body.
+    bool is_squeezed(const Passage& passage, const Moment& moment) const {
+        const BodyNow& obstacle = moment.after[std::size_t(passage.obstacle)];
+        if (obstacle.type != BodyType::static_body)
+            return touches_others(moment, passage.body, passage.obstacle);
+        return pressed_[std::size_t(passage.body)];
+    }
+
+    const bool bullets_;
+    Passages passages_;
+    std::map<decltype(Passage().pair()), Entry> inside_;
+    std::vector<bool> pressed_;
+    double time_ = 0;
+};
+
+/// The border of the world pushes back however deep a body is in it, and a thin one in a pile may
+/// sink in by half of it: only what is out for long is lost.
+constexpr double push_back_time = 1;  // s
+
+class Border : public Check {
+  public:
+    std::optional<std::string> look(const Moment& moment) override {
+        const auto& bounds = moment.plan.def.bounds;
+        if (!bounds) return {};
+        outside_.resize(moment.after.size(), 0);
+        left_out_.resize(moment.after.size(), false);
+        for (std::size_t i = 0; i < moment.after.size(); ++i) {
+            const BodyNow& body = moment.after[i];
+            // What begins outside has to come in first.
+            if (moment.edited_bodies[i] || (moment.plan.bodies[i].born == moment.step &&
+                                            is_outside(moment.before[i], *bounds)))
+                left_out_[i] = true;
+            const bool out = body.exists && body.type == BodyType::dynamic_body && !left_out_[i] &&
+                             is_solid(moment.plan.bodies[i]) && is_outside(body, *bounds);
+            outside_[i] = out ? outside_[i] + moment.dt : 0;
+            if (outside_[i] > push_back_time)
+                return "body " + std::to_string(i) + " is outside of the bounds, at " +
+                       figure(body.center.x()) + ", " + figure(body.center.y());
+        }
+        return {};
+    }
+
+  private:
+    static bool is_outside(const BodyNow& body, const Aabb& bounds) {
+        return (body.center - bounds.min).minCoeff() < 0 ||
+               (bounds.max - body.center).minCoeff() < 0;
+    }
+    /// The center of mass of one convex shape is in the shape.
+    static bool is_solid(const BodyPlan& body) {
+        return body.shapes.size() == 1 && !body.shapes[0].def.sensor &&
+               (body.shapes[0].def.mask & 1) != 0 &&
+               !std::holds_alternative<Concave>(body.shapes[0].geometry);
+    }
+    std::vector<double> outside_;
+    std::vector<bool> left_out_;  // were edited
+};
+
+class Both : public Check {
+  public:
+    explicit Both(const WorldPlan& plan) : through_(plan, false) {}
+    std::optional<std::string> look(const Moment& moment) override {
+        auto what = through_.look(moment);
+        return what ? what : border_.look(moment);
+    }
+
+  private:
+    Through through_;
+    Border border_;
+};
+
+}  // namespace
+
+std::unique_ptr<Check> check_through(const WorldPlan& plan) {
+    return std::make_unique<Both>(plan);
+}
+
+std::unique_ptr<Check> check_bullets(const WorldPlan& plan) {
+    return std::make_unique<Through>(plan, true);
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,131 @@
+#include "wild/checks/passages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fettle::bench::wild {
+namespace {
+
+bool joined_without_contact(const WorldPlan& plan, int a, int b) {
+    return std::ranges::any_of(plan.joints, [&](const JointPlan& joint) {
+        return !joint.collide && ((joint.a == a && joint.b == b) || (joint.a == b && joint.b == a));
+    });
+}
+
+/// The way of a point at distance `lever` from the origin of a body that turns is a row of chords,
+/// which differ from the arc by less than a tenth of `depth`.
+int chords(float lever, float turn, float depth) {
+    if (lever * std::abs(turn) < 1e-3f) return 1;
+    return std::clamp(int(std::abs(turn) * std::sqrt(1.25f * lever / std::max(depth, 1e-3f))), 1,
+                      32);
+}
+
+}  // namespace
+
+Passages::Passages(const WorldPlan& plan, const Judged& judged)
+    : outlines_(plan.bodies.size()), left_out_(plan.bodies.size(), false) {
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i)
+        for (const ShapePlan& shape : plan.bodies[i].shapes)
+            outlines_[i].push_back(outline_of(shape.geometry));
+    for (int b = 0; b < int(plan.bodies.size()); ++b) {
+        const BodyPlan& body = plan.bodies[std::size_t(b)];
+        if (is_fixed(body)) continue;
+        int number = 0;
+        for (const ShapePlan& shape : body.shapes)
+            for (const Core& core : cores_of(shape.geometry)) {
+                ++number;
+                for (int o = 0; o < int(plan.bodies.size()); ++o) {
+                    const BodyPlan& obstacle = plan.bodies[std::size_t(o)];
+                    if (o == b) continue;
+                    for (int s = 0; s < int(obstacle.shapes.size()); ++s)
+                        if (judged(obstacle, obstacle.shapes[std::size_t(s)], body, shape) &&
+                            !joined_without_contact(plan, o, b))
+                            pairs_.push_back({b, number - 1, o, s, core});
+                }
+            }
+    }
+}
+
+std::vector<Passage> Passages::of(const Moment& moment) {
+    for (std::size_t i = 0; i < left_out_.size(); ++i)
+        if (moment.edited_bodies[i]) left_out_[i] = true;
+    std::vector<Passage> found;
+    for (const Pair& pair : pairs_) {
+        const auto body = std::size_t(pair.body), obstacle = std::size_t(pair.obstacle);
+        if (left_out_[body] || left_out_[obstacle]) continue;
+        if (!moment.before[body].exists || !moment.before[obstacle].exists) continue;
+        if (!moment.after[body].awake && !moment.before[body].awake) continue;
+        look(pair, moment, found);
+    }
+    return found;
+}
+
+void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const {
+    const BodyNow& b0 = moment.before[std::size_t(pair.body)];
+    const BodyNow& b1 = moment.after[std::size_t(pair.body)];
+    const BodyNow& o0 = moment.before[std::size_t(pair.obstacle)];
+    const BodyNow& o1 = moment.after[std::size_t(pair.obstacle)];
+    const Outline& outline = outlines_[std::size_t(pair.obstacle)][std::size_t(pair.shape)];
+    const auto place = [&](float t) {
+        const Vec2 origin = b0.position + t * (b1.position - b0.position);
+        const Vec2 at = placed(pair.deep.point, origin, b0.angle + t * (b1.angle - b0.angle));
+        return local(at, o0.position + t * (o1.position - o0.position),
+                     o0.angle + t * (o1.angle - o0.angle));
+    };
+    // Seen from an obstacle that turns, the body moves on an arc, too.
+    Vec2 from = place(0);
+    const float depth = pair.deep.depth;
+    const int count =
+        std::max(chords(pair.deep.point.norm(), b1.angle - b0.angle, depth),
+                 chords(std::max(from.norm(), place(1).norm()), o1.angle - o0.angle, depth));
+    for (int i = 1; i <= count; ++i) {
+        const Vec2 to = place(float(i) / float(count));
+        const Vec2 low = from.cwiseMin(to), high = from.cwiseMax(to);
+        const bool near = (low.array() <= outline.box.max.array()).all() &&
+                          (high.array() >= outline.box.min.array()).all();
+        for (const Edge& edge : outline.edges) {
+            if (!near) break;
+            if (const int sense = crossing(edge, from, to); sense != 0) {
+                const Vec2 along = (edge.to - edge.from).normalized();
+                found.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
+                                 Vec2{-along.y(), along.x()}, outline.kind});
+            }
+        }
+        from = to;
+    }
+}
+
+bool touches_others(const Moment& moment, int body, int obstacle) {
+    const auto other = [&](int index) { return index != obstacle; };
+    return std::ranges::any_of(moment.before[std::size_t(body)].touched, other) ||
+           std::ranges::any_of(moment.after[std::size_t(body)].touched, other);
+}
+
+std::vector<bool> pressed(const Moment& moment) {
+    std::vector<bool> reached(moment.after.size(), false);
+    std::vector<int> open;
+    const auto reach = [&](int index) {
+        if (index == the_world || reached[std::size_t(index)]) return;
+        reached[std::size_t(index)] = true;
+        open.push_back(index);
+    };
+    for (std::size_t i = 0; i < moment.after.size(); ++i)
+        if (moment.after[i].exists && moment.after[i].type == BodyType::kinematic_body)
+            reach(int(i));
+    while (!open.empty()) {
+        const int index = open.back();
+        open.pop_back();
+        for (const std::vector<BodyNow>* bodies : {&moment.before, &moment.after})
+            for (const int other : (*bodies)[std::size_t(index)].touched)
+                if (other != the_world &&
+                    moment.after[std::size_t(other)].type == BodyType::dynamic_body)
+                    reach(other);
+        for (const JointPlan& joint : moment.plan.joints) {
+            if (joint.a == index) reach(joint.b);
+            if (joint.b == index) reach(joint.a);
+        }
+    }
+    return reached;
+}
+
+}  // namespace fettle::bench::wild

@@ -1,0 +1,54 @@
+#pragma once
+// Where the insides of bodies cross the outlines of others in a step. What is deep in a body cannot
+// be where another solid is, so a crossing means an overlap as deep as the body itself.
+
+#include <functional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "wild/checks/check.h"
+#include "wild/checks/outlines.h"
+
+namespace fettle::bench::wild {
+
+struct Passage {
+    int body = 0, core = 0;       // of the moving body
+    int obstacle = 0, shape = 0;  // of the other body
+    int sense = 0;                // 1 from the front, -1 from behind
+    Vec2 normal = Vec2::Zero();   // of the edge, to its front; in coordinates of the obstacle
+    Outline::Kind kind{};
+
+    auto pair() const { return std::tuple(body, core, obstacle, shape); }
+};
+
+class Passages {
+  public:
+    /// `judged`: whether a shape of a body and a shape of an obstacle matter to the check.
+    using Judged = std::function<bool(const BodyPlan& obstacle, const ShapePlan& of_obstacle,
+                                      const BodyPlan& body, const ShapePlan& of_body)>;
+    Passages(const WorldPlan& plan, const Judged& judged);
+
+    /// Bodies whose shape, pose or kind was edited are left out from then on.
+    std::vector<Passage> of(const Moment& moment);
+    bool is_left_out(int body) const { return left_out_[std::size_t(body)]; }
+
+  private:
+    struct Pair {
+        int body, core, obstacle, shape;
+        Core deep;
+    };
+    void look(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const;
+
+    std::vector<Pair> pairs_;
+    std::vector<std::vector<Outline>> outlines_;  // by body and shape
+    std::vector<bool> left_out_;
+};
+
+/// Whether a body touches anything else than this obstacle: then it may be pressed through.
+bool touches_others(const Moment& moment, int body, int obstacle);
+
+/// The bodies that a moving kinematic body presses on, directly or through others.
+std::vector<bool> pressed(const Moment& moment);
+
+}  // namespace fettle::bench::wild

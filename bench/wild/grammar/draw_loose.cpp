@@ -1,0 +1,141 @@
+// Bodies without joints: what falls, flies, stands in stacks and lies in piles.
+
+#include <algorithm>
+
+#include "wild/grammar/sketch.h"
+
+namespace fettle::bench::wild {
+namespace {
+
+void draw_falling(Sketch& sketch, float x) {
+    Random& random = sketch.random;
+    for (int i = random.whole(1, 5); i > 0; --i) {
+        BodyPlan body{.def = {.position = {x + random.number(-2, 2), random.number(2, 14)},
+                              .angle = random.number(0, 6.28f)}};
+        if (random.chance(0.5)) {
+            body.def.velocity = {random.number(-10, 10), random.number(-30, 5)};
+            body.def.angular_velocity = random.number(-50, 50);
+        }
+        draw_shapes(sketch, body, random.number(0.2f, 2));
+        sketch.add(std::move(body));
+    }
+}
+
+void draw_stack(Sketch& sketch, float x) {
+    Random& random = sketch.random;
+    const int count = random.whole(2, 15);
+    const float width = random.number(0.5f, 1.5f), height = width * random.number(0.4f, 1);
+    const float aside = random.one_of({0.0f, 0.0f, 0.01f, 0.02f});
+    for (int i = 0; i < count; ++i)
+        sketch.dynamic({x + random.number(-aside, aside), height * (float(i) + 0.5f)},
+                       Box{.width = width, .height = height});
+}
+
+void draw_pyramid(Sketch& sketch, float x) {
+    const int rows = sketch.random.whole(2, 6);
+    for (int row = 0; row < rows; ++row)
+        for (int i = 0; i < rows - row; ++i)
+            sketch.dynamic(
+                {x + 0.55f * (float(i) - 0.5f * float(rows - row - 1)), 0.25f + 0.5f * float(row)},
+                Box{.width = 0.5f, .height = 0.5f});
+}
+
+void draw_pile(Sketch& sketch, float x) {
+    Random& random = sketch.random;
+    const float size = random.number(0.2f, 0.6f);
+    const Geometry like = draw_geometry(random, size, true);
+    const bool all_alike = random.chance(0.6);
+    const ShapeDef surface = sketch.surface();
+    for (int i = random.whole(8, 30), k = 0; k < i; ++k)
+        sketch.add({.def = {.position = {x + 1.1f * size * float(k % 5 - 2),
+                                         size + 1.1f * size * float(k / 5)},
+                            .angle = random.number(0, 3)},
+                    .shapes = {{all_alike ? like : draw_geometry(random, size, true), surface}}});
+}
+
+/// Posts and beams.
+void draw_house(Sketch& sketch, float x) {
+    const int floors = sketch.random.whole(1, 4);
+    for (int i = 0; i < floors; ++i) {
+        const float y = 1.2f * float(i);
+        for (const float side : {-1.0f, 1.0f})
+            sketch.dynamic({x + 0.8f * side, y + 0.5f}, Box{.width = 0.2f, .height = 1});
+        sketch.dynamic({x, y + 1.1f}, Box{.width = 2, .height = 0.2f});
+    }
+}
+
+void draw_dominoes(Sketch& sketch, float x) {
+    for (int i = 0; i < 8; ++i)
+        sketch.dynamic({x - 2 + 0.5f * float(i), 0.5f}, Box{.width = 0.1f, .height = 1});
+    BodyPlan& first = sketch.body(int(sketch.plan.bodies.size()) - 8);
+    first.def.angular_velocity = -2;
+}
+
+/// A wall of boxes or a thin wall, and something fast that flies at it.
+void draw_shots(Sketch& sketch, float x) {
+    Random& random = sketch.random;
+    const int target = random.whole(0, 2);
+    const float thickness = random.one_of({0.05f, 0.1f, 0.5f});
+    if (target == 0)
+        sketch.fixed({x + 2, 1.5f}, Box{.width = thickness, .height = 3});
+    else if (target == 1)
+        sketch.dynamic({x + 2, 1.5f}, Box{.width = std::max(thickness, 0.1f), .height = 3});
+    else
+        sketch.dynamic({x + 2, 0.5f}, Circle{});
+    for (int i = random.whole(1, 3); i > 0; --i) {
+        BodyPlan body{.def = {.position = {x - 2, random.number(0.5f, 2.5f)},
+                              .velocity = {random.number(10, 200), random.number(-3, 3)},
+                              .angular_velocity = random.number(-20, 20),
+                              .bullet = random.chance(0.7)}};
+        body.shapes = {{draw_geometry(random, random.number(0.1f, 0.5f), false), sketch.surface()}};
+        sketch.add(std::move(body));
+    }
+}
+
+/// A sensor, and something that crosses it.
+void draw_gate(Sketch& sketch, float x) {
+    Random& random = sketch.random;
+    const int gate = sketch.fixed({x + 1, 2}, Box{.width = random.number(0.3f, 1), .height = 4});
+    sketch.body(gate).shapes[0].def = {.sensor = true};
+    const float speed = random.one_of({3.0f, 20.0f, 60.0f, 300.0f});
+    BodyPlan body{.def = {.position = {x - 2, 2}, .velocity = {speed, 0}, .gravity_scale = 0.1f}};
+    draw_shapes(sketch, body, random.number(0.2f, 1));
+    sketch.add(std::move(body));
+}
+
+/// Balls in a row, the first of which hits the others.
+void draw_balls_in_a_row(Sketch& sketch, float x) {
+    const ShapeDef surface{.friction = sketch.random.one_of({0.0f, 0.6f}), .restitution = 1};
+    for (int i = 0; i < 5; ++i)
+        sketch.add({.def = {.position = {x - 2 + (i > 0 ? 0.5f : 0.0f) + 0.4f * float(i), 0.2f}},
+                    .shapes = {{Circle{.radius = 0.2f}, surface}}});
+    sketch.body(int(sketch.plan.bodies.size()) - 5).def.velocity = {sketch.random.number(1, 8), 0};
+}
+
+}  // namespace
+
+void draw_loose_bodies(Sketch& sketch, float x) {
+    switch (sketch.random.whole(0, sketch.calm ? 5 : 9)) {
+        case 0:
+            return draw_stack(sketch, x);
+        case 1:
+            return draw_pyramid(sketch, x);
+        case 2:
+            return draw_pile(sketch, x);
+        case 3:
+            return draw_house(sketch, x);
+        case 4:
+            return draw_dominoes(sketch, x);
+        case 5:
+        case 6:
+            return draw_falling(sketch, x);
+        case 7:
+            return draw_shots(sketch, x);
+        case 8:
+            return draw_gate(sketch, x);
+        default:
+            return draw_balls_in_a_row(sketch, x);
+    }
+}
+
+}  // namespace fettle::bench::wild
