@@ -129,6 +129,22 @@ void make(const fs::path& folder, const std::string& pattern, const std::string&
     write_annotations(folder);
 }
 
+/// Moves what is in the draft into the folder, or nothing.
+void fill(const fs::path& folder, const fs::path& draft) {
+    std::vector<fs::path> moved;
+    try {
+        for (const auto& each : fs::directory_iterator(draft)) {
+            moved.push_back(folder / each.path().filename());
+            fs::rename(each.path(), moved.back());
+        }
+    } catch (...) {
+        std::error_code ignored;
+        for (const fs::path& each : moved) fs::remove_all(each, ignored);
+        throw;
+    }
+    fs::remove(draft);
+}
+
 }  // namespace
 
 int new_game(const NewGameOptions& options) {
@@ -137,19 +153,24 @@ int new_game(const NewGameOptions& options) {
     if (!folder.has_filename()) folder = folder.parent_path();
     std::error_code error;
     // Also a link that leads nowhere is something.
-    if (fs::exists(fs::symlink_status(folder, error)) &&
-        (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
+    const bool there = fs::exists(fs::symlink_status(folder, error));
+    if (there && (!fs::is_directory(folder, error) || !fs::is_empty(folder)))
         throw FileError(options.folder.string() +
                         ": there is something already, so nothing was made");
     const std::string name = folder.filename().string();
     fs::create_directories(folder.parent_path());
-    // Made under another name, so that an error leaves nothing half made.
-    const fs::path draft = folder.parent_path() / ("." + name + ".fettle-new");
+    // Made under another name, so that an error leaves nothing half made. A folder that is there
+    // stays the same: it may be the one that the user's shell is in.
+    const fs::path draft =
+        there ? folder / ".fettle-new" : folder.parent_path() / ("." + name + ".fettle-new");
     fs::remove_all(draft);
     fs::create_directory(draft);
     try {
         make(draft, options.pattern, name);
-        fs::rename(draft, folder);
+        if (there)
+            fill(folder, draft);
+        else
+            fs::rename(draft, folder);
     } catch (...) {
         fs::remove_all(draft, error);
         throw;

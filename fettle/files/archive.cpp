@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <system_error>
 #include <utility>
 
 #include <fettle/property/storage/game_files.h>
+#include <fettle/property/value.h>
 
 #include <files/game_path.h>
 
@@ -24,6 +26,11 @@ constexpr std::size_t longest_name = 1000;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
     throw FileError(file.string() + ": " + why);
+}
+
+/// In quotes, with control characters escaped.
+std::string shown(const std::string& name) {
+    return property::value_text(property::Value(name.substr(0, 100)));
 }
 
 bool is_valid_name(const std::string& name) {
@@ -73,7 +80,8 @@ ArchiveFiles read_archive(const fs::path& file, const std::string& only) {
     const std::unique_ptr<void, CloseUnzip> archive(unzOpen64(file.c_str()));
     if (archive == nullptr) refuse(file, "is no archive of a game, or it is damaged");
     ArchiveFiles files;
-    std::size_t sum = 0, count = 0;
+    std::set<std::string> seen;
+    std::size_t sum = 0;
     for (int status = unzGoToFirstFile(archive.get()); status != UNZ_END_OF_LIST_OF_FILE;
          status = unzGoToNextFile(archive.get())) {
         unz_file_info64 info{};
@@ -84,11 +92,18 @@ ArchiveFiles read_archive(const fs::path& file, const std::string& only) {
             refuse(file, "is damaged");
         name.resize(std::min<std::size_t>(info.size_filename, name.size()));
         if (name.ends_with('/')) continue;  // a folder
-        if (!is_valid_name(name)) refuse(file, "has a file with a name that no game may have");
-        if (info.uncompressed_size > property::GameFiles::size_limit ||
-            (sum += info.uncompressed_size) > largest_sum || ++count > most_files)
+        if (!is_valid_name(name))
+            refuse(file, "has a file " + shown(name) +
+                             ", a name that no game may have: expected the path of a file in the "
+                             "game's folder, as in \"art/hero.png\"");
+        if (!seen.insert(name).second) refuse(file, "has two files " + shown(name));
+        if (info.uncompressed_size > property::GameFiles::size_limit)
+            refuse(file, "is too large: " + shown(name) + " has " +
+                             std::to_string(info.uncompressed_size) +
+                             " bytes, and a file of a game has at most 64 MiB");
+        if ((sum += info.uncompressed_size) > largest_sum || seen.size() > most_files)
             refuse(file, "is too large: a game has at most 1 GiB in " + std::to_string(most_files) +
-                             " files of 64 MiB");
+                             " files");
         if (!only.empty() && name != only) continue;
         files[name] = read_current(archive.get(), file, name, info.uncompressed_size);
     }

@@ -71,29 +71,31 @@ void Interface::report(property::Tree&) {
 
 /// What the player can change.
 std::uint64_t Interface::hash() const {
-    // The sum over all widgets, because after a restore they may be in other rows.
-    std::uint64_t sum = 0, hash = 0;
+    if (state_->tree_life.expired()) return 0;
+    std::uint64_t hash = 0;
     const auto add = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; };
-    const auto add_handle = [&add](property::Handle each) {
-        add(std::uint64_t{each.generation} << 32 | each.index);
+    const auto add_text = [&add](const std::string& text) {
+        for (const char c : text) add(static_cast<unsigned char>(c));
     };
-    for (const Widget& widget : state_->widgets) {
-        if (!widget.self) continue;
-        sum += std::exchange(hash, 0);
-        add_handle(widget.self);
+    // In the order of the tree and by paths: after a restore, widgets may be in other rows, and
+    // those that are made again have other handles.
+    property::Tree& tree = *state_->tree;
+    const property::Class& of = tree.class_named("Widget");
+    tree.each_below(tree.root(), [&](property::Handle instance) {
+        if (!tree.class_of(instance).is_a(of)) return;
+        const Widget& widget = state_->widgets[tree.row(instance)];
         add(std::bit_cast<std::uint64_t>(widget.value));
         add(std::bit_cast<std::uint64_t>(widget.scroll));
         add(static_cast<std::uint64_t>(widget.caret));
         add(static_cast<std::uint64_t>(widget.selected));
         add((widget.on ? 1u : 0u) | (widget.visible ? 2u : 0u) | (widget.disabled ? 4u : 0u) |
             (widget.listening ? 8u : 0u));
-        for (const char c : widget.text) add(static_cast<unsigned char>(c));
-    }
+        add_text(widget.text);
+    });
     const Board& board = state_->widgets.board;
-    sum += std::exchange(hash, 0);
-    add_handle(board.focus);
-    add_handle(board.held);
-    return sum + hash;
+    for (const property::Handle each : {board.focus, board.held})
+        if (tree.alive(each)) add_text(tree.path(each));
+    return hash;
 }
 
 void Interface::on_problem(std::function<void(const std::string&)> tell) {

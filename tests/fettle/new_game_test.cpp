@@ -44,6 +44,13 @@ TEST_CASE("a new game overwrites nothing") {
     CHECK_FALSE(fs::exists(folder / "there/main.lua"));
     fs::create_directory(folder / "empty");
     CHECK(fettle(folder, {"new", (folder / "empty").string()}).status == 0);
+    // A folder that is there stays the same one: a shell may be in it.
+    fs::create_directory(folder / "here");
+    fs::create_directory_symlink("here", folder / "link");
+    CHECK(fettle(folder, {"new", (folder / "link").string()}).status == 0);
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::exists(folder / "here" / "main.lua"));
+    CHECK_FALSE(fs::exists(folder / "here" / ".fettle-new"));
     CHECK(fs::exists(folder / "empty/main.lua"));
 }
 

@@ -124,16 +124,28 @@ TEST_CASE("a damaged archive and one with strange names are refused") {
     CHECK(none.status == 3);
     CHECK(contains(none.err, "is no archive of a game, or it is damaged"));
     write_game(folder);
+    folder.write("game/more.lua", "print(2)");
     const std::string archive = (folder / "cave.fettle").string();
     REQUIRE(fettle(folder, {"package", (folder / "game").string(), "--file", archive}).status == 0);
     std::string bytes = folder.text("cave.fettle");
-    for (std::size_t at = bytes.find("art/hero.tga"); at != std::string::npos;
-         at = bytes.find("art/hero.tga", at + 1))
-        bytes.replace(at, 12, "../../her.tg");
-    folder.write("evil.fettle", bytes);
+    const auto renamed = [bytes](const std::string& from, const std::string& to) {
+        std::string all = bytes;
+        for (std::size_t at = all.find(from); at != std::string::npos; at = all.find(from, at + 1))
+            all.replace(at, from.size(), to);
+        return all;
+    };
+    folder.write("evil.fettle", renamed("art/hero.tga", "../../her.tg"));
     const Outcome evil = hash(folder, (folder / "evil.fettle").string());
     CHECK(evil.status == 3);
-    CHECK(contains(evil.err, "a name that no game may have"));
+    CHECK(contains(evil.err, "a file \"../../her.tg\", a name that no game may have"));
+    folder.write("twice.fettle", renamed("more.lua", "main.lua"));
+    CHECK(contains(hash(folder, (folder / "twice.fettle").string()).err, "two files \"main.lua\""));
+    // The size of the file, in the list at the end of the archive.
+    bytes.replace(bytes.rfind("art/hero.tga") - 22, 4, std::string("\0\0\0\x50", 4));
+    folder.write("large.fettle", bytes);
+    const Outcome large = hash(folder, (folder / "large.fettle").string());
+    CHECK(large.status == 3);
+    CHECK(contains(large.err, "\"art/hero.tga\" has 1342177280 bytes"));
     folder.write("short.fettle", folder.text("cave.fettle").substr(0, 400));
     CHECK(hash(folder, (folder / "short.fettle").string()).status == 3);
 }

@@ -202,9 +202,20 @@ bool Loop::live_next() {
     return true;
 }
 
+/// Menus and transitions follow in each frame, before its steps. If time went back at the barrier
+/// behind them, they follow what is there now, as they did when the next step was first made.
+void Loop::repeat_after_return(double real_dt) {
+    if (!timeline_.take_return()) return;
+    if (Foreground* const menus = services_.input.foreground())
+        menus->frame(services_.input.mouse(), services_.view.screen, real_dt);
+    runtime_.advance(real_dt);
+    barrier();
+}
+
 /// Input, barrier, update and barrier. False if the frame ends here.
 bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
+    (void)timeline_.take_return();
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect
@@ -217,6 +228,7 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     if (stopped()) return false;
     runtime_.advance(real_dt);
     barrier();
+    repeat_after_return(real_dt);
     watch.lap(watch.phases.handlers);
     if (stopped() || closing_) return false;  // no other callback follows closing()
     services_.input.begin_update();
@@ -225,6 +237,7 @@ bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     watch.lap(watch.phases.update);
     if (stopped()) return false;
     barrier();
+    repeat_after_return(real_dt);
     watch.lap(watch.phases.handlers);
     return !stopped();
 }

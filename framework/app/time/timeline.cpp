@@ -435,6 +435,7 @@ void Timeline::travel(std::int64_t step) {
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
     replay(*frame, step, {});
+    returned_ = step < newest();
 }
 
 /// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,

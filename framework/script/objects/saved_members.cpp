@@ -33,24 +33,29 @@ std::function<void()> ScriptClasses::restore(property::ByteReader& from) {
         waiting_ = waiting;
         known_ = known;
         last_check_ = {};
-        adopted_.clear();
+        changes_ = {};
     };
 }
 
-std::vector<Handle> ScriptClasses::take_adopted() {
-    noting_ = true;
-    return std::exchange(adopted_, {});
+std::size_t ScriptClasses::Changes::bytes() const {
+    return (adopted.capacity() + ready.capacity()) * sizeof(Handle) +
+           waiting.capacity() * sizeof(Waiting);
 }
 
-void ScriptClasses::redo_adopted(const std::vector<Handle>& adopted) {
-    for (const Handle instance : adopted) {
-        if (!known_.insert(bits_of(instance)).second) continue;
-        members_.push_back(instance);
-        // `ready` of a placed instance was called when this step was first made.
-        if (machine_.tree.alive(instance) &&
-            !machine_.tree.is_below(instance, machine_.tree.root()))
-            waiting_.push_back({instance, true});
-    }
+ScriptClasses::Changes ScriptClasses::take_changes() {
+    noting_ = true;
+    return std::exchange(changes_, {});
+}
+
+void ScriptClasses::redo(const Changes& changes) {
+    for (const Handle instance : changes.adopted)
+        if (known_.insert(bits_of(instance)).second) members_.push_back(instance);
+    waiting_.insert(waiting_.end(), changes.waiting.begin(), changes.waiting.end());
+    std::unordered_set<std::uint64_t> ready;
+    for (const Handle instance : changes.ready) ready.insert(bits_of(instance));
+    if (!ready.empty())
+        std::erase_if(waiting_,
+                      [&](const Waiting& each) { return ready.contains(bits_of(each.instance)); });
     last_check_ = {};
 }
 

@@ -203,9 +203,15 @@ void ScriptClasses::adopt(Handle instance, bool announce) {
         prune_at_ = std::max<std::size_t>(1024, 2 * members_.size());
     }
     members_.push_back(instance);
+    if (noting_) changes_.adopted.push_back(instance);
+    wait_for(instance, announce);
+}
+
+void ScriptClasses::wait_for(Handle instance, bool announce) {
     waiting_.push_back({instance, announce});
-    if (noting_) adopted_.push_back(instance);
-    if (adopted_.size() > 65536) adopted_.clear();  // they are not taken any more
+    if (!noting_) return;
+    changes_.waiting.push_back(waiting_.back());
+    if (changes_.waiting.size() > 65536) changes_ = {};  // they are not taken any more
 }
 
 namespace {
@@ -274,7 +280,7 @@ Handle ScriptClasses::create(const Class& of) {
     for (const Class* c = &of; c; c = c->base())
         if (scripted(*c)) up.push_back(c);
     if (up.empty()) {
-        waiting_.push_back({made, true});
+        wait_for(made, true);
         return made;
     }
     adopt(made, true);
@@ -323,6 +329,7 @@ bool ScriptClasses::deliver_ready() {
         std::size_t depth = 0;
         for (Handle up = instance; up; up = machine_.tree.parent(up)) ++depth;
         due.push_back({depth, waiting});
+        if (noting_) changes_.ready.push_back(instance);
         return true;
     });
     std::stable_sort(due.begin(), due.end(),

@@ -80,9 +80,20 @@ class ScriptClasses {
     // Snapshots contain the order in which instances are stepped, and those that are not ready yet.
     void save(property::ByteWriter& to) const;
     std::function<void()> restore(property::ByteReader& from);
-    /// Instances that were added since the last call, in order; the first call starts recording.
-    std::vector<property::Handle> take_adopted();
-    void redo_adopted(const std::vector<property::Handle>& adopted);
+    /// An instance whose `ready` was not called yet.
+    struct Waiting {
+        property::Handle instance;
+        bool announce;  // true: no other code emits its `ready`
+    };
+    /// What was added and became ready since the last call, in order; the first call starts
+    /// recording.
+    struct Changes {
+        std::vector<property::Handle> adopted, ready;
+        std::vector<Waiting> waiting;
+        std::size_t bytes() const;
+    };
+    Changes take_changes();
+    void redo(const Changes& changes);
 
     /// Removes all functions and keeps the classes, before a game is loaded.
     void forget_functions();
@@ -124,6 +135,7 @@ class ScriptClasses {
     void connect(const property::Class& of, const std::string& name);
     void observe(const property::Class& of);
     void adopt(property::Handle instance, bool announce);
+    void wait_for(property::Handle instance, bool announce);
     bool push_state_function(lua_State* L, const property::Class& of, std::string_view state,
                              const char* name) const;
     /// Throws for an unknown state, and for one whose table holds something else than functions.
@@ -146,15 +158,11 @@ class ScriptClasses {
     std::unordered_set<std::uint64_t> known_;  // the same, by handle
     std::size_t prune_at_ = 1024;              // size at which deleted members are removed
     bool calling_ = false;                     // during an iteration over `members_`
-    std::vector<property::Handle> adopted_;    // for `take_adopted`, once it is used
+    Changes changes_;                          // for `take_changes`, once it is used
     bool noting_ = false;
-    struct Waiting {
-        property::Handle instance;
-        bool announce;  // true: no other code emits its `ready`
-    };
     // Structure of the tree and size of `waiting_` at the last check.
     std::pair<std::uint64_t, std::size_t> last_check_;
-    std::vector<Waiting> waiting_;  // instances whose `ready` was not called yet
+    std::vector<Waiting> waiting_;
 };
 
 }  // namespace fettle::script

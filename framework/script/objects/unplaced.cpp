@@ -50,9 +50,34 @@ Handle top_of(const property::Tree& tree, Handle handle) {
 
 }  // namespace
 
+Unplaced::Changes Unplaced::take_changes() {
+    const std::size_t from = removed ? 0 : std::min(taken, handles.size());
+    Changes since{.all = removed,
+                  .handles = {handles.begin() + static_cast<std::ptrdiff_t>(from), handles.end()},
+                  .limit = limit};
+    taken = handles.size();
+    removed = false;
+    return since;
+}
+
+void Unplaced::redo(const Changes& changes) {
+    if (changes.all) handles.clear();
+    handles.insert(handles.end(), changes.handles.begin(), changes.handles.end());
+    limit = changes.limit;
+}
+
+void Unplaced::restore(std::vector<property::Handle> those, std::size_t its_limit) {
+    handles = std::move(those);
+    limit = its_limit;
+    taken = handles.size();
+    removed = false;
+}
+
 void collect_unplaced(Machine& machine) {
-    auto& [unplaced, limit] = machine.unplaced;
+    auto& unplaced = machine.unplaced.handles;
+    auto& limit = machine.unplaced.limit;
     if (unplaced.size() < limit) return;
+    machine.unplaced.removed = true;
     std::erase_if(unplaced, [&](Handle handle) {
         return !machine.tree.alive(handle) || machine.tree.parent(handle);
     });

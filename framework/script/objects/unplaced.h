@@ -14,6 +14,20 @@ struct Machine;
 struct Unplaced {
     std::vector<property::Handle> handles;
     std::size_t limit = 64;  // number of instances for which a collection is worth its time
+
+    /// What was added since the last call; `all`: these replace the others, since some were
+    /// removed.
+    struct Changes {
+        bool all = true;
+        std::vector<property::Handle> handles;
+        std::size_t limit = 64;
+    };
+    Changes take_changes();
+    void redo(const Changes& changes);
+    void restore(std::vector<property::Handle> those, std::size_t its_limit);
+
+    std::size_t taken = 0;  // how many of them `take_changes` returned
+    bool removed = true;    // some were removed since then, or it was not called yet
 };
 
 /// Destroys unplaced instances to which nothing refers.

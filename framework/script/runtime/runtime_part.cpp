@@ -26,7 +26,8 @@ struct Changes : Held {
     Random::State random;
     double now = 0;
     Timers::Changes timers;
-    std::vector<Handle> adopted;
+    ScriptClasses::Changes classes;
+    Unplaced::Changes unplaced;
 };
 
 }  // namespace
@@ -64,8 +65,8 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         machine_.random.restore(random);
         machine_.timers.restore(image.timers, now - machine_.timers.now);
         machine_.timers.now = now;
-        machine_.unplaced.handles = unplaced;
-        machine_.unplaced.limit = std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64);
+        machine_.unplaced.restore(unplaced,
+                                  std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
         refresh_classes(machine_);
     };
@@ -76,9 +77,11 @@ property::Memory RuntimePart::changes() {
     changes->random = machine_.random.state();
     changes->now = machine_.timers.now;
     changes->timers = machine_.timers.take_changes();
-    changes->adopted = machine_.classes.take_adopted();
+    changes->classes = machine_.classes.take_changes();
+    changes->unplaced = machine_.unplaced.take_changes();
     changes->bytes = sizeof *changes + Timers::bytes_of(changes->timers) +
-                     changes->adopted.capacity() * sizeof(Handle);
+                     changes->classes.bytes() +
+                     changes->unplaced.handles.capacity() * sizeof(Handle);
     return std::shared_ptr<const Held>(std::move(changes));
 }
 
@@ -91,7 +94,8 @@ void RuntimePart::redo(const property::Memory& memory) {
     machine_.random.restore(changes.random);
     machine_.timers.now = changes.now;
     machine_.timers.redo(changes.timers);
-    machine_.classes.redo_adopted(changes.adopted);
+    machine_.classes.redo(changes.classes);
+    machine_.unplaced.redo(changes.unplaced);
 }
 
 }  // namespace fettle::script

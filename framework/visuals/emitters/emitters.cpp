@@ -156,14 +156,18 @@ void Emitters::report() {
 std::uint64_t Emitters::hash() const {
     std::uint64_t hash = 0;
     const auto mix = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 0x9e3779b97f4a7c15u; };
-    for (const Row& row : rows_) {
+    // In the order of the tree: after a restore, they may be in other rows.
+    const property::Class& emitter = tree_->class_named("Emitter");
+    tree_->each_below(tree_->root(), [&](Handle instance) {
+        if (!tree_->class_of(instance).is_a(emitter)) return;
+        const Row& row = rows_[tree_->row(instance)];
         mix(row.state.born);
         for (const Particle& p : row.particles) {
             std::uint64_t words[sizeof(Particle) / 8];
             std::memcpy(words, &p, sizeof p);
             for (const std::uint64_t word : words) mix(word);
         }
-    }
+    });
     return hash;
 }
 

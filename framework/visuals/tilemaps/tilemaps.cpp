@@ -150,8 +150,11 @@ void Tilemaps::restored() {
 
 std::uint64_t Tilemaps::hash() const {
     std::uint64_t hash = 0;
-    for (const Row& row : rows_)
-        hash = (hash ^ std::bit_cast<std::uint64_t>(row.time)) * 0x9e3779b97f4a7c15u;
+    tree_->each_below(tree_->root(), [&](Handle instance) {
+        if (!is_map(instance)) return;
+        const double time = rows_[tree_->row(instance)].time;
+        hash = (hash ^ std::bit_cast<std::uint64_t>(time)) * 0x9e3779b97f4a7c15u;
+    });
     return hash;
 }
 

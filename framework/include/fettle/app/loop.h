@@ -130,6 +130,7 @@ class Loop {
     void announce_next();
     bool live_next();
     bool prelude(double dt, double real_dt, Stopwatch& watch);
+    void repeat_after_return(double real_dt);
     bool make_step(Stopwatch& watch);
     void step_modules(double dt);
     void catch_up(std::uint64_t limit, Stopwatch& watch);

@@ -58,6 +58,10 @@ class Timeline {
     /// beyond the newest; does nothing if none is kept. Throws Error(out_of_range) for NaN.
     void rewind(double seconds);
 
+    /// Whether an earlier step than the newest was gone to since the last call. The tree is then as
+    /// right after that step.
+    bool take_return() { return std::exchange(returned_, false); }
+
     /// Calls `look` for the kept steps from `from` on, in order, up to the present one, with the
     /// tree in the state after that step. At the end the tree is as it was, bit for bit; as after
     /// any restoring, watchers are compared at the next barrier. Begins later if the past in
@@ -143,6 +147,7 @@ class Timeline {
     std::deque<Step> steps_;
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
+    bool returned_ = false;
     bool in_step_ = false;
     bool stepping_ = false;         // in a step: changes are logged
     std::int64_t here_ = 0;         // the step that the tree is at
