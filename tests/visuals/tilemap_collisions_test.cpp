@@ -149,6 +149,26 @@ TEST_CASE_METHOD(Land, "going back in time does not undo what a game did to the 
     CHECK(chains(top).size() == 1);
 }
 
+TEST_CASE_METHOD(Land, "collisions follow layers that come and go") {
+    define_bodies();
+    const Handle top = map();
+    tree.barrier();
+    REQUIRE(chains(top).size() == 1);
+    const Handle ground = find(top, "ground");
+    tree.move(ground, tree.root(), "ground");
+    step(1);
+    CHECK(chains(top).empty());
+    tree.move(ground, top, "ground");
+    step(1);
+    CHECK(chains(top).size() == 1);
+    tree.destroy(ground);
+    step(1);
+    CHECK(chains(top).empty());
+    tree.destroy(top);
+    step(1);
+    CHECK(problems.empty());
+}
+
 TEST_CASE_METHOD(Land, "a map without one of its layers gets a body") {
     define_bodies();
     write("level.tmj", level("0,0,0,0, 0,0,0,0, 0,0,0,0",

@@ -1,5 +1,7 @@
 // The properties of TileLayer.
 
+#include <utility>
+
 #include <properties/properties.h>
 #include <tilemaps/tilemaps.h>
 
@@ -16,8 +18,7 @@ std::vector<Property> Tilemaps::layer_properties() {
         property.binding.context = this;
         property.binding.invalidate = [](void* context, property::Row row) {
             auto& maps = *static_cast<Tilemaps*>(context);
-            const Handle map = maps.tree_->parent(maps.layer_rows_[row].self);
-            if (maps.is_map(map)) maps.rows_[maps.tree_->row(map)].outdated = true;
+            maps.outdate(maps.tree_->parent(maps.layer_rows_[row].self));
         };
         return property;
     };
@@ -84,8 +85,19 @@ void Tilemaps::define_layer(property::Tree& tree) {
     lifecycle.create = [](void* context, property::Tree&, Handle self) {
         return static_cast<Tilemaps*>(context)->layer_rows_.add(self);
     };
+    // The collisions of a map follow its layers: one that comes, one that goes.
+    lifecycle.place = [](void* context, property::Tree& of, Handle self, property::Row row) {
+        auto& maps = *static_cast<Tilemaps*>(context);
+        const Handle now = of.parent(self);
+        maps.outdate(std::exchange(maps.layer_rows_[row].map, now));
+        maps.outdate(now);
+        return row;
+    };
     lifecycle.destroy = [](void* context, property::Tree&, Handle, property::Row row) {
-        static_cast<Tilemaps*>(context)->layer_rows_.remove(row);
+        auto& maps = *static_cast<Tilemaps*>(context);
+        const Handle map = maps.layer_rows_[row].map;
+        maps.layer_rows_.remove(row);
+        maps.outdate(map);
     };
     lifecycle.draw = [](void* context, const property::Tree&, Handle self, property::Row,
                         property::Painter& painter,

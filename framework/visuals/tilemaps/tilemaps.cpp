@@ -54,6 +54,10 @@ bool Tilemaps::is_layer(Handle instance) const {
     return tree_->class_of(instance).is_a(*layer_class_);
 }
 
+void Tilemaps::outdate(Handle map) {
+    if (map && tree_->alive(map) && is_map(map)) rows_[tree_->row(map)].outdated = true;
+}
+
 void Tilemaps::tell(Handle map, const std::string& problem) {
     images_.tell(tree_->path(map) + ": " + problem);
 }

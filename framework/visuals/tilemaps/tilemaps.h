@@ -55,6 +55,7 @@ class Tilemaps {
     };
     struct LayerRow {
         property::Handle self{};
+        property::Handle map{};  // whose collisions have it, or what else it is below
         // What `grid` was made of.
         std::shared_ptr<const LoadedMap> file{};
         std::int64_t id = 0;
@@ -96,6 +97,8 @@ class Tilemaps {
     property::Vec2 upper_left(property::Handle map, const maps::Map& of) const;
     double pixels_per_unit(property::Handle map) const;
     void tell(property::Handle map, const std::string& problem);
+    /// The collisions of the map follow, if it is one and alive.
+    void outdate(property::Handle map);
     property::Lifecycle map_lifecycle();
 
     // --- making.cpp
