@@ -178,8 +178,8 @@ function fettle_Pen.clip(lower, upper) end
 ---@param opacity number
 function fettle_Pen.fade(opacity) end
 
----An image file of the game, with 32 of its pixels in a meter, and in its own size inside pen.screen. With one length it keeps its proportions.
----@param file string
+---An image file of the game, with 32 of its pixels in a meter, and in its own size inside pen.screen. With one length it keeps its proportions. A table is a frame of a sheet: { "walk.png", columns = 4, rows = 2, frame = 3 }, or of an export of Aseprite { "walk.json", frame = 3 }.
+---@param file string|table
 ---@param center vec
 ---@param width? number
 ---@param height? number
@@ -194,6 +194,12 @@ function fettle_Pen.image(file, center, width, height, angle, tint, smooth) end
 ---@param stroke? color|string
 ---@param width? number
 function fettle_Pen.line(from, to, stroke, width) end
+
+---The fill of the circles, boxes and polygons that follow changes its color along this line, until pen.pop() or the end of the function.
+---@param from vec
+---@param to vec
+---@param colors (color|string)[]
+function fettle_Pen.linear(from, to, colors) end
 
 ---A dot as many pixels wide as its size says, 4 without one.
 ---@param position vec
@@ -216,6 +222,12 @@ function fettle_Pen.pop() end
 ---@param angle? number
 ---@param scale? number
 function fettle_Pen.push(position, angle, scale) end
+
+---The fill of the circles, boxes and polygons that follow changes its color from the center outwards, until pen.pop() or the end of the function.
+---@param center vec
+---@param radius number
+---@param colors (color|string)[]
+function fettle_Pen.radial(center, radius, colors) end
 
 ---What the function draws is measured in pixels from the upper left corner.
 ---@param action fun(pen: Pen)
@@ -1721,6 +1733,7 @@ Timings = {}
 ---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
 ---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving the view. · m · 0 to 1000000000 · default vec(0, 0)
 ---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
+---@field effect string A fragment shader in GLSL, a file in the game's folder (.frag, .glsl), through which the picture with its menus is drawn; empty: none. Its uniforms are the properties of `view.uniforms`. · any text · default ""
 ---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
 ---@field follow Object? The view moves with this instance, from step to step. · any instance · default nil
 ---@field follow_damping number The time in which the view makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
@@ -1732,6 +1745,7 @@ Timings = {}
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
 ---@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default 40 · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
+---@field uniforms Uniforms Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
 ---@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
 local fettle_View = {}
 
@@ -2228,6 +2242,14 @@ function fettle_Camera:to_world(pixels) end
 ---@class Class.Camera : Class
 ---@overload fun(members?: table): Camera
 Camera = {}
+
+---Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
+---@class Uniforms : Object
+local fettle_Uniforms = {}
+
+---Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
+---@class Class.Uniforms : Class
+Uniforms = {}
 
 ---Colors, font and distances of widgets. A widget has that of its property `theme`, else that of the widget above it, else interface.theme.
 ---@class Theme : Object

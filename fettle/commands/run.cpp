@@ -140,7 +140,7 @@ constexpr double patience = 2;
 
 /// Runs a game in a window until the window is closed, the game quits or the number of steps is
 /// reached. The key R on the error screen restarts the game in the same window. With a gallery, the
-/// run begins there, and comes back when another game ends or Escape is pressed.
+/// run begins there, and comes back when another game ends or Escape is held.
 class WindowRun {
   public:
     WindowRun(const RunOptions& options, Gallery* gallery)
@@ -210,8 +210,11 @@ class WindowRun {
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - last_frame_).count();
         last_frame_ = now;
-        for (app::InputEvent event; window().poll(event);)
-            if (!goes_back(event) && !game_window_.handle(event, *session_)) loop.handle(event);
+        for (app::InputEvent event; window().poll(event);) {
+            note_escape(event, now);
+            if (!game_window_.handle(event, *session_)) loop.handle(event);
+        }
+        if (escape_since_ && now - *escape_since_ > escape_time) open(gallery_->game());
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         follow_files();
         if (reload_) return false;
@@ -254,14 +257,16 @@ class WindowRun {
     void open(const std::filesystem::path& game) {
         options_.game = game;
         reload_ = true;
+        escape_since_.reset();
     }
-    /// Whether the event leads back to the gallery. The console and the error screen use the key,
-    /// too.
-    bool goes_back(const app::InputEvent& event) {
-        const bool back = event.kind == app::EventKind::key_pressed && event.name == "escape" &&
-                          may_go_back() && !session_->console_is_open() && !error_screen_.visible();
-        if (back) open(gallery_->game());
-        return back;
+    /// Notes since when Escape is held. The game gets the key too, since its menus use it; the
+    /// console and the error screen have it for themselves.
+    void note_escape(const app::InputEvent& event, Clock::time_point now) {
+        if (event.name != "escape") return;
+        if (event.kind == app::EventKind::key_released) escape_since_.reset();
+        if (event.kind == app::EventKind::key_pressed && !escape_since_ && may_go_back() &&
+            !session_->console_is_open() && !error_screen_.visible())
+            escape_since_ = now;
     }
 
     /// Keeps the window responsive while a script call takes long. While the console is open, the
@@ -290,6 +295,9 @@ class WindowRun {
     Clock::time_point last_frame_{};
     double idle_steps_ = 0;
     bool reload_ = false;
+    /// Escape leads back to the gallery after so long.
+    static constexpr std::chrono::milliseconds escape_time{800};
+    std::optional<Clock::time_point> escape_since_{};
 };
 
 /// Lists at most five entries.

@@ -20,9 +20,9 @@ namespace {
 
 /// Files of these kinds are no code: nothing that a script has computed depends on their content.
 bool is_media(const fs::path& file) {
-    constexpr std::array<std::string_view, 18> endings = {
-        ".png", ".jpg",  ".jpeg", ".bmp", ".tga", ".ttf", ".otf", ".ttc", ".wav",
-        ".ogg", ".flac", ".mp3",  ".tmj", ".tmx", ".tsj", ".tsx", ".tj",  ".tx"};
+    constexpr std::array<std::string_view, 20> endings = {
+        ".png",  ".jpg", ".jpeg", ".bmp", ".tga", ".ttf", ".otf", ".ttc", ".wav",  ".ogg",
+        ".flac", ".mp3", ".tmj",  ".tmx", ".tsj", ".tsx", ".tj",  ".tx",  ".frag", ".glsl"};
     const std::string ending = file.extension().string();
     return std::ranges::find(endings, ending) != endings.end();
 }
@@ -100,6 +100,7 @@ script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
 void Session::renew(const std::string& name) {
     visuals_.renew(name);
     services_->audio.renew(name);
+    services_->renew_effect(name);
     if (name == "game.json") renew_settings();
 }
 

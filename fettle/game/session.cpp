@@ -215,6 +215,12 @@ void Session::add_modules() {
         report.context = "files";
         tell_error(report);  // the run continues, and a checkerboard is drawn
     });
+    services_->on_effect_problem([this](const std::string& problem) {
+        script::ScriptError report;
+        report.message = problem;
+        report.context = "files";
+        tell_error(report);  // the run continues, and the picture is drawn without the effect
+    });
     loop_->add({.name = std::string(interface_.name()),
                 .step = [this](double dt) { interface_.step(dt); },
                 .report = [this] { interface_.report(tree_); },

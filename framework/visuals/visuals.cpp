@@ -34,6 +34,26 @@ class GameMedia : public property::Media {
     const property::Picture& picture(const std::string& what, const std::string& name) override {
         return images_.get(what, name)->picture;
     }
+    property::PictureArea frame(const std::string& what, const std::string& name,
+                                const property::ImageFrame& asked) override {
+        const auto sheet = images_.get(what, name);
+        const auto at = [&](std::int64_t count) {
+            return static_cast<std::size_t>((asked.frame - 1) % count);
+        };
+        if (!sheet->frames.empty())
+            return sheet->frames[at(static_cast<std::int64_t>(sheet->frames.size()))].area;
+        if (!sheet->found)
+            return {0, 0, static_cast<double>(sheet->picture.width()),
+                    static_cast<double>(sheet->picture.height())};
+        const std::size_t index = at(asked.columns * asked.rows);
+        const auto columns = static_cast<std::size_t>(asked.columns);
+        const double width =
+            static_cast<double>(sheet->picture.width()) / static_cast<double>(asked.columns);
+        const double height =
+            static_cast<double>(sheet->picture.height()) / static_cast<double>(asked.rows);
+        return {width * static_cast<double>(index % columns),
+                height * static_cast<double>(index / columns), width, height};
+    }
     property::Vec2 text_size(std::string_view text, const property::TextStyle& style) override {
         const Layout layout = layout_of(text, style);
         return style.size * property::Vec2(layout.width, layout.height);

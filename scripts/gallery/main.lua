@@ -127,7 +127,7 @@ function draw(pen)
         pen.box(vec(view.screen.x / 2, (top - 14) / 2), view.screen.x, top - 14, view.background)
         pen.text(vec(margin, 40), "Fettle", 36, "white", "left")
         pen.text(vec(margin, 76), #games > 0 and
-            "Click a game, or choose it with the arrow keys and Enter. Escape comes back here." or
+            "Click a game, or choose it with the arrow keys and Enter. Hold Escape to come back here." or
             "There are no games here: open the gallery with fettle run.", 16, color("#a0a8b8"), "left")
     end)
 end

@@ -149,10 +149,14 @@ end
     CHECK_FALSE(s.runtime->draw(recorder));
     CHECK(recorder.pushed() == 0);
     CHECK(recorder.transform().is_identity());
-    for (const char* call : {"pen.pop()", "pen.push('x')", "pen.push(vec(0, 0), 1/0)",
-                             "pen.fade('x')", "pen.blend('glow')", "pen.clip(vec(0, 0))",
-                             "pen.image(7, vec(0, 0))", "pen.image('a.png', vec(0, 0))",
-                             "pen.text_size('a')", "for i = 1, 2000 do pen.push() end"}) {
+    for (const char* call :
+         {"pen.pop()", "pen.push('x')", "pen.push(vec(0, 0), 1/0)", "pen.fade('x')",
+          "pen.blend('glow')", "pen.clip(vec(0, 0))", "pen.image(7, vec(0, 0))",
+          "pen.image({ 'a.png', columns = 0 }, vec(0, 0))", "pen.image({}, vec(0, 0))",
+          "pen.linear(vec(0, 0), vec(1, 0))", "pen.linear(vec(0, 0), vec(1, 0), { 'red' })",
+          "pen.radial(vec(0, 0), -1, { 'red', 'blue' })", "pen.radial(vec(0, 0), 1, { 'red', {} })",
+          "pen.image('a.png', vec(0, 0))", "pen.text_size('a')",
+          "for i = 1, 2000 do pen.push() end"}) {
         INFO(call);
         s.run("function draw(pen) " + std::string(call) + " end");
         CHECK_FALSE(s.runtime->draw(recorder));

@@ -1,4 +1,4 @@
-// The gallery in a window: a click starts a game, and Escape comes back.
+// The gallery in a window: a click starts a game, and Escape that is held comes back.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ std::size_t colors_in_first_card(const Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("a click in the gallery starts a game and Escape comes back") {
+TEST_CASE("a click in the gallery starts a game and holding Escape comes back") {
     if (const std::string missing = missing_tools(); !missing.empty()) {
         std::cout << "SKIPPED: " << missing << " not found\n";
         return;
@@ -40,8 +40,12 @@ TEST_CASE("a click in the gallery starts a game and Escape comes back") {
     const Picture shown = gallery.settled();
     gallery.click(200, 200);
     REQUIRE(gallery.eventually([&] { return gallery.picture().difference(shown) > 200'000; }));
+    // A short press is the game's own.
     gallery.key("Escape");
+    CHECK(gallery.picture().difference(shown) > 200'000);
+    gallery.hold("Escape", true);
     CHECK(gallery.eventually([&] { return gallery.picture().difference(shown) < 20'000; }));
+    gallery.hold("Escape", false);
     CHECK(gallery.running());
     gallery.key("Escape");
     CHECK(gallery.eventually([&] { return !gallery.running(); }));

@@ -87,6 +87,9 @@ void GameWindow::xdotool(const std::vector<std::string>& arguments) const {
 void GameWindow::key(const std::string& name) {
     xdotool({"key", "--delay", "30", name});
 }
+void GameWindow::hold(const std::string& name, bool down) {
+    xdotool({down ? "keydown" : "keyup", name});
+}
 void GameWindow::type(const std::string& text) {
     xdotool({"type", "--delay", "20", text});
 }

@@ -26,6 +26,7 @@ class GameWindow {
 
     /// Key names of xdotool: "grave", "Return", "ctrl+a".
     void key(const std::string& name);
+    void hold(const std::string& name, bool down);
     void type(const std::string& text);
     void click(int x, int y);
     void move(int x, int y);

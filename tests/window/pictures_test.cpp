@@ -166,4 +166,112 @@ TEST_CASE("a letterbox has bars beside the picture") {
     CHECK(has_at(picture, -1, 1, 0, 0, 255));
 }
 
+TEST_CASE("gradients fill shapes and end with what was pushed") {
+    if (skipped()) return;
+    const Picture picture = picture_of("gradients", R"(
+        function draw(pen)
+            pen.push()
+            pen.linear(vec(-4, 0), vec(4, 0), { "black", "red", "black" })
+            pen.box(vec(0, 0), 12, 4, "white", "lime", 4)
+            pen.pop()
+            pen.push(vec(0, -6), deg(90), 2)
+            pen.radial(vec(0, 0), 1, { "white", "blue" })
+            pen.circle(vec(0, 0), 1.5)
+            pen.pop()
+            pen.push()
+            pen.linear(vec(6, 0), vec(6, 4), { "white", "red" })
+            pen.circle(vec(9, 2), 2, color(0, 0, 1))
+            pen.pop()
+            pen.box(vec(-9, 0), 2, 2, "yellow")
+        end
+    )");
+    CHECK(has_at(picture, 0, 0, 254, 0, 0));
+    CHECK(has_at(picture, -2, 1, 128, 0, 0));
+    CHECK(has_at(picture, 2, -1, 128, 0, 0));
+    CHECK(has_at(picture, -5, 0, 0, 0, 0));  // beyond the ends of the line
+    CHECK(has_at(picture, 0, 1.95, 0, 255, 0));
+    // Turned and scaled: a radius of 2, and a circle of 3.
+    CHECK(has_at(picture, 0, -6, 253, 253, 255));
+    CHECK(has_at(picture, 1, -6, 128, 128, 255));
+    CHECK(has_at(picture, 0, -7, 128, 128, 255));
+    CHECK(has_at(picture, 2.5, -6, 0, 0, 255));
+    CHECK(has_at(picture, 9, 2, 0, 0, 128));  // multiplied by the color of the fill
+    CHECK(has_at(picture, -9, 0, 255, 255, 0));
+}
+
+TEST_CASE("a frame of a sheet is drawn by the pen") {
+    if (skipped()) return;
+    const Picture picture = picture_of("frames", R"(
+        function draw(pen)
+            local function frame(n, x, columns, rows)
+                pen.image({ "dots.tga", columns = columns, rows = rows, frame = n }, vec(x, 0), 2, 2,
+                    0, nil, false)
+            end
+            for i = 1, 5 do frame(i, 3 * i - 9, 2, 2) end
+            frame(2, 9, 1, 2)
+        end
+    )");
+    CHECK(has_at(picture, -6, 0, 255, 0, 0));
+    CHECK(has_at(picture, -3, 0, 0, 255, 0));
+    CHECK(has_at(picture, 0, 0, 0, 0, 255));
+    CHECK(has_at(picture, 3, 0, 255, 255, 255));
+    CHECK(has_at(picture, 6, 0, 255, 0, 0));  // beyond the last frame, the first again
+    CHECK(has_at(picture, 8.5, 0, 0, 0, 255));
+    CHECK(has_at(picture, 9.5, 0, 255, 255, 255));
+}
+
+TEST_CASE("an effect changes the picture and follows its uniforms") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const auto write = [&](const char* name, const std::string& text) {
+        std::ofstream(folder.path / name) << text;
+    };
+    // The right half is that of the left one, and the upper half gets another color.
+    const std::string good = R"(uniform vec4 tint; // uniform float no;
+        uniform float strength, other; uniform vec2 far;
+        void main() {
+            vec4 c = picture(vec2(mod(point.x, size.x / 2.0), point.y));
+            if (point.y < size.y / 2.0) c.rgb *= tint.rgb * strength;
+            gl_FragColor = vec4(c.rgb, 1.0);
+        })";
+    write("good.frag", good);
+    write("bad.frag", "uniform float strength;\nvoid main() {\n    gl_FragColor = nonsense;\n}\n");
+    write("main.lua", R"(
+        view.background = color("white")
+        view.effect = "good.frag"
+        view.uniforms.tint = color(1, 0.5, 0)
+        view.uniforms.strength = 1
+        view.uniforms.no = 1
+        view.uniforms.far = 2
+        world.gravity = vec(0, 0)
+        world.left = Body { position = vec(-8, 0), Box { width = 8, height = 16, color = color(0, 0, 1),
+                            border = color(0, 0, 1) } }
+        local frames = 0
+        function update()
+            frames = frames + 1
+            if frames == 60 then print("drawn") end
+        end
+        function key_pressed(key)
+            if key == "b" then view.effect = "bad.frag" end
+            if key == "h" then view.uniforms.strength = 0.5 end
+        end
+    )");
+    GameWindow game(folder.path);
+    REQUIRE(game.prints("drawn"));
+    const Picture picture = game.settled();
+    picture.save_png(fs::path(FETTLE_PICTURES) / "pictures_effect.png");
+    CHECK(has_at(picture, 1, 8.5, 255, 128, 0));
+    CHECK(has_at(picture, 1, -8.5, 255, 255, 255));
+    CHECK(has_at(picture, -8, -4, 0, 0, 255));
+    CHECK(has_at(picture, 8, -4, 0, 0, 255));
+    CHECK(has_at(picture, 8, 4, 0, 0, 0));
+    CHECK(game.prints("view.uniforms.no: good.frag declares no uniform of that name"));
+    CHECK(game.prints("view.uniforms.far: good.frag declares a vec2, got 2"));
+    game.key("h");
+    CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 128, 64, 0); }));
+    game.key("b");
+    CHECK(game.prints("view.effect: bad.frag:3: "));
+    CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 255, 255, 255); }));
+}
+
 }  // namespace pictures_test

@@ -82,6 +82,17 @@ void Canvas::clip(const Vec2& lower, const Vec2& upper) {
     set_state(clipped);
 }
 
+void Canvas::gradient(const property::Gradient& gradient) {
+    const Vec2 along = gradient.to - gradient.from;
+    property::Gradient placed = gradient;
+    placed.from = exact(gradient.from);
+    placed.to = exact(gradient.to);
+    State next = state();
+    next.gradient_across = exact(gradient.from + Vec2(-along.y(), along.x()));
+    next.gradient = std::make_shared<const property::Gradient>(std::move(placed));
+    set_state(next);
+}
+
 void Canvas::flush() {
     draw_collected();
     draw_strip();
@@ -180,6 +191,10 @@ bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
 // --- The batch -----------------------------------------------------------------------------------
 
 CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
+    if (shade_.texture() != nullptr) {
+        const sf::Vector2f at = shade_.texel(position);
+        return {position.x, position.y, color.r, color.g, color.b, color.a, at.x, at.y};
+    }
     constexpr float white = Atlas::white;
     return {position.x, position.y, color.r, color.g, color.b, color.a, white, white};
 }
@@ -187,6 +202,7 @@ CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
 /// Appends `count` vertices to the strip, joined to the last one by degenerate triangles.
 CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first,
                                   const sf::Texture* texture) {
+    if (texture == nullptr) texture = shade_.texture();
     const bool fits = texture == nullptr
                           ? source_ == &atlas_.texture() || pictures_.has_white(source_)
                           : source_ == texture;

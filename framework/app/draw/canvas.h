@@ -18,6 +18,7 @@
 #include <draw/outline.h>
 #include <draw/pictures.h>
 #include <draw/rim.h>
+#include <draw/shade.h>
 #include <draw/sight.h>
 #include <sfml/sfml.h>
 
@@ -43,6 +44,7 @@ class Canvas : public property::Painter, public Surface {
 
     // Painter: world units, or pixels between begin_screen and end_screen.
     void clip(const property::Vec2& lower, const property::Vec2& upper) override;
+    void gradient(const property::Gradient& gradient) override;
     property::Seen seen() const override {
         return {view_.center, view_.lower(), view_.upper(), view_.screen};
     }
@@ -95,6 +97,23 @@ class Canvas : public property::Painter, public Surface {
     double pixels(double length) const;
     bool outside(const property::Vec2& lower, const property::Vec2& upper) const;
 
+    /// With a gradient, draws the fill through its texture and then the border. False if there is
+    /// nothing to be done: the caller draws the figure.
+    template <class Draw>
+    bool in_gradient(const property::Paint& paint, const Draw& draw) {
+        if (state().gradient == nullptr || shading_ || !(paint.fill.a > 0)) return false;
+        draw_collected();
+        if (shade_.full()) flush();  // what waits refers to textures that are forgotten now
+        shading_ = true;
+        if (shade_.begin(*state().gradient, state().gradient_across)) {
+            draw(property::Paint{paint.fill, {0, 0, 0, 0}, 0});
+            draw_collected();
+        }
+        shade_.end();
+        draw(property::Paint{{0, 0, 0, 0}, paint.border, paint.border_width});
+        shading_ = false;
+        return true;
+    }
     // --- In figures.cpp
     /// Draws corners_, which must lie near the screen.
     void figure(float rounding, const property::Paint& paint);
@@ -130,6 +149,8 @@ class Canvas : public property::Painter, public Surface {
     Atlas atlas_{};
     View view_{};
     Pictures pictures_{};
+    Shade shade_{};
+    bool shading_ = false;                 // a figure with a gradient is being drawn
     bool transformed_ = false;             // state().transform is not the identity
     const sf::Texture* source_ = nullptr;  // texture of strip_
     std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures

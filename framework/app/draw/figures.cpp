@@ -50,6 +50,7 @@ sf::Vector2f narrow(const Vec2& v) {
 void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
     if (transformed_ && !is_similar(state().transform))
         return ellipse(center, Vec2(radius, radius), 0, given);
+    if (in_gradient(given, [&](const Paint& p) { circle(center, radius, p); })) return;
     const Paint paint = faded(given);
     const Vec2 middle = exact(center);
     const double size = pixels(radius);
@@ -60,7 +61,7 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
     if (size > large_radius) return large_figure(sight(paint).rounded({&middle, 1}, size), paint);
     const auto small = static_cast<float>(size);
     // A small circle with an opaque fill is drawn as one disc over another.
-    if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0 &&
+    if (small <= Atlas::largest_disc && paint.fill.a >= 1 && whole_ == 0 && !shading_ &&
         state().blend == property::Blend::normal) {
         draw_collected();
         const bool bordered = paint.border.a > 0 && paint.border_width > 0;
@@ -74,6 +75,7 @@ void Canvas::circle(const Vec2& center, double radius, const Paint& given) {
 }
 
 void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const Paint& given) {
+    if (in_gradient(given, [&](const Paint& p) { ellipse(center, radii, angle, p); })) return;
     const Paint paint = faded(given);
     const Vec2 middle = exact(center);
     const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
@@ -93,6 +95,7 @@ void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const 
 
 void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Paint& given) {
     if (vertices.empty()) return;
+    if (in_gradient(given, [&](const Paint& p) { polygon(vertices, rounding, p); })) return;
     const Paint paint = faded(given);
     const double radius = std::isfinite(rounding) ? pixels(std::max(rounding, 0.0)) : 0;
     Bounds bounds(exact(vertices[0]));

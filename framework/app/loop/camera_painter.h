@@ -28,6 +28,7 @@ class CameraPainter : public property::Painter {
     void fade(float opacity) override;
     void blend(property::Blend mode) override;
     void clip(const property::Vec2& lower, const property::Vec2& upper) override;
+    void gradient(const property::Gradient& gradient) override { inner_.gradient(gradient); }
     property::Seen seen() const override { return camera_ ? seen_ : inner_.seen(); }
     double pixels_per_unit() const override { return inner_.pixels_per_unit(); }
     void picture(const property::Picture& picture, const property::PictureArea& area,

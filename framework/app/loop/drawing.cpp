@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include <fettle/app/foreground.h>
 #include <fettle/app/loop.h>
@@ -12,6 +13,7 @@
 #include <fettle/property/drawing.h>
 
 #include <loop/cameras.h>
+#include <loop/effects.h>
 
 namespace fettle::app {
 
@@ -151,6 +153,9 @@ void Loop::draw(Screen& screen, double seconds) {
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
     draw_transition(painter, tree_, view.screen);
+    if (const Effect* const effect = services_.effects().now(clock.now))
+        if (const std::string problem = screen.apply(*effect); !problem.empty())
+            services_.effects().tell("view.effect: " + problem);
     if (view.show.timings) draw_timings(screen.surface(), clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =

@@ -7,6 +7,7 @@
 #include <fettle/property/error.h>
 
 #include <loop/cameras.h>
+#include <loop/effects.h>
 
 namespace fettle::app {
 
@@ -14,10 +15,10 @@ namespace {
 
 /// The classes of the services, the first one first, and their instances below the root. A test
 /// compares them with the tree.
-constexpr const char* class_names[] = {"Time",   "Timings", "View",  "Show",        "GameWindow",
-                                       "Audio",  "Buses",   "Bus",   "SoundSource", "Sound",
-                                       "Music",  "Synth",   "Voice", "Input",       "Actions",
-                                       "Action", "Keys",    "Mouse", "Gamepad",     "Camera"};
+constexpr const char* class_names[] = {
+    "Time",    "Timings",     "View",  "Show",  "GameWindow", "Audio",  "Buses",
+    "Bus",     "SoundSource", "Sound", "Music", "Synth",      "Voice",  "Input",
+    "Actions", "Action",      "Keys",  "Mouse", "Gamepad",    "Camera", "Uniforms"};
 constexpr const char* instance_names[] = {"time", "view", "audio", "input"};
 
 /// Throws if a name that the services need is already used in the tree. If a constructor failed
@@ -45,7 +46,8 @@ Services::Services(property::Tree& tree, property::Assets* game_assets)
       assets(game_assets),
       tree_(tree),
       tree_life_(tree.lifetime()),
-      cameras_(std::make_unique<Cameras>(tree, view)) {
+      cameras_(std::make_unique<Cameras>(tree, view)),
+      effects_(std::make_unique<Effects>(tree, view, game_assets)) {
     tree.add_part(clock_part_);
 }
 
@@ -59,6 +61,14 @@ Services::~Services() {
     // If an instance cannot be deleted, the exception leaves this destructor, and the program ends
     // with its message.
     for (const char* name : class_names) property::end_class(tree_, tree_.class_named(name));
+}
+
+void Services::on_effect_problem(std::function<void(const std::string&)> tell) {
+    effects_->on_problem(std::move(tell));
+}
+
+void Services::renew_effect(const std::string& name) {
+    effects_->renew(name);
 }
 
 property::Tree& Services::define(property::Tree& tree) {

@@ -264,6 +264,14 @@ std::vector<Property> looks(View& view) {
          .doc =
              "The size of the picture for which the game is made, for `fit` letterbox and pixel.",
          .binding = column(view, Native::vec2d, 0, [](View& v) { return v.design.data(); })},
+        {.name = "effect",
+         .type = Type::text,
+         .doc = "A fragment shader in GLSL, a file in the game's folder (.frag, .glsl), through "
+                "which the picture with its menus is drawn; empty: none. Its uniforms are the "
+                "properties of `view.uniforms`.",
+         .binding = accessor(
+             view, [](View& v, property::Row) { return Value(v.effect); },
+             [](View& v, property::Row, const Value& value) { v.effect = value.text(); })},
         {.name = "background",
          .type = Type::color,
          .default_value = view.background,

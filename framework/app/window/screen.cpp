@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <draw/canvas.h>
+#include <draw/effect_pass.h>
 #include <sfml/sfml.h>
 #include <sfml/system_clipboard.h>
 
@@ -74,6 +75,14 @@ class Picture : public Screen {
         return *canvas_;
     }
     Surface& surface() override { return *canvas_; }
+    std::string apply(const Effect& effect) override {
+        canvas_->flush();
+        return effect_.draw(target_, effect, [this](sf::Texture& copy) {
+            target_.display();
+            copy.update(target_.getTexture());
+            return false;
+        });
+    }
     void present() override {
         canvas_->flush();
         target_.display();
@@ -88,6 +97,7 @@ class Picture : public Screen {
   private:
     sf::RenderTexture target_;
     std::unique_ptr<Canvas> canvas_;
+    EffectPass effect_;
     OwnClipboard clipboard_;
 };
 
@@ -136,6 +146,13 @@ class SfmlWindow : public Window {
     property::Painter& painter(const View& view) override {
         canvas_->set_view(view);
         return *canvas_;
+    }
+    std::string apply(const Effect& effect) override {
+        canvas_->flush();
+        return effect_.draw(window_, effect, [this](sf::Texture& copy) {
+            copy.update(window_);
+            return true;
+        });
     }
     Surface& surface() override { return *canvas_; }
     void present() override {
@@ -284,6 +301,7 @@ class SfmlWindow : public Window {
     std::unique_ptr<sf::Cursor> cursor_;
     sf::RenderWindow window_;
     std::unique_ptr<Canvas> canvas_;
+    EffectPass effect_;
     std::unique_ptr<sf::Texture> frame_;
     SystemClipboard clipboard_;
     Pacer pacer_;

@@ -9,7 +9,9 @@
 //   pen.screen(function)
 //   pen.push([position [, angle [, scale]]])   pen.pop()
 //   pen.fade(opacity)   pen.blend(mode)   pen.clip(lower, upper)      until pen.pop(), or the end
+//   pen.linear(from, to, colors)   pen.radial(center, radius, colors)     likewise, for fills
 //   pen.image(file, center [, width [, height [, angle [, tint [, smooth]]]]])
+//     the file is a name, or for a frame of it { name [, columns = n] [, rows = n] [, frame = n] }
 //   pen.text_size(text [, height [, font]]) -> width, height
 // Colors are values or names; false draws no fill, no border. Without a fill a figure is white
 // unless it has a border.
@@ -285,27 +287,97 @@ int blend(lua_State* L) {
                 "pen.blend: expected \"normal\", \"add\" or \"multiply\", got " + short_text(L, 1));
 }
 
+std::vector<Color> colors_at(lua_State* L, int index, const char* what) {
+    constexpr lua_Unsigned most = 64;
+    if (lua_type(L, index) != LUA_TTABLE || lua_rawlen(L, index) < 2 || lua_rawlen(L, index) > most)
+        throw Error(ErrorKind::wrong_type, std::string(what) + ": expected a list of 2 to " +
+                                               std::to_string(most) + " colors, got " +
+                                               short_text(L, index));
+    std::vector<Color> colors;
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(L, index, i);
+        colors.push_back(check_color(L, lua_gettop(L), what));
+        lua_pop(L, 1);
+    }
+    return colors;
+}
+
+int linear(lua_State* L) {
+    drop_self(L);
+    Painter& to = painter(L);
+    to.gradient({.radial = false,
+                 .from = point_at(L, 1, "pen.linear"),
+                 .to = point_at(L, 2, "pen.linear"),
+                 .colors = colors_at(L, 3, "pen.linear")});
+    return 0;
+}
+
+int radial(lua_State* L) {
+    drop_self(L);
+    Painter& to = painter(L);
+    const Vec2 center = point_at(L, 1, "pen.radial");
+    const double radius = length_at(L, 2, "pen.radial", "radius");
+    to.gradient({.radial = true,
+                 .from = center,
+                 .to = center + Vec2(radius, 0),
+                 .colors = colors_at(L, 3, "pen.radial")});
+    return 0;
+}
+
 int clip(lua_State* L) {
     drop_self(L);
     painter(L).clip(point_at(L, 1, "pen.clip"), point_at(L, 2, "pen.clip"));
     return 0;
 }
 
+struct AskedImage {
+    std::string name;
+    property::ImageFrame frame{};
+};
+
+std::int64_t count_of(lua_State* L, const char* field, std::int64_t most) {
+    lua_getfield(L, 1, field);
+    const std::int64_t count = lua_isnil(L, -1) ? 1 : lua_tointeger(L, -1);
+    if (count < 1 || count > most)
+        throw Error(ErrorKind::out_of_range,
+                    std::string("pen.image: ") + field + ": expected a whole number from 1 to " +
+                        std::to_string(most) + ", got " + short_text(L, -1));
+    lua_pop(L, 1);
+    return count;
+}
+
+AskedImage image_at(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TSTRING) return {.name = string_at(L, 1)};
+    const auto expected = [&](int index) {
+        throw Error(ErrorKind::wrong_type,
+                    "pen.image: expected the name of a file, got " + short_text(L, index));
+    };
+    if (lua_type(L, 1) != LUA_TTABLE) expected(1);
+    lua_rawgeti(L, 1, 1);
+    if (lua_type(L, -1) != LUA_TSTRING) expected(-1);
+    AskedImage asked{.name = string_at(L, -1)};
+    lua_pop(L, 1);
+    asked.frame = {.columns = count_of(L, "columns", 10'000),
+                   .rows = count_of(L, "rows", 10'000),
+                   .frame = count_of(L, "frame", 1'000'000'000)};
+    return asked;
+}
+
 int image(lua_State* L) {
     drop_self(L);
-    if (lua_type(L, 1) != LUA_TSTRING)
-        throw Error(ErrorKind::wrong_type,
-                    "pen.image: expected the name of a file, got " + short_text(L, 1));
     lua_settop(L, 7);
+    const AskedImage asked = image_at(L);
     Painter& to = painter(L);
     const Vec2 center = point_at(L, 2, "pen.image");
     const double angle = number_or(L, 5, "pen.image", 0);
     check_finite(angle, "pen.image");
     const Color tint = color_or(L, 6, "pen.image", {1, 1, 1, 1});
     const bool smooth = lua_isnil(L, 7) || lua_toboolean(L, 7);
-    const property::Picture& picture = media(L, "pen.image").picture("pen.image", string_at(L, 1));
-    const double pixel = on_screen(L) ? 1.0 : 1.0 / 32;
-    const auto w = static_cast<double>(picture.width()), h = static_cast<double>(picture.height());
+    property::Media& from = media(L, "pen.image");
+    const property::Picture& picture = from.picture("pen.image", asked.name);
+    const property::PictureArea area = from.frame("pen.image", asked.name, asked.frame);
+    const double pixel = on_screen(L) ? 1.0 : 1.0 / 32, w = area.width, h = area.height;
     // With one length, the picture keeps its proportions.
     const bool has_width = !lua_isnil(L, 3), has_height = !lua_isnil(L, 4);
     const double given_width = has_width ? length_at(L, 3, "pen.image", "width") : 0;
@@ -318,7 +390,7 @@ int image(lua_State* L) {
                                       : h * pixel;
     to.push(property::Transform::placed(center, to.on_screen() ? -angle : angle));
     const Vec2 half(0.5 * width, 0.5 * height);
-    to.picture(picture, {0, 0, w, h}, -half, half, tint, smooth);
+    to.picture(picture, area, -half, half, tint, smooth);
     to.pop();
     return 0;
 }
@@ -383,6 +455,8 @@ void open_pen(lua_State* L, Machine& machine) {
     add_function<fade>(L, "fade");
     add_function<blend>(L, "blend");
     add_function<clip>(L, "clip");
+    add_function<linear>(L, "linear");
+    add_function<radial>(L, "radial");
     add_function<image>(L, "image");
     lua_setfield(L, -2, "methods");
     name_metatable(L, "pen");

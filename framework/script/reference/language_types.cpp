@@ -235,12 +235,17 @@ TypeDoc pen_type() {
          {"fade", "fade(opacity: number)",
           "Multiplies the opacity of what follows, until pen.pop() or the end of the function."},
          {"image",
-          "image(file: string, center: vec, width?: number, height?: number, angle?: number, "
+          "image(file: string|table, center: vec, width?: number, height?: number, angle?: number, "
           "tint?: "
           "color|string, smooth?: boolean)",
           "An image file of the game, with 32 of its pixels in a meter, and in its own size inside "
-          "pen.screen. With one length it keeps its proportions."},
+          "pen.screen. With one length it keeps its proportions. A table is a frame of a sheet: "
+          "{ \"walk.png\", columns = 4, rows = 2, frame = 3 }, or of an export of Aseprite "
+          "{ \"walk.json\", frame = 3 }."},
          {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
+         {"linear", "linear(from: vec, to: vec, colors: (color|string)[])",
+          "The fill of the circles, boxes and polygons that follow changes its color along this "
+          "line, until pen.pop() or the end of the function."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
           "A dot as many pixels wide as its size says, 4 without one."},
          {"polygon",
@@ -253,6 +258,9 @@ TypeDoc pen_type() {
          {"push", "push(position?: vec, angle?: number, scale?: number)",
           "What follows is scaled, turned and moved by this, until pen.pop() or the end of the "
           "function. Widths of borders and lines stay as they are."},
+         {"radial", "radial(center: vec, radius: number, colors: (color|string)[])",
+          "The fill of the circles, boxes and polygons that follow changes its color from the "
+          "center outwards, until pen.pop() or the end of the function."},
          {"screen", "screen(action: fun(pen: Pen))",
           "What the function draws is measured in pixels from the upper left corner."},
          {"text",

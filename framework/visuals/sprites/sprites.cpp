@@ -38,6 +38,14 @@ std::string known_animations(const std::string& name, const Sheet& sheet) {
     return property::suggestion(name, names);
 }
 
+Frame whole_of(const Sheet& sheet) {
+    Frame whole;
+    whole.area = {0, 0, static_cast<double>(sheet.picture.width()),
+                  static_cast<double>(sheet.picture.height())};
+    whole.size = {whole.area.width, whole.area.height};
+    return whole;
+}
+
 }  // namespace
 
 /// Null if it has no image.
@@ -78,14 +86,14 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
 /// The frame that is shown.
 Frame Sprites::frame(Row& row) {
     const Sheet& sheet = *row.sheet;
+    // Most images are one frame, of which no animation can show another one.
+    if (sheet.found && sheet.frames.empty() && frames_in(row, sheet) == 1) return whole_of(sheet);
     const Playing plays = playing(row, sheet);
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
     const std::size_t index =
         plays.animation ? plays.animation->frames[n] : static_cast<std::size_t>(plays.first) + n;
     if (!sheet.frames.empty()) return sheet.frames[index];
-    Frame whole;
-    whole.area = {0, 0, static_cast<double>(sheet.picture.width()),
-                  static_cast<double>(sheet.picture.height())};
+    Frame whole = whole_of(sheet);
     if (sheet.found) {
         const Reader read(*tree_, row.self);
         const auto columns = static_cast<std::size_t>(read.value(of_.columns).integer());

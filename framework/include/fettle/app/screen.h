@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <fettle/app/effect.h>
 #include <fettle/app/event.h>
 #include <fettle/app/export.h>
 #include <fettle/app/layer.h>
@@ -35,6 +36,12 @@ class Screen {
     virtual void begin(property::Color background) = 0;
     /// Draws in the world as `view` shows it. Valid until `present`.
     virtual property::Painter& painter(const View& view) = 0;
+    /// Draws what the frame shows so far again through a shader. Returns why it was not done, with
+    /// the line of the error if there is one; "" if it was.
+    virtual std::string apply(const Effect& effect) {
+        (void)effect;
+        return {};
+    }
     /// The surface for drawing in pixels, over the picture.
     virtual Surface& surface() = 0;
     /// Ends a frame and shows it.

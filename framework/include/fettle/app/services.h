@@ -1,7 +1,9 @@
 #pragma once
 // Services that every game has in its tree beside the world: `time`, `view`, `input`, `audio`.
 
+#include <functional>
 #include <memory>
+#include <string>
 
 #include <fettle/app/audio.h>
 #include <fettle/app/clock.h>
@@ -15,6 +17,7 @@ FETTLE_APP_BEGIN
 namespace fettle::app {
 
 class Cameras;
+class Effects;
 
 /// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
 /// runtime. The destructor deletes the instances of the services, with everything below them; if
@@ -36,6 +39,12 @@ class Services {
     Input input;
     /// The cameras of the game beside the view.
     const Cameras& cameras() const { return *cameras_; }
+    /// The effect of the view.
+    Effects& effects() { return *effects_; }
+    /// Receives what is wrong with the effect of the view.
+    void on_effect_problem(std::function<void(const std::string&)> tell);
+    /// Reads the file again if it is that of the effect.
+    void renew_effect(const std::string& name);
     property::Assets* const assets;
 
   private:
@@ -45,6 +54,7 @@ class Services {
     std::weak_ptr<const property::Tree*> tree_life_;
     ClockPart clock_part_{clock};
     std::unique_ptr<Cameras> cameras_;
+    std::unique_ptr<Effects> effects_;
 };
 
 }  // namespace fettle::app

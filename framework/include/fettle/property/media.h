@@ -1,6 +1,7 @@
 #pragma once
 // Images and written text for code that draws without instances, such as `draw(pen)` of scripts.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,12 +19,21 @@ struct TextStyle {
     TextAlign align = TextAlign::middle;
 };
 
+/// A frame of an image: columns and rows of equal frames, or those of an Aseprite export.
+struct ImageFrame {
+    std::int64_t columns = 1, rows = 1;
+    std::int64_t frame = 1;  // from 1, row by row; counted again from the first beyond the last
+};
+
 class Media {
   public:
     virtual ~Media() = default;
     /// An image file of the game; a checkerboard if it is missing. `what` begins the message about
     /// that. The picture lives as long as the game.
     virtual const Picture& picture(const std::string& what, const std::string& name) = 0;
+    /// The part of that picture that a frame is.
+    virtual PictureArea frame(const std::string& what, const std::string& name,
+                              const ImageFrame& frame) = 0;
     /// Width of the longest line, and height of all lines.
     virtual Vec2 text_size(std::string_view text, const TextStyle& style) = 0;
     /// `position`: in the middle of the height, at the beginning, middle or end of each line.

@@ -3,6 +3,7 @@
 // window implements Painter. Neither depends on the other.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,15 @@ struct Paint {
 
 /// Position of each line of a text relative to the given point.
 enum class TextAlign : std::uint8_t { middle, left, right };
+
+/// Colors that change along a line, or from a center outwards. Before `from` is the first color,
+/// and beyond `to` the last.
+struct Gradient {
+    bool radial = false;
+    Vec2 from{0, 0};              // radial: the center
+    Vec2 to{0, 0};                // radial: a point at the last color
+    std::vector<Color> colors{};  // two or more, at equal distances
+};
 
 /// What of the world is seen.
 struct Seen {
@@ -73,6 +83,9 @@ class Painter {
     /// Draws only inside of the box, and inside of the clip rectangle that is set already. With a
     /// transform that turns, the box around the turned box is used.
     virtual void clip(const Vec2& lower, const Vec2& upper) { (void)lower, (void)upper; }
+    /// Multiplies the fill of the circles, ellipses and polygons that follow, until the `pop` of
+    /// what is pushed now.
+    virtual void gradient(const Gradient& gradient) { (void)gradient; }
     /// Number of `push`es without their `pop`.
     std::size_t pushed() const { return outer_.size(); }
     const Transform& transform() const { return state_.transform; }
@@ -125,6 +138,8 @@ class Painter {
         float opacity = 1;
         Blend blend = Blend::normal;
         bool on_screen = false;  // between begin_screen and end_screen
+        std::shared_ptr<const Gradient> gradient{};
+        Vec2 gradient_across{0, 0};  // where a painter puts the point beside `from`
         // Pixels from the top left corner. Without an area, nothing is visible.
         bool clipped = false;
         Vec2 clip_lower{0, 0}, clip_upper{0, 0};

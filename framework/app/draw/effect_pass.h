@@ -1,0 +1,31 @@
+#pragma once
+// Draws the picture of a target again through a shader.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <fettle/app/effect.h>
+
+#include <sfml/sfml.h>
+
+namespace fettle::app {
+
+class EffectPass {
+  public:
+    /// `copy`: fills a texture of the size of the target with its picture, and returns whether the
+    /// rows of the texture are from the bottom. Returns why nothing was done; "" if the effect was
+    /// drawn. A shader is compiled once.
+    std::string draw(sf::RenderTarget& target, const Effect& effect,
+                     const std::function<bool(sf::Texture&)>& copy);
+
+  private:
+    std::string compile(const Effect& effect);
+
+    std::string code_;     // of `shader_`
+    std::string problem_;  // why `code_` is no shader
+    std::unique_ptr<sf::Shader> shader_;
+    sf::Texture picture_{};
+};
+
+}  // namespace fettle::app

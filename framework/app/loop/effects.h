@@ -1,0 +1,48 @@
+#pragma once
+// The effect of a view: its file, and the values of its uniforms.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include <fettle/app/effect.h>
+#include <fettle/app/view.h>
+#include <fettle/property/storage/assets.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::app {
+
+class Effects {
+  public:
+    /// Adds the class `Uniforms` and `view.uniforms`.
+    Effects(property::Tree& tree, const View& view, property::Assets* assets);
+    Effects(const Effects&) = delete;
+
+    /// What is to be drawn now; null without an effect. `time`: s.
+    const Effect* now(double time);
+    /// Tells a problem, once.
+    void tell(const std::string& problem);
+    void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
+    /// Reads the file again before the next frame.
+    void renew(const std::string& name);
+
+  private:
+    void read();
+    void set_uniforms();
+
+    property::Tree& tree_;
+    const View& view_;
+    property::Assets* assets_;
+    Effect effect_{};
+    bool readable_ = false;
+    std::map<std::string, std::string> declared_{};  // uniforms of the code with their types
+    std::set<std::string> told_{};
+    std::function<void(const std::string&)> tell_{};
+};
+
+/// The uniforms that a shader declares, with their types.
+std::map<std::string, std::string> uniforms_in(const std::string& code);
+
+}  // namespace fettle::app
