@@ -103,6 +103,12 @@ void Log::error(const script::ScriptError& error) {
     if (leads_elsewhere(error)) add(LineKind::trace, error.traceback);
 }
 
+void Log::file(std::string_view text, const std::string& file) {
+    LogLine line{LineKind::note, std::string(text) + file};
+    line.file = file;
+    push(std::move(line));
+}
+
 void Log::clear() {
     dropped_ += lines_.size();
     lines_.clear();

@@ -30,6 +30,7 @@ struct LogLine {
     std::string text;
     std::size_t count = 1;              // how often in succession it was printed
     std::vector<std::string> hidden{};  // of a fold
+    std::string file{};                 // that the line names
 };
 
 class Log {
@@ -45,6 +46,8 @@ class Log {
     /// The output of a command.
     void output(const std::vector<std::string>& lines);
     void note(std::string_view text) { add(LineKind::note, text); }
+    /// A note that ends with the path of a file.
+    void file(std::string_view text, const std::string& file);
     /// Adds the message, the source line with carets below the error, and the traceback if it
     /// contains more than the message.
     void error(const script::ScriptError& error);

@@ -84,6 +84,10 @@ void Console::State::connect() {
         return said.incomplete ? std::string("the formula ends too early") : std::string();
     };
     log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
+    log_view.take_file = [this](const std::string& file) {
+        clipboard->write(file);
+        log.note("its path is in the clipboard");
+    };
     log_view.unfold = [this](std::size_t index) { log.unfold(index); };
     inspector.menu =
         inspector.editor().menu = [this](const std::string& path) { context_menu.open(path); };
@@ -220,6 +224,7 @@ void Console::after_step() {
 }
 void Console::between_frames() {
     state_->observing.between_frames(state_->options.review);
+    state_->export_plots();
 }
 float Console::covered_below() const {
     const State& s = *state_;

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t max_pins = 50, max_plots = 12;
 constexpr int most_executed = 100;  // files of commands that such files run, between two frames
+constexpr std::size_t most_exports = 4;    // between two frames
 constexpr std::int64_t pinned_past = 240;  // steps
 constexpr double longest_reading = 2000;   // ms
 
@@ -45,6 +46,9 @@ script::ConsoleFunctions Observing::functions() {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         waiting_.push_back(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
                                                              : text);
+    };
+    f.export_plot = [this](const std::string& kind) {
+        if (exports_.size() < most_exports) exports_.push_back(kind);
     };
     f.clear = [this] { prompt_.clear_log_afterwards(); };
     return f;

@@ -42,6 +42,8 @@ class Observing {
     /// The command of a key, "" if it has none.
     std::string command_of_key(const std::string& key) const;
 
+    /// Kinds of files that the plot is to be written as.
+    std::vector<std::string>& exports() { return exports_; }
     std::vector<Trace>& pins() { return pins_; }
     std::vector<Trace>& plots() { return plots_; }
 
@@ -68,6 +70,7 @@ class Observing {
     std::vector<Trace> pins_, plots_;
     std::optional<script::Observed> searched_;
     std::deque<std::string> waiting_;  // files of commands
+    std::vector<std::string> exports_;
     bool executing_ = false;
     int executed_ = 0;  // by such files, since they began
     std::map<std::string, std::string> keys_;

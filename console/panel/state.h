@@ -75,6 +75,12 @@ struct Console::State {
     void connect();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
+    // --- Files (exporting.cpp)
+    void export_plots();
+    std::string export_table();
+    std::string export_picture();
+    void draw_plot_alone(app::Surface& surface);
+
     void follow_link(std::string_view path, bool insert);
     bool is_link(std::string_view path) const;
 

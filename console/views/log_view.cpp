@@ -244,6 +244,11 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
                 ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
                 if (ImGui::IsMouseClicked(1) && menu) menu(path);
             }
+        if (found != nullptr && !found->file.empty()) {
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            ImGui::SetTooltip("A click copies the path of the file");
+            if (ImGui::IsMouseClicked(0) && take_file) return take_file(std::string(found->file));
+        }
         if (found != nullptr && found->kind == LineKind::fold) {
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
             if (ImGui::IsMouseClicked(0) && unfold)

@@ -27,6 +27,8 @@ class LogView {
     std::function<void(std::string_view path, bool insert)> follow;
     /// Called when a path is clicked with the right button.
     std::function<void(std::string_view path)> menu;
+    /// Called when a file that a line names is clicked.
+    std::function<void(const std::string& file)> take_file;
     /// Called when a fold is clicked; `index` of the lines of the log.
     std::function<void(std::size_t index)> unfold;
 

@@ -235,7 +235,33 @@ void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree
     draw_cursor(scale, times, under);
     ImGui::GetWindowDrawList()->PopClipRect();
     draw_legend(tree, plots, under);
+    draw_menu();
     ImGui::End();
+}
+
+/// The menu of the right mouse button.
+void PlotView::draw_menu() {
+    constexpr const char* name = "##plot_menu";
+    if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+        ImGui::IsMouseReleased(1))
+        ImGui::OpenPopup(name);
+    if (!ImGui::BeginPopup(name)) return;
+    const FontScope font(fonts().sans);
+    const auto item = [&](const char* label, const char* command) {
+        if (ImGui::MenuItem(label) && run) run(command);
+        menu_.emplace_back(label, item_rect());
+    };
+    menu_.clear();
+    item("Export as CSV", "export_plot(\"csv\")");
+    item("Export as PNG", "export_plot(\"png\")");
+    item("End", "plot()");
+    ImGui::EndPopup();
+}
+
+Rect PlotView::entry(std::string_view label) const {
+    for (const auto& [text, rect] : menu_)
+        if (text == label) return rect;
+    return {};
 }
 
 }  // namespace fettle::console

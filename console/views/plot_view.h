@@ -5,6 +5,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/tree.h>
@@ -35,6 +38,8 @@ class PlotView {
     void hide() { rect_ = area_ = {}; }
     /// The rectangle of the curves, and of the button that ends the plot; for tests.
     const Rect& area() const { return area_; }
+    /// The rectangle of an entry of the menu.
+    Rect entry(std::string_view label) const;
     const Rect& close_button() const { return close_; }
 
   private:
@@ -50,7 +55,10 @@ class PlotView {
                      std::int64_t step);
     void draw_cursor(const Scale& scale, const Times& times, std::int64_t step) const;
 
+    void draw_menu();
+
     Rect rect_, area_, close_;
+    std::vector<std::pair<std::string, Rect>> menu_;
     std::int64_t asked_ = -1;
 };
 

@@ -15,6 +15,7 @@
 #include <files/game_path.h>
 #include <files/recorded_files.h>
 #include <game/console_layer.h>
+#include <game/exports.h>
 #include <game/game_window.h>
 #include <game/quota.h>
 
@@ -281,6 +282,14 @@ void Session::make_console(app::Clipboard* clipboard) {
         .found =
             [this](const std::string& line) {
                 if (options_.headless) print_line("  " + line);
+            },
+        .write_file =
+            [this](const std::string& kind, const std::string& content) {
+                return write_export(new_export(kind), content);
+            },
+        .write_picture =
+            [this](float width, float height, const auto& draw) {
+                return draw_export(new_export("png"), width, height, draw);
             },
         .replay = replayed_ != nullptr};
     if (!options_.headless) options.history_file = console::default_history_file();

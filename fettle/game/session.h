@@ -96,6 +96,7 @@ class Session {
     void type_what_is_due();
     void listen();
     void begin_to_listen();
+    std::filesystem::path new_export(const std::string& kind) const;
     std::string reason_not_to_listen() const;
     void make_files();
     void read_settings();

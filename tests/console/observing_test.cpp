@@ -4,6 +4,9 @@
 #include <fstream>
 #include <map>
 
+#include <model/plot_table.h>
+#include <set>
+
 #include "catch.h"
 #include "rig.h"
 #include "temporary_folder.h"
@@ -92,6 +95,9 @@ class ObservingRig : public Rig {
     const std::vector<console::Trace>& plots() { return lua.state().observing.plots(); }
 
     std::int64_t now = 0, went_to = -1;
+    bool refuses = false;
+    std::vector<std::string> written;
+    std::vector<std::vector<console::test::Pixel>> pictures;
     script::Runtime runtime;
     console::Console lua;
 
@@ -104,6 +110,18 @@ class ObservingRig : public Rig {
     console::Options options() {
         console::Options made;
         made.clipboard = &clipboard;
+        made.write_file = [this](const std::string& kind, const std::string& content) {
+            if (refuses) throw std::runtime_error("the disk is full");
+            written.push_back(content);
+            return "/plots/plot-1." + kind;
+        };
+        made.write_picture = [this](float, float, const auto& draw) {
+            console::test::RasterSurface picture(1200, 600);
+            draw(picture);
+            pictures.push_back(picture.pixels());
+            CHECK(picture.faults() == 0);
+            return std::string("/plots/plot-1.png");
+        };
         made.review = [this](std::int64_t from, const auto& look) {
             for (std::int64_t n = std::max<std::int64_t>(from, 0); n <= now; ++n) {
                 place(n);
@@ -354,6 +372,57 @@ TEST_CASE("a formula is typed into a field of the inspector") {
     CHECK_FALSE(
         state.inspector.editor().problem(rig.tree.property(rig.lua.selected(), "angle")).empty());
     CHECK(rig.value("world.ball.angle") == Value(0.0));
+}
+
+TEST_CASE("a plot is written as a table and as a picture") {
+    ObservingRig rig;
+    rig.run("export_plot()");
+    CHECK(rig.text().find("export_plot: nothing is plotted") != std::string::npos);
+    rig.run("export_plot('gif')");
+    CHECK(rig.text().find("expected \"csv\" or \"png\", got \"gif\"") != std::string::npos);
+    rig.step(2);
+    rig.run("plot world.ball.position, world.ball.mass > 2");
+    rig.run("export_plot()");
+    REQUIRE(rig.written.size() == 1);
+    CHECK(rig.written[0] ==
+          "step,seconds,world.ball.position x [m],world.ball.position y [m],world.ball.mass > 2\r\n"
+          "0,0,0,-4,0\r\n"
+          "1,0.016666666666666666,1,-4,0\r\n"
+          "2,0.03333333333333333,2,-4,0\r\n");
+    CHECK(rig.text().find("wrote /plots/plot-1.csv\n") != std::string::npos);
+    rig.refuses = true;
+    rig.run("export_plot('csv')");
+    CHECK(rig.text().find("the disk is full") != std::string::npos);
+    // By the menu of the right mouse button.
+    rig.show();
+    rig.click_at(rig.lua.state().plot_view.area().middle(), "right");
+    rig.show(2);
+    const console::Rect entry = rig.lua.state().plot_view.entry("Export as PNG");
+    REQUIRE_FALSE(entry.empty());
+    rig.click_at(entry.middle());
+    rig.lua.between_frames();
+    REQUIRE(rig.pictures.size() == 1);
+    const auto& pixels = rig.pictures[0];
+    CHECK(std::set(pixels.begin(), pixels.end()).size() > 20);
+    CHECK(rig.text().find("wrote /plots/plot-1.png\n") != std::string::npos);
+    rig.show();
+    CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("columns of a table have quotes where they need them and gaps where nothing was") {
+    script::Observed what;
+    what.text = "f(1, \"a\")";
+    double value = 1;
+    what.value = [&value] { return Value(value); };
+    std::vector<console::Trace> plots;
+    plots.emplace_back(what);
+    plots.back().take(5);
+    what.text = "late";
+    plots.emplace_back(what);
+    value = 2.5;
+    for (console::Trace& each : plots) each.take(6);
+    CHECK(console::csv_of(plots, 0.5) ==
+          "step,seconds,\"f(1, \"\"a\"\")\",late\r\n5,2.5,1,\r\n6,3,2.5,2.5\r\n");
 }
 
 TEST_CASE("the menu of a property pins and plots and copies its path") {

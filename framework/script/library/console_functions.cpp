@@ -1,6 +1,7 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
+//   export_plot(kind)
 
 #include <fettle/property/path.h>
 #include <fettle/property/storage/assets.h>
@@ -122,6 +123,18 @@ int clear(lua_State* L) {
     return 0;
 }
 
+int export_plot(lua_State* L) {
+    const std::string kind = lua_isnoneornil(L, 1)
+                                 ? std::string("csv")
+                                 : check_text(L, 1, "export_plot: needs \"csv\" or \"png\"");
+    if (kind != "csv" && kind != "png")
+        throw Error(ErrorKind::rejected,
+                    "export_plot: expected \"csv\" or \"png\", got \"" + kind + "\"");
+    if (const auto* function = served(machine_of(L), &ConsoleFunctions::export_plot, "export_plot"))
+        (*function)(kind);
+    return 0;
+}
+
 /// selection() returns the selected instances, selection(list) selects them.
 int selection(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -164,6 +177,7 @@ void open_console_functions(lua_State* L) {
     add_function<alias>(L, "alias");
     add_function<exec>(L, "exec");
     add_function<clear>(L, "clear");
+    add_function<export_plot>(L, "export_plot");
     add_function<selection>(L, "selection");
 }
 

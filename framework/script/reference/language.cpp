@@ -42,6 +42,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "Calls the function repeatedly at that interval of simulation time; 0 means every step."},
         {"exec", "exec(file: string)",
          "Runs the commands in a file of the game, as if they were typed into the console."},
+        {"export_plot", "export_plot(kind?: string)",
+         "Writes what is plotted to a new file in the player's folder of the game: \"csv\" with "
+         "all values, or \"png\" as a picture. The console prints its path."},
         {"find", "find(word: string)",
          "Lists every name and description that contains the word; for a condition such as \"mass "
          "> 5 "

@@ -43,6 +43,12 @@ struct Options {
         review{};
     /// Receives what breaks and searches of the past find, in addition to the log.
     std::function<void(const std::string& line)> found{};
+    /// Writes a new file for the player, and returns its path; `kind`: "csv". Throws if it cannot.
+    std::function<std::string(const std::string& kind, const std::string& content)> write_file{};
+    /// The same for a picture of that size in pixels, which `draw` draws.
+    std::function<std::string(float width, float height,
+                              const std::function<void(app::Surface&)>& draw)>
+        write_picture{};
     /// The run repeats a recording, which contains the commands that `exec` ran: it runs none.
     bool replay = false;
 };

@@ -45,6 +45,8 @@ struct ConsoleFunctions {
     /// Runs the commands of a text after the present one, as if they were typed.
     std::function<void(const std::string& text)> exec{};
     std::function<void()> clear{};
+    /// Writes the plot to a file; `kind` is "csv" or "png".
+    std::function<void(const std::string& kind)> export_plot{};
     /// The selected instances, `it` last; and selects others.
     std::function<std::vector<property::Handle>()> selection{};
     std::function<void(const std::vector<property::Handle>&)> select{};

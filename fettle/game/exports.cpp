@@ -1,0 +1,62 @@
+#include <game/exports.h>
+
+#include <fstream>
+
+#include <fettle/app/screen.h>
+
+#include <files/game_path.h>
+#include <game/session.h>
+
+namespace fettle::program {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_exports = 1000;  // of one game, so that a script does not fill the disk
+
+}  // namespace
+
+fs::path free_name(const fs::path& folder, const std::string& kind) {
+    if (folder.empty()) throw FileError("export_plot: this user has no folder for data of games");
+    std::error_code error;
+    fs::create_directories(folder / "plots", error);
+    if (error) throw FileError((folder / "plots").string() + ": " + error.message());
+    for (int i = 1; i <= most_exports; ++i) {
+        const fs::path file = folder / "plots" / ("plot-" + std::to_string(i) + "." + kind);
+        if (!fs::exists(fs::symlink_status(file, error))) return file;
+    }
+    throw FileError((folder / "plots").string() + ": there are " + std::to_string(most_exports) +
+                    " plots already; remove some");
+}
+
+std::string write_export(const fs::path& file, const std::string& content) {
+    std::ofstream out(file, std::ios::binary);
+    out << content;
+    out.close();
+    if (out) return file.string();
+    std::error_code error;
+    fs::remove(file, error);
+    throw FileError(file.string() + ": it could not be written");
+}
+
+std::string draw_export(const fs::path& file, float width, float height,
+                        const std::function<void(app::Surface&)>& draw) {
+    if (!app::display_available())
+        throw FileError("export_plot: a picture needs a display; \"csv\" needs none");
+    const auto picture =
+        app::make_picture(static_cast<unsigned>(width), static_cast<unsigned>(height));
+    picture->begin(property::Color{0, 0, 0, 1});
+    draw(picture->surface());
+    picture->present();
+    picture->save(file);
+    return file.string();
+}
+
+fs::path Session::new_export(const std::string& kind) const {
+    if (replayed_ != nullptr || isolated() || options_.sandbox)
+        throw FileError("export_plot: a replay, a test and a game in a sandbox write no plots");
+    return free_name(property::player_folder(options_.game, settings_.id), kind);
+}
+
+}  // namespace fettle::program
