@@ -191,16 +191,29 @@ std::string History::take_problem() {
     return std::exchange(problem_, {});
 }
 
-std::filesystem::path default_history_file() {
+namespace {
+
+/// The folder that the variable names, or `otherwise` in the home of the user; empty without both.
+std::filesystem::path folder_of_user(const char* variable, const char* otherwise) {
     auto set = [](const char* name) -> const char* {
         const char* value = std::getenv(name);
         return value != nullptr && *value == '/' ? value : nullptr;
     };
-    if (const char* state = set("XDG_STATE_HOME"))
-        return std::filesystem::path(state) / "fettle" / "console_history";
-    if (const char* home = set("HOME"))
-        return std::filesystem::path(home) / ".local" / "state" / "fettle" / "console_history";
+    if (const char* given = set(variable)) return std::filesystem::path(given) / "fettle";
+    if (const char* home = set("HOME")) return std::filesystem::path(home) / otherwise / "fettle";
     return {};
+}
+
+}  // namespace
+
+std::filesystem::path default_history_file() {
+    const auto folder = folder_of_user("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / "console_history";
+}
+
+std::filesystem::path default_autoexec_file() {
+    const auto folder = folder_of_user("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "autoexec.lua";
 }
 
 }  // namespace fettle::console

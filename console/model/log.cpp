@@ -41,7 +41,7 @@ Span span_at(std::string_view source, std::size_t column) {
 
 /// Whether a repeated line of that kind is counted. The lines of an error belong together.
 bool is_counted(LineKind kind) {
-    return kind == LineKind::output || kind == LineKind::note;
+    return kind == LineKind::output || kind == LineKind::game || kind == LineKind::note;
 }
 
 }  // namespace

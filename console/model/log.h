@@ -17,6 +17,7 @@ enum class LineKind : std::uint8_t {
     command,       // first line of a typed command
     continuation,  // further lines of it
     output,        // results, reports of assignments, printed text
+    game,          // what the game prints
     note,          // messages of the console itself
     error,
     source,  // the line of code with an error
@@ -43,6 +44,7 @@ class Log {
     void command(std::string_view text);
     /// A line that is printed several times in succession is stored once, with their number.
     void output(std::string_view text) { add(LineKind::output, text); }
+    void game(std::string_view text) { add(LineKind::game, text); }
     /// The output of a command.
     void output(const std::vector<std::string>& lines);
     void note(std::string_view text) { add(LineKind::note, text); }

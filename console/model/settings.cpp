@@ -71,6 +71,13 @@ property::ClassDescriptor console_class() {
         "command that needs more is stopped."));
     list.push_back(number_property("opacity", 1, {0.3, 1}, "",
                                    "Of the background. Below 1 the game is seen behind the text."));
+    Property filter;
+    filter.name = "filter";
+    filter.type = Type::text;
+    filter.default_value = Value("");
+    filter.transient = true;
+    filter.doc = "Only lines of the log that contain this text are shown; \"\" shows all.";
+    list.push_back(filter);
     Property key;
     key.name = "key";
     key.type = Type::text;

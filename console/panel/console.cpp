@@ -58,6 +58,8 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         interpreter.serve(std::move(functions));
     }
     if (std::string problem = history.take_problem(); !problem.empty()) log.note(problem);
+    take_settings(options.layout);
+    if (!options.first_commands.empty()) observing.run_later(options.first_commands);
 }
 
 void Console::State::connect() {
@@ -124,6 +126,7 @@ void Console::State::follow_settings() {
         log.note("any Lua · Tab completes · path? explains · click a body to edit it");
     }
     if (!opened && was_open) {
+        keep_layout();
         prompt.close_menu();
         ui.release_all();
         fed_button = fed_key = fed_text = false;
@@ -215,6 +218,7 @@ Console::Console(property::Tree& tree, Interpreter interpreter, Options options)
     : state_(std::make_unique<State>(tree, std::move(interpreter), std::move(options))) {}
 
 Console::~Console() {
+    state_->keep_layout();
     if (state_->interpreter.limit_memory) state_->interpreter.limit_memory({}, {});
     if (state_->interpreter.serve) state_->interpreter.serve({});
 }
@@ -223,6 +227,7 @@ void Console::after_step() {
     state_->observing.after_step();
 }
 void Console::between_frames() {
+    state_->restore_observed();
     state_->observing.between_frames(state_->options.review);
     state_->export_plots();
 }
@@ -271,7 +276,7 @@ Handle Console::selected() const {
 }
 
 void Console::print(std::string_view text) {
-    state_->log.output(text);
+    state_->log.game(text);
 }
 void Console::report(const script::ScriptError& error) {
     state_->log.error(error);

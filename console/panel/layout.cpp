@@ -9,6 +9,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <inspector/outline.h>
+#include <look/fields.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
 #include <panel/state.h>
@@ -140,11 +141,33 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
     if (tweak_list.available() && settings.flag("tweaks"))
         tweak_list.draw(std::max(1.0f, log_height));
     else
-        log_view.draw(std::max(1.0f, log_height), cell);
+        draw_log(std::max(1.0f, log_height), cell);
     ImGui::Spacing();
     prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
     draw_height_handle();
     ImGui::End();
+}
+
+void Console::State::draw_log(float log_height, float cell) {
+    log_view.filter(settings.text("filter"));
+    log_view.draw(log_height, cell);
+}
+
+/// The field that filters the log, in the title.
+void Console::State::draw_filter(float& right, float em) {
+    const float wide = 9 * em;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    right -= wide;
+    ImGui::SetCursorScreenPos(ImVec2(right, start.y));
+    ImGui::SetNextItemWidth(wide);
+    std::string text = settings.text("filter");
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 0));
+    if (input_line("##filter", "filter the log", text, 0))
+        settings.set("filter", property::Value(text));
+    ImGui::PopStyleVar();
+    filter_rect = item_rect();
+    right -= ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetCursorScreenPos(start);
 }
 
 bool Console::State::title_button(const char* label, bool lit, float& right) {
@@ -185,6 +208,8 @@ void Console::State::draw_title(float cell) {
         if (title_button(label.c_str(), listed, right))
             settings.set("tweaks", property::Value(!listed));
     }
+    const float em = ImGui::GetFontSize();
+    if (content > 46 * em) draw_filter(right, em);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = at.x;

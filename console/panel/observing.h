@@ -33,6 +33,8 @@ class Observing {
 
     /// The functions of scripts that this carries out.
     script::ConsoleFunctions functions();
+    /// Runs the commands of a text before the next frame, as if they were typed.
+    void run_later(const std::string& text) { waiting_.push_back(text); }
     void after_step();
     /// `review` shows the kept past; may be empty.
     void between_frames(const Review& review);
@@ -46,6 +48,8 @@ class Observing {
     std::vector<std::string>& exports() { return exports_; }
     std::vector<Trace>& pins() { return pins_; }
     std::vector<Trace>& plots() { return plots_; }
+    const std::vector<Trace>& pins() const { return pins_; }
+    const std::vector<Trace>& plots() const { return plots_; }
 
   private:
     void pin(script::Observed what);

@@ -73,6 +73,11 @@ struct Console::State {
     /// it anew), that is selected.
     void find_selected_again();
     void connect();
+    // --- Kept for the player (kept_layout.cpp)
+    void take_settings(const Layout& layout);
+    void restore_observed();
+    Layout layout() const;
+    void keep_layout();
     /// Runs a command of a button, a menu or a key as if it were typed.
     void run(const std::string& command);
     // --- Files (exporting.cpp)
@@ -91,6 +96,8 @@ struct Console::State {
     void draw_part(const std::function<void()>& part);
     float panel_height();
     void draw_panel(float width, float height, float cell);
+    void draw_log(float log_height, float cell);
+    void draw_filter(float& right, float em);
     void draw_title(float cell);
     bool title_button(const char* label, bool lit, float& right);
     void draw_height_handle();
@@ -134,7 +141,8 @@ struct Console::State {
     bool time_was_paused = false;
 
     float width = 0, height = 0;  // of the surface; 0 before the first draw
-    Rect panel_rect, inspector_rect;
+    Rect panel_rect, inspector_rect, filter_rect;
+    bool restored = false;  // what was pinned and plotted in earlier runs
     bool popup_open = false;
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
     std::string part_problem;                                    // the last one that the log told

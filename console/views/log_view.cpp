@@ -19,6 +19,7 @@ std::vector<Span> spans_of(const LogLine& line) {
         case LineKind::source:
             return highlight_command(line.text);
         case LineKind::output:
+        case LineKind::game:
         case LineKind::note:
         case LineKind::error:
             return highlight_output(line.text);
@@ -29,7 +30,7 @@ std::vector<Span> spans_of(const LogLine& line) {
 
 bool colored(LineKind kind) {
     return kind == LineKind::command || kind == LineKind::continuation ||
-           kind == LineKind::source || kind == LineKind::output;
+           kind == LineKind::source || kind == LineKind::output || kind == LineKind::game;
 }
 
 }  // namespace
@@ -92,6 +93,21 @@ void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     } while (begin < text.size());
 }
 
+void LogView::filter(std::string_view text) {
+    if (text == filter_) return;
+    filter_ = text;
+    columns_ = 0;  // all lines are wrapped again
+}
+
+/// Ignores case. A fold passes, because a line in it may.
+bool LogView::passes(const LogLine& whole) const {
+    if (filter_.empty() || whole.kind == LineKind::fold) return true;
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    const auto same = [&](char a, char b) { return lower(a) == lower(b); };
+    return std::search(whole.text.begin(), whole.text.end(), filter_.begin(), filter_.end(),
+                       same) != whole.text.end();
+}
+
 void LogView::wrap(std::size_t columns) {
     if (columns != columns_ || rearranged_ != log_.rearranged()) {
         rows_.clear();
@@ -102,7 +118,8 @@ void LogView::wrap(std::size_t columns) {
     }
     while (!rows_.empty() && rows_.front().line < log_.dropped()) rows_.pop_front();
     wrapped_ = std::max(wrapped_, log_.dropped());
-    for (; const LogLine* next = line(wrapped_); ++wrapped_) wrap_line(wrapped_, *next);
+    for (; const LogLine* next = line(wrapped_); ++wrapped_)
+        if (passes(*next)) wrap_line(wrapped_, *next);
 }
 
 void LogView::scroll(float line_height) {
@@ -158,6 +175,8 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         draw_text(list, at, palette::accent, "›");
     else if (row.first && found->kind == LineKind::continuation)
         draw_text(list, at, palette::faint, "·");
+    else if (row.first && found->kind == LineKind::game)
+        draw_text(list, at, palette::dim, "│");
     else if (row.first && found->kind == LineKind::error)
         draw_text(list, at, palette::error, "✗");
     at.x += static_cast<float>(gutter + row.indent) * cell;

@@ -34,6 +34,8 @@ class LogView {
 
     /// Fills the window down to `height`. `cell`: width of a character in pixels.
     void draw(float height, float cell);
+    /// Shows only lines that contain the text; "" shows all.
+    void filter(std::string_view text);
     void scroll_pages(float pages) { pages_ += pages; }
     void scroll_to_end() { stick_ = true; }
 
@@ -52,6 +54,7 @@ class LogView {
     ImVec2 text_end() const { return text_end_; }
 
   private:
+    bool passes(const LogLine& whole) const;
     struct Row {
         std::uint64_t line;      // number of the line since the beginning
         std::size_t begin, end;  // bytes of the line
@@ -78,6 +81,7 @@ class LogView {
     const LogLine* line(std::uint64_t number) const;
 
     const Log& log_;
+    std::string filter_;
     std::deque<Row> rows_;
     std::size_t columns_ = 0;
     std::uint64_t wrapped_ = 0;  // lines with smaller numbers have rows

@@ -293,6 +293,7 @@ void Session::make_console(app::Clipboard* clipboard) {
             },
         .replay = replayed_ != nullptr};
     if (!options_.headless) options.history_file = console::default_history_file();
+    take_players_console(options);
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
     for (const std::string& text : early_notes_) console_->print(text);
     if (options_.listen) console_->listen(true);

@@ -25,6 +25,10 @@
 #include <game/game_modules.h>
 #include <game/run_options.h>
 
+namespace fettle::console {
+struct Options;
+}
+
 namespace fettle::program {
 
 class Session {
@@ -95,6 +99,7 @@ class Session {
     void run_at(std::uint64_t step);
     void type_what_is_due();
     void listen();
+    void take_players_console(console::Options& options);
     void begin_to_listen();
     std::filesystem::path new_export(const std::string& kind) const;
     std::string reason_not_to_listen() const;

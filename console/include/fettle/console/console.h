@@ -8,8 +8,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/app/layer.h>
 #include <fettle/console/export.h>
@@ -24,6 +27,12 @@ class Tweaks;
 FETTLE_CONSOLE_BEGIN
 
 namespace fettle::console {
+
+/// How a player has arranged the console of a game.
+struct Layout {
+    std::map<std::string, property::Value> settings{};  // properties of `console`
+    std::vector<std::string> pins{}, plots{};           // paths and expressions
+};
 
 struct Options {
     app::Clipboard* clipboard = nullptr;  // null: copied text stays inside the console
@@ -49,6 +58,12 @@ struct Options {
     std::function<std::string(float width, float height,
                               const std::function<void(app::Surface&)>& draw)>
         write_picture{};
+    /// As the player has left it in an earlier run. Settings of a script come later, and win.
+    Layout layout{};
+    /// Receives the layout whenever the console is closed, and at the end.
+    std::function<void(const Layout&)> keep_layout{};
+    /// Commands of the player, which are run before the first frame as if they were typed.
+    std::string first_commands{};
     /// The run repeats a recording, which contains the commands that `exec` ran: it runs none.
     bool replay = false;
 };
@@ -56,6 +71,10 @@ struct Options {
 /// `console_history` in `$XDG_STATE_HOME/fettle`, or in `~/.local/state/fettle`; empty if neither
 /// XDG_STATE_HOME nor HOME is set.
 std::filesystem::path default_history_file();
+
+/// `autoexec.lua` in `$XDG_CONFIG_HOME/fettle`, or in `~/.config/fettle`; empty if neither
+/// XDG_CONFIG_HOME nor HOME is set.
+std::filesystem::path default_autoexec_file();
 
 class Console : public app::Layer {
   public:

@@ -1,0 +1,82 @@
+// What a player has arranged in the console, kept from run to run.
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <fettle/property/exception_text.h>
+
+#include <model/utf8.h>
+#include <panel/state.h>
+
+namespace fettle::console {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> kept_settings = {
+    "inspector", "time_bar", "font_size", "scale", "height", "inspector_width", "opacity"};
+
+std::vector<std::string> texts_of(const std::vector<Trace>& traces) {
+    std::vector<std::string> texts;
+    // The text of a function does not tell what it refers to.
+    for (const Trace& trace : traces)
+        if (!trace.what().text.starts_with("function")) texts.push_back(trace.what().text);
+    return texts;
+}
+
+std::string call_of(const char* function, const std::vector<std::string>& texts) {
+    std::string command;
+    for (const std::string& text : texts)
+        command += (command.empty() ? "" : ", ") + lua_string(text);
+    return std::string(function) + "(" + command + ")";
+}
+
+}  // namespace
+
+/// A setting that does not fit, from another version, is left out.
+void Console::State::take_settings(const Layout& layout) {
+    for (const std::string_view name : kept_settings) {
+        const auto found = layout.settings.find(std::string(name));
+        if (found == layout.settings.end()) continue;
+        try {
+            settings.set(name, found->second);
+        } catch (const property::Error& error) {
+            log.note(std::string("the layout of the last run: ") + error.what());
+        }
+    }
+}
+
+/// Pins and plots what was pinned and plotted at the end of the last run, once the game is there.
+void Console::State::restore_observed() {
+    if (std::exchange(restored, true) || !interpreter.evaluate || options.replay) return;
+    std::vector<std::string> commands;
+    for (const std::string& text : options.layout.pins) commands.push_back(call_of("pin", {text}));
+    if (!options.layout.plots.empty()) commands.push_back(call_of("plot", options.layout.plots));
+    for (const std::string& command : commands) {
+        const script::Evaluation said = interpreter.evaluate(command);
+        if (said.error) log.note("the layout of the last run: " + said.error->message);
+    }
+}
+
+Layout Console::State::layout() const {
+    Layout made;
+    const property::Handle own = tree.child(tree.root(), "console");
+    for (const std::string_view name : kept_settings)
+        if (own && tree.find(own, name) != nullptr)
+            made.settings.emplace(name, tree.get(own, name));
+    made.pins = texts_of(observing.pins());
+    made.plots = texts_of(observing.plots());
+    return made;
+}
+
+void Console::State::keep_layout() {
+    // Before the pins of the last run are there, there is nothing new to keep.
+    if (!options.keep_layout || !restored) return;
+    try {
+        options.keep_layout(layout());
+    } catch (const std::exception& error) {
+        log.note("the layout is not kept: " + property::exception_text(error));
+    }
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,18 @@
+#pragma once
+// The console's layout of a game, in a file of the player.
+
+#include <filesystem>
+#include <string>
+
+#include <fettle/console/console.h>
+
+namespace fettle::program {
+
+/// Reads `console.json` in that folder; of a file that is missing or damaged nothing.
+console::Layout read_layout(const std::filesystem::path& folder);
+/// Writes it, unless it says the same already. Throws if it cannot.
+void write_layout(const std::filesystem::path& folder, const console::Layout& layout);
+/// The player's `autoexec.lua`; "" if there is none. `problem` says why one cannot be read.
+std::string autoexec(std::string& problem);
+
+}  // namespace fettle::program

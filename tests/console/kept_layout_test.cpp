@@ -1,0 +1,160 @@
+// What a player keeps from run to run: the layout, and commands of his own.
+
+#include <memory>
+#include <optional>
+
+#include "catch.h"
+#include "rig.h"
+
+namespace kept_layout_test {
+
+using namespace fettle;
+using console::test::RasterSurface;
+using property::Value;
+
+namespace {
+
+/// A game with a console, as in one run of the program.
+struct Run {
+    explicit Run(console::Layout layout = {}, std::string first_commands = {},
+                 std::optional<console::Layout>* kept = nullptr)
+        : runtime((console::test::make_game(tree), tree), {}) {
+        console::Options options;
+        options.layout = std::move(layout);
+        options.first_commands = std::move(first_commands);
+        if (kept != nullptr)
+            options.keep_layout = [kept](const console::Layout& made) { *kept = made; };
+        lua = std::make_unique<console::Console>(tree, runtime, std::move(options));
+    }
+    void frame() {
+        lua->between_frames();
+        tree.barrier();
+        lua->draw(surface, 1.0 / 60);
+    }
+    std::string text() {
+        std::string all;
+        for (const console::LogLine& line : lua->state().log.lines()) all += line.text + "\n";
+        return all;
+    }
+    property::Tree tree;
+    script::Runtime runtime;
+    RasterSurface surface{1280, 720};
+    std::unique_ptr<console::Console> lua;
+};
+
+}  // namespace
+
+TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
+    std::optional<console::Layout> kept;
+    {
+        Run first({}, {}, &kept);
+        first.frame();
+        first.lua->state().run("pin world.ball.mass");
+        first.lua->state().run("pin(function() return 1 end)");
+        first.lua->state().run("plot world.ball.position, world.ball.mass * 2");
+        property::set(first.tree, "console.height", Value(0.7));
+        property::set(first.tree, "console.scale", Value(1.5));
+        first.lua->open();
+        first.frame();
+        CHECK_FALSE(kept);
+        first.lua->open(false);
+        REQUIRE(kept);
+        kept.reset();
+    }
+    REQUIRE(kept);
+    CHECK(kept->pins == std::vector<std::string>{"world.ball.mass"});
+    CHECK(kept->plots == std::vector<std::string>{"world.ball.position", "world.ball.mass * 2"});
+    Run second(*kept);
+    CHECK(property::get(second.tree, "console.height").number() == Approx(0.7));
+    CHECK(property::get(second.tree, "console.scale").number() == Approx(1.5));
+    second.frame();
+    auto& observing = second.lua->state().observing;
+    REQUIRE(observing.pins().size() == 1);
+    CHECK(observing.pins()[0].value() == Value(1.0));
+    REQUIRE(observing.plots().size() == 2);
+    CHECK(observing.plots()[1].what().text == "world.ball.mass * 2");
+    CHECK_FALSE(second.runtime.running());
+}
+
+TEST_CASE("a layout that does not fit is told and the rest is used") {
+    console::Layout damaged;
+    damaged.settings = {{"height", Value("tall")}, {"scale", Value(2.0)}, {"wings", Value(1.0)}};
+    damaged.pins = {"world.ball.mass +", "world.ball.mass"};
+    Run run(damaged);
+    run.frame();
+    CHECK(property::get(run.tree, "console.scale").number() == 2);
+    CHECK(property::get(run.tree, "console.height").number() == Approx(0.45));
+    CHECK(run.text().find("the layout of the last run: ") != std::string::npos);
+    CHECK(run.lua->state().observing.pins().size() == 1);
+}
+
+TEST_CASE("commands of the player run before the first frame and an error does not end them") {
+    Run run({},
+            "world.ball.mass = 2\nworld.ball.masss()\nfor i = 1, 2 do\n  world.crate.mass = i\n"
+            "end\n");
+    run.frame();
+    CHECK(property::get(run.tree, "world.ball.mass").number() == 2);
+    CHECK(property::get(run.tree, "world.crate.mass").number() == 2);
+    CHECK(run.text().find("did you mean \"mass\"?") != std::string::npos);
+    run.lua->state().run("world.ball.mass = 3");
+    run.frame();
+    CHECK(property::get(run.tree, "world.ball.mass").number() == 3);
+}
+
+TEST_CASE("the log shows only lines with the text of the filter") {
+    Run run;
+    run.lua->open();
+    run.lua->print("a wall was hit");
+    run.lua->print("a coin was taken");
+    run.lua->state().log.note("WALL");
+    run.frame();
+    const auto rows = [&] { return run.lua->state().log_view.shown_rows(); };
+    const std::size_t all = rows().size();
+    property::set(run.tree, "console.filter", Value("wall"));
+    run.frame();
+    CHECK(rows() == std::vector<std::string>{"a wall was hit", "WALL"});
+    run.lua->print("another wall");
+    run.lua->print("another coin");
+    run.frame();
+    CHECK(rows().size() == 3);
+    property::set(run.tree, "console.filter", Value(""));
+    run.frame();
+    CHECK(rows().size() == all + 2);
+    // By typing into the field of the title.
+    const ImVec2 field = run.lua->state().filter_rect.middle();
+    for (const auto kind : {app::EventKind::mouse_moved, app::EventKind::mouse_pressed,
+                            app::EventKind::mouse_released}) {
+        app::InputEvent event;
+        event.kind = kind;
+        event.name = "left";
+        event.x = field.x;
+        event.y = field.y;
+        run.lua->handle(event);
+        run.frame();
+    }
+    for (const char32_t letter : U"coin") {
+        if (letter == 0) break;
+        app::InputEvent event;
+        event.kind = app::EventKind::text;
+        event.character = letter;
+        run.lua->handle(event);
+        run.frame();
+    }
+    CHECK(property::get(run.tree, "console.filter").text() == "coin");
+    run.frame();
+    CHECK(rows().size() == 2);
+}
+
+TEST_CASE("what the game prints is told apart from what commands print") {
+    Run run;
+    run.lua->print("tick");
+    run.lua->print("tick");
+    run.lua->state().run("print('tick')");
+    const auto& lines = run.lua->state().log.lines();
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0].kind == console::LineKind::game);
+    CHECK(lines[0].count == 2);
+    CHECK(lines[2].kind == console::LineKind::output);
+}
+
+}  // namespace kept_layout_test
