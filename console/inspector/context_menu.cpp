@@ -34,11 +34,16 @@ void ContextMenu::draw_value(const property::Place& place) {
     if (can_be_plotted(property) && item("Plot", "Shows it over time, with the kept past"))
         run("plot " + path);
     if (item("Break on change", "Pauses the game when it changes")) run("break_when " + path);
+    if (place.part.empty() && item("Watch", "Prints each new value; _:stop() ends it"))
+        run("watch(" + lua_string(path) + ", print)");
     ImGui::Separator();
     if (item("Who", "Who wrote it last")) run("who " + path);
     if (item("Why", "Where its value comes from")) run("why " + path);
     ImGui::Separator();
     if (item("Copy path", "Into the clipboard")) copy(path);
+    const property::Handle owner = place.instance;
+    if (select_class && item("Select all of its class", "All edits go to all of them"))
+        select_class(tree_.class_of(owner));
     if (property.read_only) return;
     if (item("Formula …", "Puts the beginning of a formula into the prompt")) insert(path + " is ");
     if (place.part.empty() && item("Reset", "Back to its default")) run(path + " = nil");

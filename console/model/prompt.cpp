@@ -46,7 +46,11 @@ bool moves_or_ends(const Key& key) {
 }  // namespace
 
 Prompt::Prompt(Interpreter interpreter, Log& log, History& history, app::Clipboard* clipboard)
-    : interpreter_(std::move(interpreter)), log_(log), history_(history), clipboard_(clipboard) {}
+    : interpreter_(std::move(interpreter)),
+      log_(log),
+      history_(history),
+      clipboard_(clipboard),
+      signature_help_(interpreter_.complete) {}
 
 bool Prompt::key(const Key& key) {
     if (search_ && search_key(key)) return true;

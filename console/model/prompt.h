@@ -15,6 +15,7 @@
 #include <model/completion_menu.h>
 #include <model/history.h>
 #include <model/log.h>
+#include <model/signature_help.h>
 #include <model/text_edit.h>
 
 namespace fettle::console {
@@ -55,6 +56,10 @@ class Prompt {
     /// The rest of the latest command that begins with the typed text. It is shown dim behind the
     /// cursor, and Right or End accepts it.
     std::string_view suggestion() const;
+    /// The signature of the call that the cursor is in; none outside of calls.
+    std::optional<SignatureHelp::Shown> signature() {
+        return signature_help_.at(edit_.text(), edit_.cursor());
+    }
 
   private:
     bool menu_key(const Key& key);
@@ -78,6 +83,7 @@ class Prompt {
     app::Clipboard* clipboard_;
     TextEdit edit_;
     CompletionMenu menu_;
+    SignatureHelp signature_help_;
 
     // Stepping through the history: the typed text, and the index of the shown entry (nullopt: the
     // typed text is shown).

@@ -63,6 +63,7 @@ void PromptView::draw(float height, float cell, bool focused) {
     draw_caret(text_origin, line_height, cell, focused);
     list.PopClipRect();
 
+    signature_anchor_ = ImVec2(text_origin.x, end.y + 5);
     if (prompt_.menu().open()) {
         const TextEdit& edit = prompt_.edit();
         std::size_t from = prompt_.menu().selection().replace_from;
@@ -146,10 +147,11 @@ void PromptView::draw_caret(ImVec2 origin, float line_height, float cell, bool f
 // -----------------------------------------------------------------------------------------------------
 
 void PromptView::draw_menu(float cell, ImFont* bold) {
-    menu_rect_ = {};
+    menu_rect_ = signature_rect_ = {};
     const CompletionMenu& menu = prompt_.menu();
     if (!menu.open()) {
         shown_selection_ = 0;
+        draw_signature();
         return;
     }
     float label_width = 0, detail_width = 0;
@@ -195,6 +197,38 @@ void PromptView::draw_menu(float cell, ImFont* bold) {
     ImGui::PopStyleVar();
     if (menu.open()) draw_description(cell, bold);
     menu_rect_ = window_rect();
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+/// The signature of the call that is being typed, with the present parameter marked.
+void PromptView::draw_signature() {
+    const auto shown = prompt_.search() ? std::nullopt : prompt_.signature();
+    if (!shown) return;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float widest = ImGui::GetIO().DisplaySize.x - 16;
+    const float width = std::min(text_width(shown->text) + 2 * style.WindowPadding.x, widest);
+    ImGui::SetNextWindowPos(
+        ImVec2(std::clamp(signature_anchor_.x, 8.0f, std::max(8.0f, widest + 8 - width)),
+               signature_anchor_.y));
+    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::popup);
+    ImGui::Begin("##signature", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(ImVec2(width - 2 * style.WindowPadding.x, ImGui::GetTextLineHeight()));
+    const std::string_view text = shown->text;
+    const ParameterRange now = shown->parameter;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = at.x;
+    x += draw_text(list, ImVec2(x, at.y), palette::dim, text.substr(0, now.begin));
+    x += draw_text(list, ImVec2(x, at.y), palette::accent,
+                   text.substr(now.begin, now.end - now.begin));
+    draw_text(list, ImVec2(x, at.y), palette::dim, text.substr(now.end));
+    signature_rect_ = window_rect();
     ImGui::End();
     ImGui::PopStyleColor();
 }

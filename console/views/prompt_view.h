@@ -20,6 +20,8 @@ class PromptView {
     void draw_menu(float cell, ImFont* bold);
     /// The rectangle of the list of candidates; empty if it is not shown.
     const Rect& menu_rect() const { return menu_rect_; }
+    /// The rectangle of the signature of the call that is being typed.
+    const Rect& signature_rect() const { return signature_rect_; }
     const Rect& rect() const { return rect_; }
     /// Whether the prompt was clicked in the last frame.
     bool clicked() const { return clicked_; }
@@ -30,16 +32,17 @@ class PromptView {
     void draw_caret(ImVec2 origin, float line_height, float cell, bool focused);
     void draw_candidate(std::size_t index, float width, float label_width, float cell);
     void draw_description(float cell, ImFont* bold);
+    void draw_signature();
     void follow_caret(ImVec2 size, float line_height, float cell);
 
     Prompt& prompt_;
-    ImVec2 menu_anchor_{0, 0};
+    ImVec2 menu_anchor_{0, 0}, signature_anchor_{0, 0};
     ImVec2 scroll_{0, 0};
     std::size_t blink_cursor_ = 0;
     double blink_from_ = 0;
     bool dragging_ = false;
     bool clicked_ = false;
-    Rect rect_, menu_rect_;
+    Rect rect_, menu_rect_, signature_rect_;
     std::size_t shown_selection_ = 0;
 };
 

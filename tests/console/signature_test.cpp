@@ -1,0 +1,81 @@
+// The signature of the call that is being typed.
+
+#include <model/signature_help.h>
+#include "catch.h"
+#include "rig.h"
+
+namespace signature_test {
+
+using namespace fettle;
+using console::open_call;
+using console::parameter_of;
+
+namespace {
+
+std::string call_at_end(std::string_view text) {
+    const auto call = open_call(text, text.size());
+    return call ? std::string(call->callee) + " " + std::to_string(call->argument) : "none";
+}
+
+std::string parameter(std::string_view signature, std::size_t index) {
+    const auto range = parameter_of(signature, index);
+    return std::string(signature.substr(range.begin, range.end - range.begin));
+}
+
+}  // namespace
+
+TEST_CASE("the open call at the cursor is found") {
+    CHECK(call_at_end("world:raycast(") == "world:raycast 0");
+    CHECK(call_at_end("world:raycast(vec(0, 1), ") == "world:raycast 1");
+    CHECK(call_at_end("world:raycast(vec(0, ") == "vec 1");
+    CHECK(call_at_end("f({1, 2, 3}, ") == "f 1");
+    CHECK(call_at_end("f({1, 2, ") == "f 0");
+    CHECK(call_at_end("f(\"a, (b\", 'c,', ") == "f 2");
+    CHECK(call_at_end("f(a[1") == "f 0");
+    for (const char* const text :
+         {"", "f", "f(1)", "f(1) ", "(1 + ", "f(\")\")", "a = b, c", ")))"})
+        CHECK(call_at_end(text) == "none");
+    CHECK(open_call("f(1, 2)", 3)->argument == 0);
+}
+
+TEST_CASE("the parameters of a signature are found") {
+    const std::string_view text = "f(a: number, b?: fun(x: number, y: text), ...: any): text";
+    CHECK(parameter(text, 0) == "a: number");
+    CHECK(parameter(text, 1) == "b?: fun(x: number, y: text)");
+    CHECK(parameter(text, 2) == "...: any");
+    CHECK(parameter(text, 7) == "...: any");
+    CHECK(parameter("f(a)", 1).empty());
+    CHECK(parameter("f()", 0).empty());
+    CHECK(parameter("number", 0).empty());
+}
+
+TEST_CASE("the signature is shown while arguments are typed") {
+    console::test::Rig rig;
+    script::Runtime runtime(rig.tree, {});
+    console::Console lua(rig.tree, runtime);
+    lua.open();
+    const auto type = [&](std::string_view text) {
+        for (const char each : text) {
+            app::InputEvent event;
+            event.kind = app::EventKind::text;
+            event.character = static_cast<char32_t>(each);
+            lua.handle(event);
+        }
+        lua.draw(rig.surface, 1.0 / 60);
+        lua.draw(rig.surface, 1.0 / 60);
+    };
+    type("rewind");
+    CHECK(lua.state().prompt_view.signature_rect().empty());
+    type("(");
+    CHECK_FALSE(lua.state().prompt_view.signature_rect().empty());
+    const auto shown = lua.state().prompt.signature();
+    REQUIRE(shown);
+    CHECK(shown->text.starts_with("rewind(seconds: number"));
+    CHECK(shown->text.substr(shown->parameter.begin,
+                             shown->parameter.end - shown->parameter.begin) == "seconds: number");
+    type("2)");
+    CHECK(lua.state().prompt_view.signature_rect().empty());
+    CHECK(rig.surface.faults() == 0);
+}
+
+}  // namespace signature_test
