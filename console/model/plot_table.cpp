@@ -7,7 +7,7 @@ namespace fettle::console {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string csv_text(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string all = "\"";
     for (const char c : text) c == '"' ? all += "\"\"" : all += c;
@@ -17,7 +17,7 @@ std::string quoted(const std::string& text) {
 std::string heading(const Trace& trace, const char* component) {
     std::string name = trace.what().text + component;
     if (!trace.what().unit.empty()) name += " [" + trace.what().unit + "]";
-    return quoted(name);
+    return csv_text(name);
 }
 
 }  // namespace

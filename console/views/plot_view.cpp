@@ -246,8 +246,8 @@ void PlotView::draw_menu() {
         ImGui::IsMouseReleased(1))
         ImGui::OpenPopup(name);
     if (!ImGui::BeginPopup(name)) return;
-    const FontScope font(fonts().sans);
     const auto item = [&](const char* label, const char* command) {
+        const FontScope font(fonts().sans);
         if (ImGui::MenuItem(label) && run) run(command);
         menu_.emplace_back(label, item_rect());
     };

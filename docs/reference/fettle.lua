@@ -2743,6 +2743,7 @@ Transition = {}
 
 ---The in-game console and inspector.
 ---@class Console : Object
+---@field filter string Only lines of the log that contain this text are shown; "" shows all. · any text · default "" · not saved
 ---@field font_size number Height of the text. · px · 8 to 48 · default 15 · not saved
 ---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
@@ -2895,6 +2896,10 @@ function every(seconds, action) end
 ---Runs the commands in a file of the game, as if they were typed into the console.
 ---@param file string
 function exec(file) end
+
+---Writes what is plotted to a new file in the player's folder of the game: "csv" with all values, or "png" as a picture. The console prints its path.
+---@param kind? string
+function export_plot(kind) end
 
 ---Lists every name and description that contains the word; for a condition such as "mass > 5 and awake", the instances for which it holds.
 ---@param word string
