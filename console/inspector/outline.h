@@ -3,13 +3,11 @@
 
 #include <imgui.h>
 
-#include <functional>
-
 #include <fettle/property/tree.h>
 
-namespace fettle::console {
+#include <look/pen.h>
 
-using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
+namespace fettle::console {
 
 /// Draws a line around everything that the instance and its children draw; an instance that draws
 /// nothing gets its `aabb`. `seconds`: time for the pulsing of the line.

@@ -57,6 +57,13 @@ property::ClassDescriptor console_class() {
         "listen", false,
         "Whether `fettle repl --attach` may attach to this game: only this user, on this computer, "
         "with the token in the user's runtime folder."));
+    list.push_back(flag_property(
+        "overlays", false, "Whether the overlays of `view.show` are shown as a row of buttons."));
+    list.push_back(flag_property("ghosts", true,
+                                 "Whether edits of a game that is paused show what would move, and "
+                                 "where, as far as the physics says."));
+    list.push_back(
+        number_property("ghost_time", 2, {0.1, 10}, "s", "How far these ghosts look ahead."));
     list.push_back(number_property("font_size", 15, {8, 48}, "px", "Height of the text."));
     list.push_back(
         number_property("scale", 1, {0.5, 4}, "",

@@ -54,6 +54,10 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         script::ConsoleFunctions functions = observing.functions();
         functions.selection = [this] { return inspector.selection(); };
         functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
+        functions.ab = [this](const std::string& path, const Value& value, double seconds) {
+            path.empty() ? comparison.end() : comparison.ask(path, value, seconds);
+        };
+        functions.share = options.share;
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
     }
@@ -104,8 +108,28 @@ void Console::State::connect() {
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     watch_list.follow = tweak_list.follow;
     watch_list.menu = log_view.menu;
-    observing.found = options.found;
-    plot_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
+    observing.found = comparison.found = options.found;
+    compare_view.close = [this] { comparison.end(); };
+    plot_view.go_to = frame_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
+    frame_view.close = [this] { show_overlay("timings", false); };
+}
+
+bool Console::State::shows(std::string_view overlay) const {
+    const Handle view = tree.child(tree.root(), "view");
+    const Handle show = view ? tree.child(view, "show") : Handle{};
+    const property::Property* const flag = show ? tree.find(show, overlay) : nullptr;
+    return flag != nullptr && flag->type == property::Type::boolean &&
+           tree.get(show, *flag).boolean();
+}
+
+// As in the row of overlays: no edit by a person.
+void Console::State::show_overlay(std::string_view overlay, bool on) {
+    const Handle view = tree.child(tree.root(), "view");
+    const Handle show = view ? tree.child(view, "show") : Handle{};
+    const property::Property* const flag = show ? tree.find(show, overlay) : nullptr;
+    if (flag == nullptr) return;
+    const property::Tree::CauseScope cause(tree, property::Writer::module);
+    tree.set(show, *flag, Value(on));
 }
 
 void Console::State::run(const std::string& command) {
@@ -134,6 +158,9 @@ void Console::State::follow_settings() {
         time_bar.hide();
         watch_list.hide();
         plot_view.hide();
+        frame_view.hide();
+        compare_view.hide();
+        ghosts.forget();
         inspector.editor().end_drag();
         popup_open = false;
     }
@@ -225,16 +252,23 @@ Console::~Console() {
 
 void Console::after_step() {
     state_->observing.after_step();
+    state_->onion_skins.after_step();
 }
 void Console::between_frames() {
-    state_->restore_observed();
-    state_->observing.between_frames(state_->options.review);
-    state_->export_plots();
+    State& s = *state_;
+    s.restore_observed();
+    s.observing.between_frames(s.options.review);
+    s.export_plots();
+    s.ghosts.watch(s.settings.flag("ghosts"));
+    s.comparison.between_frames(s.options.review, s.options.branch);
+    s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
+    s.onion_skins.between_frames(s.options.review);
 }
 float Console::covered_below() const {
     const State& s = *state_;
     float top = s.height;
-    for (const Rect& rect : {s.time_bar.rect(), s.watch_list.rect(), s.plot_view.rect()})
+    for (const Rect& rect :
+         {s.time_bar.rect(), s.watch_list.rect(), s.plot_view.rect(), s.frame_view.rect()})
         if (s.was_open && !rect.empty()) top = std::min(top, rect.low.y);
     return std::max(0.0f, s.height - top);
 }

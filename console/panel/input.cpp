@@ -153,7 +153,8 @@ void Console::State::prompt_key(const InputEvent& event) {
 bool Console::State::over_windows(float x, float y) const {
     return popup_open || panel_rect.contains(x, y) || inspector_rect.contains(x, y) ||
            time_bar.rect().contains(x, y) || watch_list.rect().contains(x, y) ||
-           plot_view.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
+           plot_view.rect().contains(x, y) || frame_view.rect().contains(x, y) ||
+           compare_view.rect().contains(x, y) || prompt_view.menu_rect().contains(x, y);
 }
 
 bool Console::State::mouse(const InputEvent& event) {

@@ -34,9 +34,7 @@ void Console::State::frame(double seconds) {
                    std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
                               6.0f, 96.0f));
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
-    draw_part([&] {
-        if (options.to_pixels && tree.alive(inspector.selected())) draw_outlines();
-    });
+    draw_part([&] { draw_in_game(); });
     draw_part([&] { draw_box(); });
     float right = 0;
     if (settings.flag("inspector")) {
@@ -50,6 +48,8 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_panel(width - 2 * margin - right, panel_height(), cell); });
     draw_part([&] { draw_time_bar(inspector_rect.empty() ? 0 : right); });
     draw_part([&] { draw_observed(inspector_rect.empty() ? 0 : right); });
+    draw_part([&] { draw_frames(inspector_rect.empty() ? 0 : right); });
+    draw_part([&] { draw_comparison(inspector_rect.empty() ? 0 : right, seconds); });
     draw_part([&] { prompt_view.draw_menu(cell, ui.bold()); });
     draw_part([&] { context_menu.draw(); });
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -103,6 +103,46 @@ void Console::State::draw_time_bar(float right) {
                   ui.bold());
 }
 
+/// Draws what lies over the game and under the windows.
+void Console::State::draw_in_game() {
+    if (!options.to_pixels) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    ghosts.look(static_cast<double>(settings.number("ghost_time")));
+    ghosts.draw(list, options.to_pixels);
+    const property::Handle selected = inspector.selected();
+    if (!tree.alive(selected)) return;
+    if (shows("onion_skins")) onion_skins.draw(list, options.to_pixels);
+    draw_outlines();
+}
+
+/// Draws two runs between the panel and what is at the lower edge.
+void Console::State::draw_comparison(float right, double seconds) {
+    if (!comparison.shown() || !options.to_world) return compare_view.hide();
+    float low = height - margin;
+    for (const Rect& rect :
+         {time_bar.rect(), watch_list.rect(), plot_view.rect(), frame_view.rect()})
+        if (!rect.empty()) low = std::min(low, rect.low.y - margin);
+    if (inspector_rect.high.y < panel_rect.high.y + 2 * margin) right = 0;
+    const property::Vec2 a = options.to_world(0, height), b = options.to_world(width, 0);
+    compare_view.draw(
+        {ImVec2(margin, panel_rect.high.y + margin), ImVec2(width - margin - right, low)}, tree,
+        comparison, {a.cwiseMin(b), a.cwiseMax(b)}, seconds,
+        time_bar.available() ? time_bar.times().dt : 1.0 / 60);
+}
+
+/// Draws the times of the last frames above what is observed.
+void Console::State::draw_frames(float right) {
+    if (options.frames == nullptr || !shows("timings")) return frame_view.hide();
+    float low = height - margin;
+    for (const Rect& rect : {time_bar.rect(), watch_list.rect(), plot_view.rect()})
+        if (!rect.empty()) low = std::min(low, rect.low.y - margin);
+    const float tall = std::min(FrameView::height(), std::max(1.0f, low - margin));
+    if (inspector_rect.high.y < low - tall) right = 0;
+    const double dt = time_bar.available() ? time_bar.times().dt : 1.0 / 60;
+    frame_view.draw(ImVec2(margin, low), ImVec2(std::max(120.0f, width - 2 * margin - right), tall),
+                    tree, *options.frames, dt, settings.number("opacity"));
+}
+
 /// Draws the watch list and the plot above the time bar.
 void Console::State::draw_observed(float right) {
     observing.look();
@@ -135,6 +175,7 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
     ImGui::Begin("##console", nullptr, panel_flags);
     panel_rect = window_rect();
     draw_title(cell);
+    if (settings.flag("overlays")) overlay_bar.draw();
     float prompt_height = prompt_view.height(panel_height);
     float log_height =
         ImGui::GetContentRegionAvail().y - prompt_height - ImGui::GetStyle().ItemSpacing.y * 2;
@@ -200,6 +241,14 @@ void Console::State::draw_title(float cell) {
     bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
     if (title_button("inspector", shown, right)) settings.set("inspector", property::Value(!shown));
     if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
+    if (overlay_bar.available()) {
+        const int lit = overlay_bar.lit();
+        const std::string label =
+            lit == 0 ? "overlays###overlays" : "overlays " + std::to_string(lit) + "###overlays";
+        const bool listed = settings.flag("overlays");
+        if (title_button(label.c_str(), listed, right))
+            settings.set("overlays", property::Value(!listed));
+    }
     if (tweak_list.available()) {
         const bool listed = settings.flag("tweaks");
         const std::size_t open = tweak_list.open_count();

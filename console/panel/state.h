@@ -9,8 +9,11 @@
 #include <fettle/console/console.h>
 
 #include <inspector/context_menu.h>
+#include <inspector/ghosts.h>
 #include <inspector/inspector.h>
+#include <inspector/onion_skins.h>
 #include <look/imgui_backend.h>
+#include <model/comparison.h>
 #include <model/history.h>
 #include <model/log.h>
 #include <model/prompt.h>
@@ -18,7 +21,10 @@
 #include <model/settings.h>
 #include <panel/held_keys.h>
 #include <panel/observing.h>
+#include <views/compare_view.h>
+#include <views/frame_view.h>
 #include <views/log_view.h>
+#include <views/overlay_bar.h>
 #include <views/plot_view.h>
 #include <views/prompt_view.h>
 #include <views/time_bar.h>
@@ -64,6 +70,9 @@ struct Console::State {
 
     // --- Actions (console.cpp)
     bool is_open() { return settings.flag("open"); }
+    /// Whether `view.show` has the overlay and shows it.
+    bool shows(std::string_view overlay) const;
+    void show_overlay(std::string_view overlay, bool on);
     void open(bool opened);
     void follow_settings();
     void pause_time(bool paused);
@@ -102,7 +111,10 @@ struct Console::State {
     bool title_button(const char* label, bool lit, float& right);
     void draw_height_handle();
     void draw_time_bar(float right);
+    void draw_in_game();
     void draw_observed(float right);
+    void draw_frames(float right);
+    void draw_comparison(float right, double seconds);
     void draw_inspector(float left, float width);
     void draw_width_handle();
 
@@ -125,6 +137,12 @@ struct Console::State {
     Observing observing;
     WatchList watch_list;
     PlotView plot_view;
+    FrameView frame_view;
+    Comparison comparison{tree, log};
+    CompareView compare_view;
+    OverlayBar overlay_bar{tree};
+    Ghosts ghosts{tree};
+    OnionSkins onion_skins{tree};
 
     std::string selected_path;  // of the selected instance when it was last seen
     HeldKeys keys, buttons;

@@ -10,8 +10,9 @@
 #include <command_line/terminal.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
+#include <files/packed_game.h>
 #include <files/settings.h>
-#include <packing/packed_game.h>
+#include <packing/package_problems.h>
 #include <packing/standalone.h>
 
 namespace fettle::program {

@@ -152,7 +152,11 @@ class WindowRun {
                .go_on = [this] { session_->loop().resume(); },
                .copy = [this](const std::string& text) { window().clipboard().write(text); },
                .covered_below = [this] { return session_ ? session_->covered_below() : 0; },
-               .looks_back = [this] { return session_ && session_->looks_back(); }}) {}
+               .looks_back = [this] { return session_ && session_->looks_back(); },
+               .travel =
+                   [this](int steps) {
+                       if (session_) session_->travel(steps);
+                   }}) {}
 
     int play() {
         start();

@@ -74,7 +74,8 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
         std::chrono::steady_clock::now() - begin;
     note("reloaded " + join(names) + " in " + std::to_string(std::lround(lasted.count())) + " ms");
     failed_ = false;
-    if (loop_->halted()) loop_->resume();
+    if (loop_->halted() && loop_->retry())
+        note("step " + std::to_string(services_->clock.step + 1) + " runs again");
     return Followed::changed;
 }
 

@@ -279,6 +279,10 @@ void Session::make_console(app::Clipboard* clipboard) {
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },
+        .branch = [this](std::int64_t from, const auto& change,
+                         const auto& look) { loop_->timeline().branch(from, change, look); },
+        .share = [this](const std::string& name) { return share(name); },
+        .frames = &services_->clock.frames,
         .found =
             [this](const std::string& line) {
                 if (options_.headless) print_line("  " + line);
@@ -310,6 +314,12 @@ float Session::covered_below() const {
 
 bool Session::looks_back() const {
     return services_->clock.step < services_->clock.newest;
+}
+
+void Session::travel(int steps) {
+    const app::Clock& clock = services_->clock;
+    if (!clock.go_to || clock.newest <= clock.oldest) return;
+    clock.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
 }
 
 bool Session::console_is_open() const {
@@ -355,6 +365,7 @@ void Session::start() {
 #endif
     loaded_ = runtime_->load(options_.game);
     if (!loaded_ && !runtime_->interrupted()) failed_ = true;
+    if (loaded_) open_moment();
     if (follows_files()) watch_.changed(files_.seen());
     tweaks_->game_loaded();
     if (const std::size_t open = tweaks_->open_earlier(); open > 0 && replayed_ == nullptr)

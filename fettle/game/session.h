@@ -67,6 +67,8 @@ class Session {
     float covered_below() const;
     /// Whether the game is at an earlier step than the newest.
     bool looks_back() const;
+    /// Goes by so many steps through the kept past, at the next barrier.
+    void travel(int steps);
     /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
     /// The exit status; it depends on errors and quit().
@@ -93,6 +95,8 @@ class Session {
     script::Reloaded reload_media(const std::vector<std::string>& names);
     void renew(const std::string& name);
     void renew_settings();
+    std::string share(const std::string& name);
+    void open_moment();
     void add_modules();
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);

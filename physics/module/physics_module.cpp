@@ -106,6 +106,7 @@ void PhysicsModule::step(double dt) {
         throw std::invalid_argument("PhysicsModule::step: dt = " + std::to_string(dt) +
                                     ": expected a time in seconds, at least 0");
     const Hosting::Doing step(hosting());
+    if (dt > 0) hosting().last_dt = dt;
     hosting().follow_listeners();
     hosting().joints.connect();
     std::exception_ptr thrown;

@@ -86,4 +86,25 @@ TEST_CASE("the game is seen above a strip while the past before an error is look
     CHECK(strip.line_with("in update") == -1);
 }
 
+TEST_CASE("arrows go through the past while the error is shown") {
+    int went = 0;
+    app::ErrorScreen screen(
+        {.reload = {}, .go_on = {}, .travel = [&](int steps) { went += steps; }});
+    const auto press = [&](const char* key, bool repeated) {
+        app::InputEvent event;
+        event.kind = app::EventKind::key_pressed;
+        event.name = key;
+        event.repeated = repeated;
+        return screen.handle(event);
+    };
+    CHECK_FALSE(press("left", false));
+    screen.show(an_error());
+    CHECK(press("left", false));
+    CHECK(went == -6);
+    CHECK(press("left", true));  // a held key goes on
+    CHECK(went == -12);
+    CHECK(press("right", false));
+    CHECK(went == -6);
+}
+
 }  // namespace error_screen_test

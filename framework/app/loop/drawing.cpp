@@ -12,8 +12,10 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
 
+#include <loop/blame.h>
 #include <loop/cameras.h>
 #include <loop/effects.h>
+#include <loop/wires.h>
 
 namespace fettle::app {
 
@@ -96,12 +98,13 @@ void draw_timings(Surface& surface, const Clock& clock) {
         double ms;
     };
     const Timings& t = clock.timings;
-    const std::array<Row, 6> rows{{{"input", t.input},
+    const std::array<Row, 7> rows{{{"input", t.input},
                                    {"update", t.update},
                                    {"scripts", t.scripts},
                                    {"modules", t.modules},
                                    {"handlers", t.handlers},
-                                   {"draw", t.draw}}};
+                                   {"draw", t.draw},
+                                   {"wait", t.wait}}};
     constexpr float row_height = 17, width = 220, padding = 10;
     const float height = row_height * (rows.size() + 1) + 2 * padding;
     const float left = surface.width() - width - 12, top = 12;
@@ -150,6 +153,8 @@ void Loop::draw(Screen& screen, double seconds) {
         else
             runtime_.draw(on);
     });
+    if (view.show.blame) draw_blame(painter, tree_, clock.dt, clock.alpha);
+    if (view.show.wires) draw_wires(painter, tree_);
     draw_bars(painter, drawn);
     if (Foreground* const menus = services_.input.foreground()) menus->draw(painter);
     draw_transition(painter, tree_, view.screen);
@@ -160,6 +165,7 @@ void Loop::draw(Screen& screen, double seconds) {
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
+    clock.frames.add_drawing(spent.count());
     if (seconds > 0)
         clock.timings.draw += (spent.count() - clock.timings.draw) * (1 - std::exp(-seconds / 0.5));
 }

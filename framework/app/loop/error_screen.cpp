@@ -14,6 +14,7 @@ constexpr SurfaceColor red{255, 112, 104, 255};
 constexpr SurfaceColor amber{255, 205, 120, 255};
 constexpr SurfaceColor green{166, 218, 149, 255};
 
+constexpr int steps_a_key = 6;     // of the arrows that go through the past
 constexpr float margin = 48;       // px
 constexpr float keys_height = 44;  // px, of the bar with the keys
 
@@ -220,6 +221,11 @@ bool ErrorScreen::handle(const InputEvent& event) {
             if (event.name == "down") ++scroll_;
             if (event.name == "page_up") scroll_ = std::max(0, scroll_ - 10);
             if (event.name == "page_down") scroll_ += 10;
+            // A held key goes on.
+            if (!running_ && actions_.travel && (event.name == "left" || event.name == "right")) {
+                actions_.travel(event.name == "left" ? -steps_a_key : steps_a_key);
+                return true;
+            }
             return event.repeated || handle_key(event.name);
         case EventKind::wheel:
             scroll_ = std::max(0, scroll_ - static_cast<int>(3 * event.delta));
@@ -272,8 +278,8 @@ void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
         running_ ? (waits_ ? "S  stop it      R  reload      `  console"
                            : "S  stop it      W  wait on      R  reload      `  console      "
                              "\u2191 \u2193  scroll")
-                 : "R  reload      Esc  go on      C  copy      `  console      \u2191 \u2193  "
-                   "scroll";
+                 : "R  reload      Esc  go on      C  copy      `  console      \u2190 \u2192  "
+                   "back in time      \u2191 \u2193  scroll";
     surface.text(margin, bottom + 16, keys, 14, pale, Face::plain);
 }
 

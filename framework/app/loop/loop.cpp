@@ -17,17 +17,20 @@ namespace fettle::app {
 /// Measures the phases of a frame: each `lap` adds the time since the last one to a phase.
 class Loop::Stopwatch {
   public:
-    Stopwatch() : last_(Clock::now()) {}
     void lap(double& phase) {
         const Clock::time_point now = Clock::now();
         phase += std::chrono::duration<double, std::milli>(now - last_).count();
         last_ = now;
     }
+    /// Time since the beginning, ms.
+    double total() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - begun_).count();
+    }
     Timings phases{};
 
   private:
     using Clock = std::chrono::steady_clock;
-    Clock::time_point last_;
+    Clock::time_point begun_ = Clock::now(), last_ = begun_;
 };
 
 namespace {
@@ -216,6 +219,7 @@ void Loop::repeat_after_return(double real_dt) {
 bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
     (void)timeline_.take_return();
+    tree_.locate_writes(services_.view.show.blame);
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect
@@ -291,6 +295,10 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     Stopwatch watch;
     Clock& clock = services_.clock;
     seconds = std::max(0.0, seconds);
+    // `seconds` is the length of the frame before.
+    if (const FrameTimes* const before = clock.frames.complete(1000 * seconds))
+        smooth(clock.timings.wait, before->ms.wait, seconds);
+    const std::int64_t begun_at = clock.step;
     const double passed = clock.paused ? 0 : seconds * clock.scale;
     const bool will_step = clock.paused ? clock.step_once : owed_ + passed >= clock.dt;
     const auto limit = static_cast<std::uint64_t>(std::max<std::int64_t>(step_limit, 0));
@@ -313,7 +321,8 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
     }
     clock.alpha =
         clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
-    end_frame(watch, seconds);
+    end_frame(watch, seconds, 1000 * seconds);
+    if (!clock.paused || clock.step != begun_at) log_frame(watch);
 }
 
 void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
@@ -350,10 +359,20 @@ void Loop::turn() {
         services_.input.forget_presses();
     }
     clock.alpha = 1;
-    end_frame(watch, 0);
+    const double total = watch.total();
+    end_frame(watch, clock.dt, total);
+    clock.fps = 0;  // a headless run shows no frames
+    log_frame(watch);
+    (void)clock.frames.complete(total);
 }
 
-void Loop::end_frame(const Stopwatch& watch, double seconds) {
+void Loop::log_frame(const Stopwatch& watch) {
+    const Clock& clock = services_.clock;
+    services_.clock.frames.add({.ms = watch.phases, .frame = clock.frame, .step = clock.step});
+}
+
+/// `seconds`: for the smoothing; `total`: of the frame, ms.
+void Loop::end_frame(const Stopwatch& watch, double seconds, double total) {
     Clock& clock = services_.clock;
     services_.input.end_frame();
     ++clock.frame;
@@ -365,10 +384,21 @@ void Loop::end_frame(const Stopwatch& watch, double seconds) {
     smooth(average.modules, watch.phases.modules, seconds);
     smooth(average.handlers, watch.phases.handlers, seconds);
     if (average.frame > 0)
-        smooth(average.frame, 1000 * seconds, seconds);
+        smooth(average.frame, total, seconds);
     else
-        average.frame = 1000 * seconds;  // the first frame
+        average.frame = total;  // the first frame
     clock.fps = average.frame > 0 ? 1000 / average.frame : 0;
+}
+
+void Loop::halt() {
+    halted_ = true;
+    timeline_.note_failure();
+}
+
+bool Loop::retry() {
+    const bool back = timeline_.go_before_failure();
+    resume();
+    return back;
 }
 
 void Loop::resume() {

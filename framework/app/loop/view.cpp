@@ -30,6 +30,10 @@ bool Show::overlay(Overlay overlay) const {
             return names;
         case Overlay::islands:
             return islands;
+        case Overlay::impulses:
+            return impulses;
+        case Overlay::limits:
+            return limits;
     }
     return false;
 }
@@ -311,8 +315,24 @@ std::vector<Property> overlays(Show& show) {
         overlay(show, "velocities", "Velocities of bodies, as lines.",
                 [](Show& s) { return &s.velocities; }),
         overlay(show, "names", "Names of bodies.", [](Show& s) { return &s.names; }),
-        overlay(show, "islands", "Islands: bodies that sleep and wake together.",
+        overlay(show, "islands",
+                "Islands: bodies that sleep and wake together, each island in a color of its own.",
                 [](Show& s) { return &s.islands; }),
+        overlay(show, "impulses",
+                "Impulses of contacts in the last step, as arrows with one scale for all.",
+                [](Show& s) { return &s.impulses; }),
+        overlay(show, "limits", "Limits of joints: the angles and ways that they allow.",
+                [](Show& s) { return &s.limits; }),
+        overlay(show, "blame",
+                "Who wrote last: what is drawn has the color of the line of a script, the console, "
+                "the inspector or the physics that wrote it.",
+                [](Show& s) { return &s.blame; }),
+        overlay(show, "wires", "Formulas: arrows from what a formula reads to what it writes.",
+                [](Show& s) { return &s.wires; }),
+        overlay(show, "onion_skins",
+                "Earlier poses of the selected instance while the console is open, and later ones "
+                "after going back.",
+                [](Show& s) { return &s.onion_skins; }),
         overlay(show, "grid", "A grid of metres.", [](Show& s) { return &s.grid; }),
         overlay(show, "timings", "Frames a second, and where a frame's time goes.",
                 [](Show& s) { return &s.timings; }),

@@ -181,6 +181,9 @@ std::vector<Property> timings_of(Timings& timings) {
         timing(timings, "handlers", "Barriers: watchers and event handlers.",
                [](Timings& t) { return &t.handlers; }),
         timing(timings, "draw", "Drawing, layers included.", [](Timings& t) { return &t.draw; }),
+        timing(timings, "wait",
+               "Waiting for the screen, and what is in no other part; 0 in a headless run.",
+               [](Timings& t) { return &t.wait; }),
         timing(timings, "frame", "The whole frame, waiting for the screen included.",
                [](Timings& t) { return &t.frame; }),
     };
@@ -272,11 +275,12 @@ property::Handle define_clock(property::Tree& tree, Clock& clock) {
                      .creatable = false,
                      .properties = std::move(properties),
                      .methods = travelling(clock)});
-    const property::Class& timings =
-        tree.define({.name = "Timings",
-                     .doc = "Where a frame's time goes, smoothed over about half a second.",
-                     .creatable = false,
-                     .properties = timings_of(clock.timings)});
+    const property::Class& timings = tree.define(
+        {.name = "Timings",
+         .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run "
+                "a frame is a turn, and the half second is one of the simulation.",
+         .creatable = false,
+         .properties = timings_of(clock.timings)});
     const property::Handle instance = tree.create(time, tree.root(), "time");
     tree.create(timings, instance, "timings");
     return instance;

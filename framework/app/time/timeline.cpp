@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,20 @@ class Timeline::Jumps : public property::Observer {
     std::weak_ptr<const property::Tree*> tree_life_;
 };
 
+/// While it lives, restoring a snapshot is no jump of other code.
+class Timeline::Travelling {
+  public:
+    explicit Travelling(Jumps& jumps) : jumps_(jumps) {
+        jumps_.travelling = true;
+        jumps_.arrived = false;
+    }
+    ~Travelling() { jumps_.travelling = false; }
+    Travelling(const Travelling&) = delete;
+
+  private:
+    Jumps& jumps_;
+};
+
 /// Memory for the next keyframe.
 struct Timeline::Room {
     PackedBytes::Buffer buffer;
@@ -91,7 +106,7 @@ void Timeline::forget_all() {
     log_.reset();
     keyframes_.clear();
     steps_.clear();
-    tail_ = {};
+    tail_ = broken_ = {};
     logged_ = logged_since_ = 0;
     spacing_ = min_spacing;
     clock_.oldest = clock_.newest = clock_.step;
@@ -118,6 +133,7 @@ void Timeline::begin_log() {
 
 void Timeline::begin_step() {
     in_step_ = true;
+    failed_ = -1;
     share_room();
     stepping_ = on() && there_is_room();
     if (!stepping_) {
@@ -139,15 +155,18 @@ void Timeline::begin_step() {
     // A step from here replaces the later steps.
     if (here_ < newest()) {
         drop_after(here_);
-        tail_ = {};
+        tail_ = broken_ = {};
     }
     open_ = {};
 }
 
 void Timeline::modules_step(double dt) {
     if (!stepping_) return;
-    open_ = std::move(tail_);
-    tail_ = {};
+    // A step that failed is followed by the next one unless one went back in between.
+    open_ = std::move(broken_);
+    for (Piece& piece : tail_.before) open_.before.push_back(std::move(piece));
+    open_.bytes += tail_.bytes;
+    tail_ = broken_ = {};
     open_.dt = dt;
     note(open_, open_.before.emplace_back());
 }
@@ -170,6 +189,36 @@ void Timeline::end_step() {
     trim();
     clock_.oldest = oldest();
     clock_.newest = newest();
+}
+
+void Timeline::leave_step() {
+    in_step_ = false;
+    const bool broken = std::exchange(stepping_, false);
+    if (log_ == nullptr || (!broken && failed_ != clock_.step)) return;
+    Step& of = broken ? broken_ : tail_;
+    note(of, of.before.emplace_back());
+    failed_pieces_ = tail_.before.size();
+    if (too_much(of)) restart();
+}
+
+void Timeline::note_failure() {
+    if (in_step_) failed_ = clock_.step;
+}
+
+bool Timeline::go_before_failure() {
+    const std::int64_t failed = std::exchange(failed_, -1);
+    if (in_step_ || failed < 0 || clock_.step != failed || !keeps()) return false;
+    settle();
+    if (here_ == failed) {  // a handler failed after the modules had stepped
+        bool edited = false;
+        for (std::size_t i = failed_pieces_; i < tail_.before.size(); ++i)
+            edited = edited || !tail_.before[i].writes.empty();
+        if (edited || failed <= oldest()) return false;
+        travel(failed - 1);
+    } else {
+        travel(here_);
+    }
+    return true;
 }
 
 void Timeline::note(Step& of, Piece& piece) {
@@ -259,7 +308,8 @@ void Timeline::note_jump() {
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
-    tail_ = {};
+    tail_ = broken_ = {};
+    failed_ = -1;
     here_ = step;
     take_keyframe();
     keyframes_.back().jumped_to = true;
@@ -338,7 +388,8 @@ std::size_t Timeline::forgotten() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum = logged_ + tail_.bytes + (log_ != nullptr ? log_->memory() : 0);
+    std::size_t sum =
+        logged_ + tail_.bytes + broken_.bytes + (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
     if (keyframes_.empty()) return sum;
     // The part of the history at the first keyframe that is kept only for the timeline.
@@ -409,6 +460,38 @@ void Timeline::review(std::int64_t from, const std::function<void(std::int64_t s
     });
 }
 
+void Timeline::branch(std::int64_t from, const std::function<void()>& change,
+                      const std::function<void(std::int64_t step)>& look) {
+    require_between_steps("the past cannot be looked at");
+    settle();
+    require(from);
+    const std::int64_t here = here_;
+    auto frame = std::prev(keyframes_.end());
+    while (frame != keyframes_.begin() && (frame->step > here || frame->step > from)) --frame;
+    std::exception_ptr problem;
+    const auto differently = [&] {
+        try {
+            for (const Step& each : steps_)
+                if (each.number > frame->step && each.number <= from) redo(each);
+            change();
+            look(from);
+            for (const Step& each : steps_) {
+                if (each.number <= from || each.number > here) continue;
+                redo(each);
+                look(each.number);
+            }
+        } catch (...) {
+            problem = std::current_exception();
+        }
+    };
+    {
+        const Travelling travelling(*jumps_);
+        tree_.restore(Snapshot(frame->payload->payload(), frame->memories), differently);
+    }
+    replay(*frame, here, {});
+    if (problem) std::rethrow_exception(problem);
+}
+
 void Timeline::redo(const Piece& piece) {
     log_->play(piece.writes);
     for (const auto& [part, changes] : piece.changes) part->redo(changes);
@@ -427,10 +510,14 @@ void Timeline::settle() {
     note_jump();
     if (log_ == nullptr || here_ != newest()) return;
     note(tail_, tail_.before.emplace_back());
+    // Time and random numbers after a step that failed are those of that step.
+    if (!broken_.before.empty()) tail_.before.back().changes.clear();
     if (too_much(tail_)) restart();
 }
 
 void Timeline::travel(std::int64_t step) {
+    broken_ = {};
+    failed_ = -1;
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
@@ -443,12 +530,7 @@ void Timeline::travel(std::int64_t step) {
 void Timeline::replay(const Keyframe& frame, std::int64_t step,
                       const std::function<void(std::int64_t)>& look) {
     const Snapshot from(frame.payload->payload(), frame.memories);
-    jumps_->travelling = true;
-    jumps_->arrived = false;
-    struct Arrive {
-        bool& travelling;
-        ~Arrive() { travelling = false; }
-    } arrive{jumps_->travelling};
+    const Travelling travelling(*jumps_);
     try {
         tree_.restore(from, [&] {
             if (look) look(frame.step);
@@ -457,8 +539,9 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
                 redo(each);
                 if (look) look(each.number);
             }
-            if (step == newest())
-                for (const Piece& piece : tail_.before) redo(piece);
+            if (step != newest()) return;
+            for (const Step* each : {&broken_, &tail_})
+                for (const Piece& piece : each->before) redo(piece);
         });
     } catch (...) {
         // The tree has changed and its state is unknown; without `arrived` nothing has changed.

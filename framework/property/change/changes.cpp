@@ -52,7 +52,8 @@ void Changes::written(Handle handle, const Node& node, const Property& property,
     note_edit();
     report_plain_writes();
     writes.note(handle, property, author.writer, author.step);
-    if (recording()) writes.note_in_full(handle, property.symbol, author.cause());
+    if (recording() || writes.closed_for(WritesLog::Reason::located))
+        writes.note_in_full(handle, property.symbol, author.cause());
     if (!node.watched && property.interest == 0) return;
     const Value now = instances.read(handle.index, node, property);
     if (now == old_value) return;

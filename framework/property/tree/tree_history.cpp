@@ -43,6 +43,10 @@ void Tree::set_history_limit(std::size_t bytes) {
     state_->history.set_limit(bytes);
 }
 
+void Tree::locate_writes(bool on) {
+    state_->changes.writes.close(WritesLog::Reason::located, on);
+}
+
 Provenance Tree::who(Handle instance, const Property& property) const {
     state_->instances.require(instance, property);
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))

@@ -29,9 +29,15 @@ class WritesLog {
     /// Whether a write on the fastest path can begin. This tests all conditions that do not depend
     /// on the cell.
     bool open() const { return next_ < open_end_; }
-    /// Reasons that close the fastest path: edits are recorded, a formula runs, an inquiry runs, or
-    /// a cell has a shadow.
-    enum class Reason : std::uint8_t { recorded = 1, formula = 2, inquiry = 4, shadow = 8 };
+    /// Reasons that close the fastest path: edits are recorded, a formula runs, an inquiry runs,
+    /// a cell has a shadow, or the place of each write is kept.
+    enum class Reason : std::uint8_t {
+        recorded = 1,
+        formula = 2,
+        inquiry = 4,
+        shadow = 8,
+        located = 16
+    };
     void close(Reason reason, bool closed) {
         const auto bit = static_cast<std::uint8_t>(reason);
         reasons_ = static_cast<std::uint8_t>(closed ? reasons_ | bit : reasons_ & ~bit);
@@ -40,7 +46,7 @@ class WritesLog {
     bool closed_for(Reason reason) const {
         return (reasons_ & static_cast<std::uint8_t>(reason)) != 0;
     }
-    /// Whether writes are recorded as edits or forbidden.
+    /// Whether writes are recorded as edits, forbidden, or kept with their places.
     bool needs_general_write() const {
         return (reasons_ & ~static_cast<std::uint8_t>(Reason::shadow)) != 0;
     }

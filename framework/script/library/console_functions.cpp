@@ -1,7 +1,7 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
-//   export_plot(kind)
+//   export_plot(kind)  ab(path, value)  share(file)
 
 #include <fettle/property/path.h>
 #include <fettle/property/storage/assets.h>
@@ -79,6 +79,30 @@ int last_time(lua_State* L) {
     Observed condition = observe(L, 1, "last_time");
     if (const auto* function = served(machine, &ConsoleFunctions::last_time, "last_time"))
         (*function)(std::move(condition));
+    return 0;
+}
+
+int ab(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const auto* function = served(machine, &ConsoleFunctions::ab, "ab");
+    if (lua_isnoneornil(L, 1)) {
+        if (function != nullptr) (*function)({}, {}, 0);
+        return 0;
+    }
+    const std::string path =
+        with_selected(machine, check_text(L, 1, "ab: needs the path of a property as text"));
+    if (lua_isnone(L, 2)) refuse_type(L, 2, "ab: needs the other value");
+    const property::Value value = to_value(L, 2);
+    const double seconds = lua_isnoneornil(L, 3) ? 4 : check_number(L, 3, "ab: seconds");
+    if (function != nullptr) (*function)(path, value, seconds);
+    return 0;
+}
+
+int share(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string file = check_text(L, 1, "share: needs the name of a file");
+    if (const auto* function = served(machine, &ConsoleFunctions::share, "share"))
+        print_line(machine, (*function)(file));
     return 0;
 }
 
@@ -179,6 +203,8 @@ void open_console_functions(lua_State* L) {
     add_function<clear>(L, "clear");
     add_function<export_plot>(L, "export_plot");
     add_function<selection>(L, "selection");
+    add_function<ab>(L, "ab");
+    add_function<share>(L, "share");
 }
 
 }  // namespace fettle::script

@@ -7,6 +7,11 @@ namespace fettle::script {
 
 const std::vector<GlobalDoc>& global_docs() {
     static const std::vector<GlobalDoc> docs = {
+        {"ab", "ab(path?: string, value?: any, seconds?: number)",
+         "Shows the last seconds twice, side by side: A as they were, and B with that value of the "
+         "property from their beginning on. Scripts do not run again: what they wrote then is "
+         "written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. "
+         "Without a path the comparison ends. ab(\"world.ball.mass\", 3)."},
         {"after", "after(seconds: number, action: fun()): Connection",
          "Calls the function once, after that much simulation time. The function may call "
          "wait()."},
@@ -127,6 +132,12 @@ const std::vector<GlobalDoc>& global_docs() {
         {"scene.save", "scene.save(file: string, instance: Object)",
          "Writes an instance and everything below it to a scene file of the game. It may replace "
          "a scene file; a file of another kind is left unchanged, which is an error."},
+        {"share", "share(name: string)",
+         "A command of the console: writes this moment of the game into one file, with the game, "
+         "its edits, and the recording if the run is recorded. `fettle run NAME.fettle` opens the "
+         "game at this moment, paused. The name has letters, digits, - and _; the file is in the "
+         "folder `moments` of the player's files, and the command prints where. Variables of "
+         "scripts that are not in the tree, and timers, are not in it, as in a saved game."},
         {"snapshot", "snapshot(): Snapshot",
          "The whole tree as it is at the next barrier between steps, for restore."},
         {"state", "state(name: string, value: any): any",

@@ -6,6 +6,7 @@
 #include <bindings/bindings.h>
 #include <drawing/drawing.h>
 #include <drawing/forms.h>
+#include <drawing/marks.h>
 
 namespace fettle::physics_module {
 namespace {
@@ -128,15 +129,6 @@ void draw_joints(physics::World& world, Painter& painter, double alpha) {
         if (!joint.dormant()) draw_joint(world, joint, painter, alpha);
 }
 
-/// Marks sleeping islands.
-void draw_islands(physics::World& world, Painter& painter, double alpha) {
-    for (const physics::Body& body : world.bodies()) {
-        if (body.awake() || body.type() == physics::BodyType::static_body) continue;
-        const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
-        if (painter.sees(at, at)) painter.text(at, "z", 0.4, {1, 1, 1, 0.8f});
-    }
-}
-
 void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
     for (const physics::Body& body : world.bodies()) {
         const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
@@ -170,13 +162,16 @@ void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& 
 
 void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row row,
                          Painter& painter, double alpha) {
-    physics::World& world = static_cast<Hosting*>(context)->world(row);
+    Hosting& hosting = *static_cast<Hosting*>(context);
+    physics::World& world = hosting.world(row);
     if (painter.shows(Overlay::aabbs)) draw_boxes(world, painter, alpha);
     if (painter.shows(Overlay::joints)) draw_joints(world, painter, alpha);
     if (painter.shows(Overlay::islands)) draw_islands(world, painter, alpha);
     if (painter.shows(Overlay::velocities) || painter.shows(Overlay::centers))
         draw_motion(world, painter, alpha);
+    if (painter.shows(Overlay::limits)) draw_limits(world, painter, alpha);
     if (painter.shows(Overlay::contacts)) draw_contacts(world, painter, alpha);
+    if (painter.shows(Overlay::impulses)) draw_impulses(world, hosting.last_dt, painter);
     if (painter.shows(Overlay::names)) draw_names(tree, world, painter, alpha);
 }
 

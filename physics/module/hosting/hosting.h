@@ -218,6 +218,9 @@ class Hosting {
     Joints joints;
     std::array<ShapeKind, 8> kinds;
 
+    /// Length of the last step, s; functions that make steps of a copy use it.
+    double last_dt = 1.0 / 60;
+
     const property::Class* world_class = nullptr;
     const property::Class* body_class = nullptr;
     const property::Class* shape_class = nullptr;

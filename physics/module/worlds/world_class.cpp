@@ -216,6 +216,7 @@ void define_world(Hosting& hosting) {
     for (const auto& group : {simulation(hosting), mixing(hosting), tuning(hosting)})
         world.properties.insert(world.properties.end(), group.begin(), group.end());
     world.methods = world_methods(hosting);
+    world.methods.push_back(ghosts_method(hosting));
     world.events = world_events();
     world.lifecycle =
         lifecycle_of<&Hosting::create_world, &Hosting::place_world, &Hosting::destroy_world>(

@@ -11,5 +11,6 @@ class Hosting;
 void define_step_statistics(Hosting& hosting);  // before World
 void define_world(Hosting& hosting);
 std::vector<property::Method> world_methods(Hosting& hosting);
+property::Method ghosts_method(Hosting& hosting);
 
 }  // namespace fettle::physics_module

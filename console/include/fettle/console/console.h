@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fettle/app/frame_log.h>
 #include <fettle/app/layer.h>
 #include <fettle/console/export.h>
 #include <fettle/console/interpreter.h>
@@ -50,6 +51,15 @@ struct Options {
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
         review{};
+    /// Repeats the kept past with a change at `from` (app::Timeline::branch). Without it, `ab` is
+    /// refused.
+    std::function<void(std::int64_t from, const std::function<void()>& change,
+                       const std::function<void(std::int64_t step)>& look)>
+        branch{};
+    /// Writes this moment into a file, and returns what it wrote. Without it, `share` is refused.
+    std::function<std::string(const std::string& file)> share{};
+    /// The times of the last frames, which must outlive the console; null: they are not shown.
+    const app::FrameLog* frames = nullptr;
     /// Receives what breaks and searches of the past find, in addition to the log.
     std::function<void(const std::string& line)> found{};
     /// Writes a new file for the player, and returns its path; `kind`: "csv". Throws if it cannot.

@@ -5,23 +5,12 @@
 #include <functional>
 
 #include <fettle/app/export.h>
+#include <fettle/app/frame_log.h>
 #include <fettle/property/tree.h>
 
 FETTLE_APP_BEGIN
 
 namespace fettle::app {
-
-/// Duration of the parts of a frame, in milliseconds, smoothed over about half a second.
-/// `time.timings`.
-struct Timings {
-    double input = 0;     // delivering input to the game
-    double update = 0;    // the game's update(dt)
-    double scripts = 0;   // timers, coroutines and step(dt)
-    double modules = 0;   // modules' steps and reports: the physics
-    double handlers = 0;  // barriers: watchers and handlers of events
-    double draw = 0;      // drawing, with layers
-    double frame = 0;     // the whole frame, with the wait for the screen
-};
 
 struct Clock {
     // Settings that any code may write; a frame or a turn with an unusable one throws
@@ -44,7 +33,8 @@ struct Clock {
     double fps = 0;                  // frames a second, smoothed
     std::int64_t oldest = 0;         // the earliest step that one can go back to
     std::int64_t newest = 0;
-    Timings timings{};
+    Timings timings{};  // smoothed
+    FrameLog frames{};
     std::function<void(std::int64_t step)> go_to{};  // goes to a step, where that is possible
 
     /// One fixed step passes.

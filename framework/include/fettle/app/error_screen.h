@@ -26,6 +26,8 @@ class ErrorScreen : public Layer {
         /// True while the state before the error is looked at: only a strip tells of the error, so
         /// that the game is seen.
         std::function<bool()> looks_back{};
+        /// Left and right: goes by so many steps through the kept past.
+        std::function<void(int steps)> travel{};
     };
     explicit ErrorScreen(Actions actions) : actions_(std::move(actions)) {}
 

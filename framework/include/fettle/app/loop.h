@@ -106,8 +106,12 @@ class Loop {
     std::uint64_t lived() const { return lived_; }
 
     /// Stops input, updates and steps, after an error. Edits still have an effect.
-    void halt() { halted_ = true; }
+    void halt();
     void resume();
+    /// As `resume`; but if a script failed within a step, goes back to before this step, so that it
+    /// is made again (`Timeline::go_before_failure`). Returns true if it went back. To be called
+    /// between frames.
+    bool retry();
     bool halted() const { return halted_; }
     /// True if the loop is halted, the game has called quit(), or its runtime is destroyed.
     bool stopped() const {
@@ -137,7 +141,8 @@ class Loop {
     void barrier(bool between_steps = true);
     void deliver(bool between_steps);
     void require_ready() const;
-    void end_frame(const Stopwatch& watch, double seconds);
+    void end_frame(const Stopwatch& watch, double seconds, double total);
+    void log_frame(const Stopwatch& watch);
 
     property::Tree& tree_;
     script::Runtime& runtime_;

@@ -41,7 +41,13 @@ class Timeline {
     /// Call when the modules have stepped and all events are delivered.
     void end_step();
     /// Call at the end of a step, also after an exception.
-    void leave_step() { in_step_ = false; }
+    void leave_step();
+    /// Call when a script fails; outside of a step it has no effect.
+    void note_failure();
+    /// Goes to the state before the last step if a script failed in it, so that the step can be
+    /// made again. What was edited since is made again; if that is impossible, and if other code
+    /// went to another step or made one since, it does nothing and returns false.
+    bool go_before_failure();
 
     // --- Going to another step. In the middle of a step, and while another step is being restored,
     // `go_to`, `go_near`, `rewind` and `clear` throw Error(bad_structure) and change nothing
@@ -68,6 +74,15 @@ class Timeline {
     /// between was left by restoring a snapshot; does nothing if no step is kept. Throws as `go_to`
     /// does. `look` must change nothing, and throw nothing.
     void review(std::int64_t from, const std::function<void(std::int64_t step)>& look);
+
+    /// Repeats the kept steps from `from` on as if something had been different: calls `change`
+    /// with the tree in the state after step `from`, then `look` for each step up to the present
+    /// one. What scripts wrote then is written again, since scripts do not run; the modules compute
+    /// anew. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
+    /// throws: the exception is thrown then. Throws as `go_to` does, and Error(out_of_range) if
+    /// `from` is not kept.
+    void branch(std::int64_t from, const std::function<void()>& change,
+                const std::function<void(std::int64_t step)>& look);
 
     /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
     /// smaller share makes going to a step slower.
@@ -109,6 +124,7 @@ class Timeline {
         std::size_t memory() const;
     };
     class FETTLE_APP_PRIVATE Jumps;
+    class FETTLE_APP_PRIVATE Travelling;
 
     bool on() const;
     bool there_is_room() const;
@@ -148,16 +164,19 @@ class Timeline {
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
     bool returned_ = false;
+    Step broken_;  // the newest step, as far as it was made before it failed; `before` only
     bool in_step_ = false;
-    bool stepping_ = false;         // in a step: changes are logged
-    std::int64_t here_ = 0;         // the step that the tree is at
-    std::int64_t spacing_ = 0;      // steps from one keyframe to the next
-    std::size_t logged_ = 0;        // bytes of `steps_`
-    std::size_t logged_since_ = 0;  // bytes of these since the last keyframe
-    std::size_t room_ = 0;          // bytes that the past and the history may use
-    std::size_t history_room_ = 0;  // bytes of these for the history
-    std::int64_t no_room_at_ = -1;  // last step without room for one keyframe; -1: none
-    std::size_t no_room_ = 0;       // the room at that step, bytes
+    bool stepping_ = false;          // in a step: changes are logged
+    std::int64_t here_ = 0;          // the step that the tree is at
+    std::int64_t failed_ = -1;       // the step in which a script failed; -1: none
+    std::size_t failed_pieces_ = 0;  // pieces of `tail_` at its end
+    std::int64_t spacing_ = 0;       // steps from one keyframe to the next
+    std::size_t logged_ = 0;         // bytes of `steps_`
+    std::size_t logged_since_ = 0;   // bytes of these since the last keyframe
+    std::size_t room_ = 0;           // bytes that the past and the history may use
+    std::size_t history_room_ = 0;   // bytes of these for the history
+    std::int64_t no_room_at_ = -1;   // last step without room for one keyframe; -1: none
+    std::size_t no_room_ = 0;        // the room at that step, bytes
     double share_ = 0.01;
     double begun_ = 0;   // s, at the start of the step
     double worked_ = 0;  // s, duration of the steps since the last keyframe

@@ -24,6 +24,11 @@ struct Show {
     bool velocities = false;
     bool names = false;
     bool islands = false;
+    bool impulses = false;
+    bool limits = false;
+    bool blame = false;
+    bool wires = false;
+    bool onion_skins = false;
     bool grid = false;
     bool timings = false;
     bool overlay(property::Overlay overlay) const;

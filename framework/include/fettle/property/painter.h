@@ -18,7 +18,17 @@ FETTLE_PROPERTY_BEGIN
 namespace fettle::property {
 
 /// Marks that a viewer can show on top of the picture; each is a property under `view.show`.
-enum class Overlay : std::uint8_t { aabbs, contacts, joints, centers, velocities, names, islands };
+enum class Overlay : std::uint8_t {
+    aabbs,
+    contacts,
+    joints,
+    centers,
+    velocities,
+    names,
+    islands,
+    impulses,
+    limits
+};
 
 /// Fill and border of a drawn figure. Either may be transparent (alpha 0). Border width in pixels.
 struct Paint {

@@ -270,6 +270,9 @@ class Tree {
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;
     Provenance who(Handle instance, const Property& property) const;
+    /// Whether `who` has the place in a script of each write from now on. Otherwise it has those of
+    /// edits and of changes of watched values only: finding the place takes longer than the write.
+    void locate_writes(bool on);
 
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);

@@ -38,6 +38,11 @@ struct ConsoleFunctions {
     std::function<void(Observed)> break_when{};
     /// Searches the kept past for the last step at which the condition was true, and goes there.
     std::function<void(Observed)> last_time{};
+    /// Shows the last seconds twice: as they were, and with that value of the property from their
+    /// beginning on. Without a path: ends that.
+    std::function<void(const std::string& path, const property::Value& value, double seconds)> ab{};
+    /// Writes this moment of the game into a file; returns what was written.
+    std::function<std::string(const std::string& file)> share{};
     /// Runs the command when the key goes down; an empty command ends it.
     std::function<void(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.

@@ -1,4 +1,4 @@
-#include <packing/packed_game.h>
+#include <packing/package_problems.h>
 
 #include <algorithm>
 #include <cctype>
@@ -18,17 +18,6 @@ namespace {
 std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
-}
-
-bool is_left_out(const fs::path& name) {
-    if (*name.begin() == "tests") return true;
-    for (const fs::path& part : name)
-        if (part.string().starts_with('.')) return true;
-    const std::string last = name.filename().string();
-    for (const std::string_view ending : {".tweaks.json", ".sqlite", ".sqlite-wal", ".sqlite-shm",
-                                          archive_ending.data(), ".deb", ".tar.gz", ".recording"})
-        if (last.ends_with(ending)) return true;
-    return false;
 }
 
 /// Looks a name up as a game does.
@@ -82,28 +71,6 @@ std::string problem_of(const LiteralName& name, const std::string& from, bool sc
 }
 
 }  // namespace
-
-ArchiveFiles packed_game(const fs::path& game) {
-    const fs::path folder = folder_of(game);
-    property::GameFiles reader;
-    reader.stay_below(folder);
-    ArchiveFiles files;
-    for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
-        const fs::path name = it->path().lexically_relative(folder);
-        if (is_left_out(name)) {
-            if (it->is_directory() && !it->is_symlink()) it.disable_recursion_pending();
-            continue;
-        }
-        if (it->is_directory()) continue;
-        require_file(it->path(), "a file of the game");
-        files[name.generic_string()] = reader.read(it->path());
-    }
-    if (!fs::is_directory(game)) {  // one .lua file: a package begins with main.lua
-        const std::string name = game.filename().string();
-        files = {{"main.lua", reader.read(game)}};
-    }
-    return files;
-}
 
 std::vector<std::string> problems_of(const ArchiveFiles& files,
                                      const std::vector<std::string>& made) {

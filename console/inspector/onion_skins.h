@@ -1,0 +1,53 @@
+#pragma once
+// Earlier poses of the selected instance, and later ones after going back.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+
+#include <fettle/property/transform.h>
+#include <fettle/property/tree.h>
+
+#include <look/pen.h>
+
+namespace fettle::console {
+
+class OnionSkins {
+  public:
+    using Review =
+        std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>;
+    static constexpr std::size_t most = 3600;  // poses
+    static constexpr std::int64_t apart = 15;  // steps between two poses that are drawn
+    static constexpr int drawn = 12;           // poses on each side of the present one
+
+    explicit OnionSkins(property::Tree& tree) : tree_(tree) {}
+
+    /// The instance whose poses are kept; a null handle: none.
+    void follow(property::Handle instance);
+    /// Keeps the pose after a step; those of later steps are forgotten.
+    void after_step();
+    /// Reads the last seconds of the past for an instance that is followed newly.
+    void between_frames(const Review& review);
+    void draw(ImDrawList& list, const ToPixels& to_pixels) const;
+
+    struct Skin {
+        std::int64_t step;
+        property::Transform pose;
+    };
+    /// Ascending by step.
+    const std::deque<Skin>& skins() const { return skins_; }
+    /// The steps of the poses that are drawn at this step, ascending.
+    std::vector<std::int64_t> shown_at(std::int64_t step) const;
+
+  private:
+    void take(std::int64_t step);
+
+    property::Tree& tree_;
+    property::Handle instance_;
+    std::deque<Skin> skins_;
+    bool wants_past_ = false;
+};
+
+}  // namespace fettle::console

@@ -1,0 +1,118 @@
+#include <look/pen.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fettle::console {
+
+using property::Vec2;
+
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+ImU32 color_of(const property::Color& color, float opacity) {
+    const auto byte = [](float part) {
+        return static_cast<int>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+    };
+    return IM_COL32(byte(color.r), byte(color.g), byte(color.b), byte(color.a * opacity));
+}
+
+bool is_convex(const std::vector<ImVec2>& points) {
+    int left = 0, right = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const ImVec2 &a = points[i], &b = points[(i + 1) % points.size()],
+                     &c = points[(i + 2) % points.size()];
+        const float cross = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+        if (cross > 1e-3f) ++left;
+        if (cross < -1e-3f) ++right;
+    }
+    return left == 0 || right == 0;
+}
+
+}  // namespace
+
+void Pen::circle(const Vec2& center, double radius, const property::Paint& paint) {
+    arc(center, Vec2(radius, 0), Vec2(0, radius), 0, two_pi);
+    stroke(true, paint);
+}
+
+void Pen::ellipse(const Vec2& center, const Vec2& radii, double angle,
+                  const property::Paint& paint) {
+    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
+    arc(center, radii.x() * along, radii.y() * across, 0, two_pi);
+    stroke(true, paint);
+}
+
+void Pen::polygon(std::span<const Vec2> vertices, double rounding, const property::Paint& paint) {
+    const std::size_t n = vertices.size();
+    if (rounding <= 0 || n < 2) {
+        for (const Vec2& vertex : vertices) points_.push_back(pixel(vertex));
+        return stroke(n > 2, paint);
+    }
+    // The polygon is convex and counter-clockwise. At each corner the rounding turns from the
+    // normal of one edge to the normal of the next.
+    const auto normal = [&](std::size_t i) {
+        const Vec2 edge = vertices[(i + 1) % n] - vertices[i % n];
+        return std::atan2(-edge.x(), edge.y());
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        const double before = normal(i + n - 1);
+        double turn = std::remainder(normal(i) - before, two_pi);
+        if (turn < -1) turn += two_pi;  // at the end of a line
+        arc(vertices[i], Vec2(rounding, 0), Vec2(0, rounding), before, before + turn);
+    }
+    stroke(true, paint);
+}
+
+void Pen::line(const Vec2& from, const Vec2& to, property::Color color, float width) {
+    points_ = {pixel(from), pixel(to)};
+    stroke(false, {.fill = {0, 0, 0, 0}, .border = color, .border_width = width});
+}
+
+ImVec2 Pen::pixel(const Vec2& at) const {
+    const Vec2 p = on_screen() ? transform()(at) : to_pixels_(map_(transform()(at)));
+    return ImVec2(static_cast<float>(p.x()), static_cast<float>(p.y()));
+}
+
+void Pen::arc(const Vec2& center, const Vec2& a, const Vec2& b, double start, double end) {
+    const auto length = [&](const Vec2& way) {
+        const ImVec2 from = pixel(center), to = pixel(center + way);
+        return std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y));
+    };
+    const double whole = std::clamp(4 * std::sqrt(std::max(length(a), length(b))), 12.0, 1024.0);
+    const int segments = std::max(1, static_cast<int>(whole * (end - start) / two_pi));
+    for (int i = 0; i <= segments; ++i) {
+        const double t = start + (end - start) * i / segments;
+        points_.push_back(pixel(center + std::cos(t) * a + std::sin(t) * b));
+    }
+}
+
+void Pen::stroke(bool closed, const property::Paint& paint) {
+    const auto distance = [](const ImVec2& a, const ImVec2& b) {
+        return std::hypot(a.x - b.x, a.y - b.y);
+    };
+    // A very short last segment of a thick line would show as a spike.
+    while (closed && points_.size() > 2 && distance(points_.back(), points_.front()) < 0.5f)
+        points_.pop_back();
+    const auto count = static_cast<int>(points_.size());
+    const int flags = closed ? ImDrawFlags_Closed : 0;
+    if (style_.as_drawn) {
+        // What is not convex has its border only.
+        if (closed && paint.fill.a > 0 && is_convex(points_))
+            list_.AddConvexPolyFilled(points_.data(), count, color_of(paint.fill, style_.opacity));
+        const bool border = paint.border.a > 0 && paint.border_width > 0;
+        list_.AddPolyline(points_.data(), count,
+                          color_of(border ? paint.border : paint.fill, style_.opacity), flags,
+                          border ? paint.border_width : 1.5f);
+    } else {
+        if (style_.glow != 0)
+            list_.AddPolyline(points_.data(), count, style_.glow, flags, style_.glow_width);
+        list_.AddPolyline(points_.data(), count, style_.color, flags, style_.width);
+    }
+    points_.clear();
+    drew_anything_ = true;
+}
+
+}  // namespace fettle::console

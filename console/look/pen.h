@@ -1,0 +1,77 @@
+#pragma once
+// A painter that draws figures of the game into a draw list: as outlines in one color, or as they
+// are.
+
+#include <imgui.h>
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <fettle/property/painter.h>
+
+namespace fettle::console {
+
+using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
+
+/// The map back; the identity if there is none.
+inline property::Transform inverse(const property::Transform& map) {
+    const double area = map.area();
+    if (area == 0) return {};
+    property::Transform back{property::Vec2(map.y.y(), -map.x.y()) / area,
+                             property::Vec2(-map.y.x(), map.x.x()) / area};
+    back.origin = -back.direction(map.origin);
+    return back;
+}
+
+struct PenStyle {
+    ImU32 color = IM_COL32_WHITE;  // of the outline
+    float width = 2;               // px
+    ImU32 glow = 0;                // of a wide line below the outline; 0: none
+    float glow_width = 7;          // px
+    bool as_drawn = false;         // fills and borders as the game draws them
+    float opacity = 1;             // of what is `as_drawn`
+};
+
+class Pen : public property::Painter {
+  public:
+    /// `map`: where the points of the world are drawn instead of at their places.
+    Pen(ImDrawList& list, const ToPixels& to_pixels, const PenStyle& style,
+        const property::Transform& map = {})
+        : list_(list), to_pixels_(to_pixels), style_(style), map_(map) {}
+
+    bool drew_anything() const { return drew_anything_; }
+
+    void circle(const property::Vec2& center, double radius, const property::Paint& paint) override;
+    void ellipse(const property::Vec2& center, const property::Vec2& radii, double angle,
+                 const property::Paint& paint) override;
+    void polygon(std::span<const property::Vec2> vertices, double rounding,
+                 const property::Paint& paint) override;
+    void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
+              float width) override;
+    void point(const property::Vec2&, property::Color, float) override {}
+    void text(const property::Vec2&, std::string_view, double, property::Color,
+              property::TextAlign) override {}
+    void part_of(std::uint64_t) override {}
+    bool shows(property::Overlay) const override { return false; }
+    bool sees(const property::Vec2&, const property::Vec2&) const override { return true; }
+    void begin_screen() override { push_screen(); }
+    void end_screen() override { pop(); }
+
+  private:
+    ImVec2 pixel(const property::Vec2& at) const;
+    /// Adds points of center + a cos t + b sin t; their number depends on the size on the screen.
+    void arc(const property::Vec2& center, const property::Vec2& a, const property::Vec2& b,
+             double start, double end);
+    void stroke(bool closed, const property::Paint& paint);
+
+    ImDrawList& list_;
+    const ToPixels& to_pixels_;
+    PenStyle style_;
+    property::Transform map_;
+    bool drew_anything_ = false;
+    std::vector<ImVec2> points_;
+};
+
+}  // namespace fettle::console

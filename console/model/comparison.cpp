@@ -1,0 +1,155 @@
+#include <model/comparison.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
+#include <fettle/property/pose.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Type;
+using property::Value;
+
+namespace {
+
+Value value_of_time(const property::Tree& tree, const char* name) {
+    const Handle time = tree.child(tree.root(), "time");
+    const property::Property* const property = time ? tree.find(time, name) : nullptr;
+    return property != nullptr ? tree.get(time, *property) : Value();
+}
+
+/// The topmost instances with a position: bodies and sprites, not what belongs to them.
+std::vector<Handle> placed(const property::Tree& tree) {
+    std::vector<Handle> all;
+    const auto visit = [&](const auto& self, Handle top) -> void {
+        for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
+            const property::Property* const position = tree.find(each, "position");
+            if (position != nullptr && (position->type == Type::vec2 || position->any_type))
+                all.push_back(each);
+            else
+                self(self, each);
+        }
+    };
+    visit(visit, tree.root());
+    return all;
+}
+
+std::string meters(double length) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f m", length);
+    return text;
+}
+
+}  // namespace
+
+const Comparison::Pose* Comparison::Moment::find(Handle instance) const {
+    const auto found = std::ranges::find(poses, instance, &Pose::instance);
+    return found == poses.end() ? nullptr : &*found;
+}
+
+void Comparison::ask(const std::string& path, const Value& value, double seconds) {
+    const property::Place place = property::resolve(tree_, path);
+    if (place.property == nullptr)
+        throw property::Error(property::ErrorKind::wrong_type,
+                              "ab: " + path + " is an instance: expected a property");
+    if (place.property->read_only)
+        throw property::Error(property::ErrorKind::rejected, "ab: " + path + " is read-only");
+    if (!(seconds >= 0.1 && seconds <= 60))
+        throw property::Error(
+            property::ErrorKind::out_of_range,
+            "ab: " + property::number_text(seconds) + " seconds: expected a time from 0.1 to 60");
+    asked_ = {path, value, seconds};
+}
+
+void Comparison::end() {
+    asked_.reset();
+    a_.clear();
+    b_.clear();
+}
+
+std::int64_t Comparison::first_step(const Asked& asked) const {
+    const Value dt = value_of_time(tree_, "dt"), oldest = value_of_time(tree_, "oldest");
+    const auto here = static_cast<std::int64_t>(tree_.step());
+    double steps = std::round(asked.seconds / (dt.is(Type::number) ? dt.number() : 1.0 / 60));
+    const auto poses = static_cast<double>(std::max<std::size_t>(1, placed(tree_).size()));
+    steps = std::min(steps, std::max(1.0, static_cast<double>(most_poses) / poses));
+    const std::int64_t first = here - static_cast<std::int64_t>(steps);
+    return std::max(first, oldest.is(Type::integer) ? oldest.integer() : 0);
+}
+
+Comparison::Moment Comparison::moment(std::int64_t step) const {
+    Moment made{step, {}};
+    for (const Handle instance : placed(tree_)) {
+        const auto at = property::place_below(tree_, instance, false, 1);
+        if (at) made.poses.push_back({instance, at->origin, std::atan2(at->x.y(), at->x.x())});
+    }
+    return made;
+}
+
+void Comparison::between_frames(const Review& review, const Branch& branch) {
+    if (!asked_) return;
+    const Asked asked = *std::exchange(asked_, std::nullopt);
+    a_.clear();
+    b_.clear();
+    const std::int64_t first = first_step(asked);
+    if (!review || !branch || first >= static_cast<std::int64_t>(tree_.step()))
+        return log_.error("ab: there is no past to compare with");
+    std::string written;
+    const auto change = [&] {
+        const property::Tree::CauseScope cause(tree_, property::Writer::console);
+        property::set(tree_, asked.path, asked.value);
+        written = tree_.text(property::get(tree_, asked.path));
+    };
+    try {
+        branch(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
+        review(first, [&](std::int64_t step) { a_.push_back(moment(step)); });
+    } catch (const std::exception& error) {
+        end();
+        return log_.error("ab: " + property::exception_text(error));
+    }
+    // The past before a restored snapshot is not reviewed.
+    const std::size_t both = std::min(a_.size(), b_.size());
+    a_.erase(a_.begin(), a_.end() - static_cast<std::ptrdiff_t>(both));
+    b_.erase(b_.begin(), b_.end() - static_cast<std::ptrdiff_t>(both));
+    change_ = asked.path + " = " + written;
+    ++number_;
+    tell_difference();
+}
+
+/// Says how many instances end elsewhere, and which one is the farthest.
+void Comparison::tell_difference() {
+    if (!shown()) return;
+    std::size_t moved = 0, only_one = 0;
+    const Pose* farthest = nullptr;
+    double most = 0;
+    for (const Pose& pose : b_.back().poses) {
+        const Pose* const other = a_.back().find(pose.instance);
+        if (other == nullptr) {
+            ++only_one;
+            continue;
+        }
+        const double way = (pose.position - other->position).norm();
+        if (way > apart) ++moved;
+        if (way > most) most = way, farthest = &pose;
+    }
+    std::string line = "ab " + change_ + " since step " + std::to_string(a_.front().step) + ": " +
+                       std::to_string(moved) + " of " + std::to_string(b_.back().poses.size()) +
+                       " end elsewhere";
+    if (moved > 0 && tree_.alive(farthest->instance))
+        line += ", " + tree_.path(farthest->instance) + " by " + meters(most);
+    if (only_one > 0) line += "; " + std::to_string(only_one) + " exist in B only";
+    tell(line);
+}
+
+void Comparison::tell(const std::string& line) {
+    log_.note(line);
+    if (found) found(line);
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,163 @@
+#include <views/compare_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <fettle/property/pose.h>
+
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using property::Handle;
+using property::Transform;
+using property::Vec2;
+
+namespace {
+
+constexpr int compare_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr double rest = 0.8;  // s that the last moment stays
+
+/// The map of the world into a rectangle, as large as it fits.
+class Window {
+  public:
+    Window(const Rect& place, const CompareView::Seen& seen) : middle_(place.middle()) {
+        const Vec2 size = (seen.upper - seen.lower).cwiseMax(1e-6);
+        scale_ = std::min(static_cast<double>(place.high.x - place.low.x) / size.x(),
+                          static_cast<double>(place.high.y - place.low.y) / size.y());
+        center_ = 0.5 * (seen.lower + seen.upper);
+    }
+    Vec2 pixels(const Vec2& at) const {
+        return {static_cast<double>(middle_.x) + scale_ * (at.x() - center_.x()),
+                static_cast<double>(middle_.y) - scale_ * (at.y() - center_.y())};
+    }
+
+  private:
+    ImVec2 middle_;
+    double scale_ = 1;
+    Vec2 center_{0, 0};
+};
+
+}  // namespace
+
+void CompareView::draw_title(const Rect& place, const std::string& name, const std::string& what,
+                             ImU32 color) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float em = ImGui::GetFontSize();
+    list.AddRectFilled(place.low, ImVec2(place.high.x, place.low.y + 1.4f * em), palette::raised);
+    draw_text(list, ImVec2(place.low.x + 0.5f * em, place.low.y + 0.2f * em), color, name);
+    draw_text_fit(list, ImVec2(place.low.x + 2 * em, place.low.y + 0.2f * em), palette::text, what,
+                  std::max(1.0f, place.high.x - place.low.x - 4 * em));
+}
+
+void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
+                            bool second, const Seen& seen) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(place.low, place.high, palette::well);
+    list.PushClipRect(place.low, place.high, true);
+    const Window window(place, seen);
+    const ToPixels to_pixels = [&](Vec2 at) { return window.pixels(at); };
+    const auto& own = (second ? runs.b() : runs.a())[shown_].poses;
+    const auto& others = (second ? runs.a() : runs.b())[shown_].poses;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Comparison::Pose& pose = own[i];
+        if (!tree.alive(pose.instance)) continue;
+        const auto now = property::place_below(tree, pose.instance, false, 1);
+        if (!now) continue;
+        const Transform back = inverse(*now);
+        Pen pen(list, to_pixels, {.as_drawn = true},
+                Transform::placed(pose.position, pose.angle) * back);
+        tree.draw(pose.instance, pen, 1);
+        // In B, a line shows where it is in A.
+        const Comparison::Pose* other =
+            second && i < others.size() && others[i].instance == pose.instance ? &others[i]
+                                                                               : nullptr;
+        if (other == nullptr || (other->position - pose.position).norm() <= Comparison::apart)
+            continue;
+        Pen faint(list, to_pixels, {.color = with_alpha(palette::accent, 0.6f), .width = 1.2f},
+                  Transform::placed(other->position, other->angle) * back);
+        tree.draw(pose.instance, faint, 1);
+    }
+    list.PopClipRect();
+}
+
+void CompareView::play(const Comparison& runs, double seconds, double dt) {
+    const std::size_t count = std::min(runs.a().size(), runs.b().size());
+    const double length = static_cast<double>(count - 1) * dt;
+    if (number_ != runs.number()) {  // the end first, since it tells most
+        number_ = runs.number();
+        time_ = length;
+    }
+    if (!held_) time_ += seconds;
+    if (time_ > length + rest) time_ = 0;
+    shown_ = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, time_ / dt)));
+}
+
+/// Draws the track below both sides; a press on it chooses the moment.
+void CompareView::draw_track(const Comparison& runs, double dt) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::SetCursorScreenPos(track_.low);
+    ImGui::InvisibleButton("track", ImVec2(std::max(1.0f, track_.high.x - track_.low.x),
+                                           std::max(1.0f, track_.high.y - track_.low.y)));
+    held_ = ImGui::IsItemActive();
+    const float wide = std::max(1.0f, track_.high.x - track_.low.x);
+    const std::size_t last = runs.a().size() - 1;
+    if (held_) {
+        const float share =
+            std::clamp((ImGui::GetIO().MousePos.x - track_.low.x) / wide, 0.0f, 1.0f);
+        time_ = static_cast<double>(share) * static_cast<double>(last) * dt;
+    }
+    const float y = track_.middle().y;
+    const float here = track_.low.x + wide * static_cast<float>(shown_) /
+                                          static_cast<float>(std::max<std::size_t>(1, last));
+    list.AddRectFilled(ImVec2(track_.low.x, y - 3), ImVec2(track_.high.x, y + 3), palette::well, 3);
+    list.AddRectFilled(ImVec2(track_.low.x, y - 3), ImVec2(here, y + 3),
+                       with_alpha(palette::accent, 0.6f), 3);
+    list.AddCircleFilled(ImVec2(here, y), 6, palette::accent);
+}
+
+void CompareView::draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
+                       const Seen& seen, double seconds, double dt) {
+    if (!runs.shown() || place.high.x - place.low.x < 100 || place.high.y - place.low.y < 80)
+        return hide();
+    play(runs, seconds, dt);
+    ImGui::SetNextWindowPos(place.low);
+    ImGui::SetNextWindowSize(ImVec2(place.high.x - place.low.x, place.high.y - place.low.y));
+    ImGui::SetNextWindowBgAlpha(1);
+    ImGui::Begin("##compare", nullptr, compare_flags);
+    rect_ = window_rect();
+    const float em = ImGui::GetFontSize(), gap = 0.4f * em, title = 1.4f * em;
+    const float middle = rect_.middle().x, low = rect_.high.y - 2 * em;
+    const Rect left{ImVec2(rect_.low.x + gap, rect_.low.y + gap), ImVec2(middle - gap / 2, low)};
+    const Rect right{ImVec2(middle + gap / 2, rect_.low.y + gap), ImVec2(rect_.high.x - gap, low)};
+    const auto below = [&](const Rect& side) {
+        return Rect{ImVec2(side.low.x, side.low.y + title), side.high};
+    };
+    draw_side(below(left), tree, runs, false, seen);
+    draw_side(below(right), tree, runs, true, seen);
+    draw_title(left, "A", "as it was", palette::dim);
+    draw_title(right, "B", runs.change(), palette::accent);
+    char text[48];
+    std::snprintf(text, sizeof text, "step %lld  %.2f s",
+                  static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);
+    draw_text(*ImGui::GetWindowDrawList(), ImVec2(rect_.low.x + gap, low + 0.4f * em), palette::dim,
+              text);
+    track_ = {ImVec2(rect_.low.x + 13 * em, low + 0.3f * em),
+              ImVec2(rect_.high.x - em, rect_.high.y - 0.3f * em)};
+    draw_track(runs, dt);
+    ImGui::SetCursorScreenPos(ImVec2(right.high.x - title, right.low.y));
+    const bool pressed = ImGui::InvisibleButton("close", ImVec2(title, title));
+    close_ = item_rect();
+    draw_text(*ImGui::GetWindowDrawList(),
+              ImVec2(close_.low.x + 0.4f * em, close_.low.y + 0.2f * em),
+              ImGui::IsItemHovered() ? palette::accent : palette::dim, "×");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("end the comparison");
+    if (pressed && close) close();
+    ImGui::End();
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,52 @@
+#pragma once
+// Two runs side by side, played again and again.
+
+#include <imgui.h>
+
+#include <functional>
+
+#include <fettle/property/tree.h>
+
+#include <look/pen.h>
+#include <model/comparison.h>
+#include <model/rect.h>
+
+namespace fettle::console {
+
+class CompareView {
+  public:
+    /// Ends the comparison.
+    std::function<void()> close;
+
+    /// What of the world is seen, m.
+    struct Seen {
+        property::Vec2 lower{0, 0}, upper{1, 1};
+    };
+
+    /// Draws a window in `place`. `seconds`: since the last picture; `dt`: of a step.
+    void draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
+              const Seen& seen, double seconds, double dt);
+    const Rect& rect() const { return rect_; }
+    void hide() { rect_ = track_ = close_ = {}; }
+    /// For tests: the track on which a moment is chosen, the button that ends it, and the index of
+    /// the moment that is shown.
+    const Rect& track() const { return track_; }
+    const Rect& close_button() const { return close_; }
+    std::size_t shown() const { return shown_; }
+
+  private:
+    void draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
+                   bool second, const Seen& seen) const;
+    void draw_title(const Rect& place, const std::string& name, const std::string& what,
+                    ImU32 color) const;
+    void draw_track(const Comparison& runs, double dt);
+    void play(const Comparison& runs, double seconds, double dt);
+
+    Rect rect_, track_, close_;
+    std::size_t shown_ = 0;
+    double time_ = 0;  // s since the first moment
+    int number_ = 0;   // of the comparison
+    bool held_ = false;
+};
+
+}  // namespace fettle::console

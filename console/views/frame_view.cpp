@@ -1,0 +1,232 @@
+#include <views/frame_view.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <look/theme.h>
+
+namespace fettle::console {
+
+using app::FrameTimes;
+using app::Timings;
+using property::Handle;
+
+namespace {
+
+constexpr int frame_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse |
+                            ImGuiWindowFlags_NoFocusOnAppearing;
+
+struct Part {
+    const char* name;
+    double Timings::*ms;
+    ImU32 color;
+};
+
+/// In the order of a frame.
+constexpr std::array<Part, 7> parts{{{"input", &Timings::input, palette::rgb(0x8fd48a)},
+                                     {"update", &Timings::update, palette::rgb(0xf4a259)},
+                                     {"scripts", &Timings::scripts, palette::rgb(0xffd479)},
+                                     {"modules", &Timings::modules, palette::rgb(0x77bdfb)},
+                                     {"handlers", &Timings::handlers, palette::rgb(0xc8a8f0)},
+                                     {"draw", &Timings::draw, palette::rgb(0xf39b90)},
+                                     {"wait", &Timings::wait, palette::rgb(0x3a4250)}}};
+
+std::string in_ms(double ms) {
+    char text[32];
+    std::snprintf(text, sizeof text, ms < 0.995 ? "%.2f ms" : "%.1f ms", ms);
+    return text;
+}
+
+/// The parts of the physics in the last step, by `world.step`.
+std::vector<std::pair<std::string, double>> parts_of_physics(const property::Tree& tree) {
+    std::vector<std::pair<std::string, double>> found;
+    const Handle world = tree.child(tree.root(), "world");
+    const Handle step = world ? tree.child(world, "step") : Handle{};
+    if (!step) return found;
+    constexpr std::string_view ending = "_ms", all = "total_ms";
+    for (const property::Property* each : tree.class_of(step).properties())
+        if (each->name.ends_with(ending) && each->name != all &&
+            each->type == property::Type::number)
+            found.emplace_back(each->name.substr(0, each->name.size() - ending.size()),
+                               tree.get(step, *each).number());
+    return found;
+}
+
+void tell(const FrameTimes& frame) {
+    ImGui::BeginTooltip();
+    ImGui::Text("frame %lld, step %lld: %s", static_cast<long long>(frame.frame),
+                static_cast<long long>(frame.step), in_ms(frame.ms.frame).c_str());
+    for (const Part& part : parts) {
+        ImGui::PushStyleColor(ImGuiCol_Text, part.ms == &Timings::wait ? palette::dim : part.color);
+        ImGui::Text("  %-9s %s", part.name, in_ms(frame.ms.*part.ms).c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::TextDisabled("a click pauses and goes to its step");
+    ImGui::EndTooltip();
+}
+
+/// A box with its name, as far as there is room; a tooltip has both.
+void draw_box(ImDrawList& list, const Rect& place, ImU32 color, const std::string& name,
+              double ms) {
+    if (place.high.x - place.low.x < 0.5f) return;
+    list.AddRectFilled(place.low, ImVec2(place.high.x - 1, place.high.y), color);
+    const float room = place.high.x - place.low.x - 6;
+    const std::string whole = name + " " + in_ms(ms);
+    const std::string& label = text_width(whole) <= room ? whole : name;
+    // Dark letters on the light colors of the parts, light ones where it only waits.
+    const ImU32 ink = name == "wait" ? palette::text : palette::rgb(0x0d0f14);
+    if (text_width(label) <= room)
+        draw_text(list, ImVec2(place.low.x + 4, place.low.y + 1), ink, label);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsWindowHovered() && place.contains(mouse.x, mouse.y))
+        ImGui::SetTooltip("%s", whole.c_str());
+}
+
+}  // namespace
+
+std::optional<FrameTimes> worst_frame(const app::FrameLog& log) {
+    const auto& all = log.frames();
+    const auto worst =
+        std::ranges::max_element(all, {}, [](const FrameTimes& frame) { return frame.ms.work(); });
+    return worst == all.end() ? std::nullopt : std::optional(*worst);
+}
+
+float FrameView::height() {
+    return 11 * ImGui::GetFontSize();
+}
+
+void FrameView::draw_title(const app::FrameLog& log) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float side = ImGui::GetTextLineHeight() + 2, pad = ImGui::GetStyle().FramePadding.x;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x;
+    const auto worst = worst_frame(log);
+    const std::string label = "worst " + (worst ? in_ms(worst->ms.work()) : std::string());
+    const auto button = [&](const char* id, const std::string& text, float x, ImU32 color) {
+        const float wide = text_width(text) + 2 * pad;
+        ImGui::SetCursorScreenPos(ImVec2(x - wide, at.y));
+        const bool pressed = ImGui::InvisibleButton(id, ImVec2(wide, side));
+        const Rect place = item_rect();
+        list.AddRectFilled(place.low, place.high,
+                           ImGui::IsItemHovered() ? palette::hover : palette::raised,
+                           ImGui::GetStyle().FrameRounding);
+        draw_text(list, ImVec2(place.low.x + pad, at.y + 1), color, text);
+        return std::pair(pressed, place);
+    };
+    const auto [closed, close_place] = button("close", "×", right, palette::dim);
+    close_ = close_place;
+    const auto [pressed, place] = button("worst", label, close_place.low.x - pad, palette::accent);
+    worst_ = place;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("pause, and go to the step of the frame that worked longest");
+    if (shown_) {
+        const Timings& ms = shown_->ms;
+        const std::string text = "frame " + std::to_string(shown_->frame) + "   " +
+                                 in_ms(ms.frame) + ", works " + in_ms(ms.work());
+        draw_text_fit(list, at, palette::text, text, std::max(1.0f, place.low.x - at.x - pad));
+    }
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + side + 4));
+    if (pressed && worst && go_to) go_to(worst->step);
+    if (closed && close) close();
+}
+
+/// Returns the index of the frame under the mouse.
+std::optional<std::size_t> FrameView::draw_bars(const app::FrameLog& log, double dt) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(bars_.low, bars_.high, palette::well);
+    const auto& all = log.frames();
+    const float each = (bars_.high.x - bars_.low.x) / static_cast<float>(app::FrameLog::most);
+    double highest = 1.25 * 1000 * dt;
+    for (const FrameTimes& frame : all) highest = std::max(highest, frame.ms.work());
+    highest = std::min(highest, 8 * 1000 * dt);
+    const float scale = (bars_.high.y - bars_.low.y) / static_cast<float>(highest);
+    const float first = bars_.high.x - each * static_cast<float>(all.size());
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::optional<std::size_t> under;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const float x = first + each * static_cast<float>(i);
+        if (ImGui::IsItemHovered() && mouse.x >= x && mouse.x < x + each) under = i;
+        float y = bars_.high.y;
+        for (const Part& part : parts) {
+            const float next =
+                std::max(bars_.low.y, y - scale * static_cast<float>(all[i].ms.*part.ms));
+            if (y - next > 0.05f)
+                list.AddRectFilled(ImVec2(x, next), ImVec2(x + std::max(1.0f, each - 0.5f), y),
+                                   part.color);
+            y = next;
+        }
+        if (under == i)
+            list.AddRect(ImVec2(x - 1, bars_.low.y), ImVec2(x + each + 1, bars_.high.y),
+                         palette::text);
+    }
+    const float line = bars_.high.y - scale * static_cast<float>(1000 * dt);
+    list.AddLine(ImVec2(bars_.low.x, line), ImVec2(bars_.high.x, line),
+                 with_alpha(palette::accent, 0.8f));
+    draw_text(list, ImVec2(bars_.low.x + 4, line - ImGui::GetTextLineHeight()), palette::accent,
+              in_ms(1000 * dt));
+    return under;
+}
+
+void FrameView::draw_flame(const Rect& place, const property::Tree& tree, bool newest) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double whole = std::max(1e-6, std::max(shown_->ms.frame, shown_->ms.work()));
+    const float wide = place.high.x - place.low.x, row = ImGui::GetTextLineHeight() + 3;
+    float x = place.low.x;
+    for (const Part& part : parts) {
+        const double ms = shown_->ms.*part.ms;
+        const float end = x + wide * static_cast<float>(ms / whole);
+        draw_box(list, {ImVec2(x, place.low.y), ImVec2(end, place.low.y + row)}, part.color,
+                 part.name, ms);
+        // The physics tells its parts of the last step only.
+        if (part.ms == &Timings::modules && newest) {
+            float inner = x;
+            for (const auto& [name, spent] : parts_of_physics(tree)) {
+                const float to = std::min(end, inner + wide * static_cast<float>(spent / whole));
+                draw_box(
+                    list,
+                    {ImVec2(inner, place.low.y + row + 1), ImVec2(to, place.low.y + 2 * row + 1)},
+                    palette::rgb(0xa9d4fb), name, spent);
+                inner = to;
+            }
+        }
+        x = end;
+    }
+}
+
+void FrameView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
+                     const app::FrameLog& log, double dt, float opacity) {
+    ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - size.y));
+    ImGui::SetNextWindowSize(size);
+    ImGui::SetNextWindowBgAlpha(opacity);
+    ImGui::Begin("##frames", nullptr, frame_flags);
+    rect_ = window_rect();
+    draw_title(log);
+    const float em = ImGui::GetFontSize(), pad = ImGui::GetStyle().WindowPadding.x;
+    const float flame = 2 * (ImGui::GetTextLineHeight() + 3) + 2;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    bars_ = {ImVec2(rect_.low.x + pad, at.y),
+             ImVec2(rect_.high.x - pad, std::max(at.y + em, rect_.high.y - pad - flame - 6))};
+    ImGui::InvisibleButton(
+        "bars", ImVec2(std::max(1.0f, bars_.high.x - bars_.low.x), bars_.high.y - bars_.low.y));
+    const bool clicked = ImGui::IsItemClicked();
+    const auto under = draw_bars(log, dt);
+    const auto& all = log.frames();
+    shown_.reset();
+    if (!all.empty()) {
+        shown_ = under ? all[*under] : all.back();
+        // The newest frame is not complete yet.
+        if (!under && all.size() > 1 && shown_->ms.frame == 0) shown_ = all[all.size() - 2];
+        draw_flame(
+            {ImVec2(bars_.low.x, bars_.high.y + 6), ImVec2(bars_.high.x, rect_.high.y - pad)}, tree,
+            !under);
+    }
+    if (under) tell(all[*under]);
+    if (under && clicked && go_to) go_to(all[*under].step);
+    ImGui::End();
+}
+
+}  // namespace fettle::console

@@ -1,0 +1,56 @@
+// Moments of a game: written by the console's `share`, opened when a game begins from one.
+
+#include <fettle/property/error.h>
+#include <fettle/property/restoring.h>
+#include <fettle/property/snapshot_remarks.h>
+
+#include <files/archive.h>
+#include <files/game_path.h>
+#include <game/moment.h>
+#include <game/session.h>
+
+namespace fettle::program {
+
+std::string Session::share(const std::string& name) {
+    const auto refuse = [](const std::string& why) {
+        throw property::Error(property::ErrorKind::rejected, "share: " + why);
+    };
+    if (replayed_ != nullptr) return "share: a replay writes no files";
+    if (tree_.cause().writer != property::Writer::console)
+        refuse("only a command of the console writes a moment");
+    if (options_.sandbox || isolated()) refuse("this run writes no files");
+    if (!options_.modules.empty()) refuse("a moment cannot bring native modules along");
+    const std::filesystem::path file =
+        moment_file(property::player_folder(options_.game, settings_.id), name);
+    const Moment moment{.state = tree_.snapshot(),
+                        .step = services_->clock.step,
+                        .fettle = FETTLE_VERSION,
+                        .tweaks = tweak_lines(tweaks_->list())};
+    try {
+        write_moment(file, options_.game, moment, options_.record);
+    } catch (const FileError& error) {
+        refuse(error.what());
+    }
+    return "step " + std::to_string(moment.step) + " is in " + file.string() +
+           "; fettle run opens it there";
+}
+
+/// The state replaces what the game has made when it began, as that of a saved game does.
+void Session::open_moment() {
+    const std::optional<Moment> moment = moment_of(options_.game);
+    if (!moment) return;
+    const std::string file = archive_of(options_.game).string();
+    try {
+        tree_.restore(moment->state);
+    } catch (const property::Error& error) {
+        throw FileError(file + ": its moment cannot be opened: " + error.what());
+    }
+    for (const std::string& remark : property::restore_remarks(tree_)) note(file + ": " + remark);
+    note("this is step " + std::to_string(moment->step) + " of a shared moment" +
+         (moment->tweaks.empty() ? std::string() : ", with these edits:"));
+    for (const std::string& tweak : moment->tweaks) note("  " + tweak);
+    // In a window one looks first.
+    if (!options_.headless) services_->clock.paused = true;
+}
+
+}  // namespace fettle::program

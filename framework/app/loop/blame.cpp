@@ -1,0 +1,163 @@
+#include <loop/blame.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <loop/tint_painter.h>
+
+namespace fettle::app {
+
+using property::Color;
+using property::Handle;
+using property::Tree;
+using property::Vec2;
+using property::Writer;
+
+namespace {
+
+constexpr Color physics_color{0.55f, 0.6f, 0.7f, 1};
+constexpr Color unknown_color{0.35f, 0.35f, 0.38f, 1};
+constexpr std::array<Color, 8> colors{{{0.95f, 0.45f, 0.35f, 1},
+                                       {0.3f, 0.75f, 1.0f, 1},
+                                       {0.98f, 0.8f, 0.3f, 1},
+                                       {0.5f, 0.85f, 0.45f, 1},
+                                       {0.85f, 0.5f, 0.95f, 1},
+                                       {1.0f, 0.6f, 0.75f, 1},
+                                       {0.35f, 0.9f, 0.8f, 1},
+                                       {0.85f, 0.65f, 0.45f, 1}}};
+constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
+
+/// The latest write among the properties of an instance; keeps `latest` if that is later.
+void look_at(const Tree& tree, Handle instance, property::Provenance& latest) {
+    const auto look = [&](const property::Property& each) {
+        if (each.read_only || each.transient) return;
+        const property::Provenance who = tree.who(instance, each);
+        if (!who.known || who.cause.writer == Writer::simulation) return;
+        if (!latest.known || who.cause.step >= latest.cause.step) latest = who;
+    };
+    for (const property::Property* each : tree.class_of(instance).properties()) look(*each);
+    for (const property::Property* each : tree.ad_hoc(instance)) look(*each);
+}
+
+bool is_moved(const Tree& tree, Handle instance) {
+    const auto value = [&](const char* name) {
+        const property::Property* const found = tree.find(instance, name);
+        return found != nullptr ? tree.peek(instance, *found) : property::Value();
+    };
+    const property::Value awake = value("awake"), type = value("type");
+    const bool is_static = type.is(property::Type::text) && type.text() == "static";
+    return !is_static && awake.is(property::Type::boolean) && awake.boolean();
+}
+
+std::string writer_of(const Tree& tree, Handle instance, double dt) {
+    property::Provenance latest;
+    look_at(tree, instance, latest);
+    tree.each_below(instance, [&](Handle below) { look_at(tree, below, latest); });
+    const auto second = static_cast<std::uint64_t>(std::max(1.0, 1 / std::max(dt, 1e-6)));
+    const bool recent = latest.known && latest.cause.step + second > tree.step() &&
+                        latest.cause.step <= tree.step();
+    if (!recent && is_moved(tree, instance)) return std::string(physics);
+    if (!latest.known) return std::string(unknown);
+    const property::Cause& cause = latest.cause;
+    const bool has_place = cause.writer == Writer::script && !cause.where.empty();
+    return has_place ? cause.where : std::string(writer_name(cause.writer));
+}
+
+/// The writers in order of how many instances they wrote; those beyond the colors are "others".
+using Legend = std::vector<std::pair<std::string, std::size_t>>;
+Legend legend_of(const std::vector<Blamed>& all) {
+    std::map<std::string, std::size_t> counts;
+    for (const Blamed& each : all) ++counts[each.writer];
+    Legend legend(counts.begin(), counts.end());
+    std::ranges::stable_sort(legend,
+                             [](const auto& a, const auto& b) { return a.second > b.second; });
+    return legend;
+}
+
+/// Colors belong to writers, not to their rank, as long as there are enough colors.
+std::map<std::string, Color> colors_of(const Legend& legend) {
+    std::map<std::string, Color> found;
+    std::array<bool, colors.size()> used{};
+    for (const auto& [writer, count] : legend) {
+        if (writer == physics || writer == unknown) {
+            found[writer] = writer == physics ? physics_color : unknown_color;
+            continue;
+        }
+        std::size_t at = 0;
+        for (const char c : writer) at = at * 31 + static_cast<unsigned char>(c);
+        std::size_t tries = 0;
+        while (tries < colors.size() && used[(at + tries) % colors.size()]) ++tries;
+        if (tries == colors.size()) {
+            found[writer] = unknown_color;
+            continue;
+        }
+        used[(at + tries) % colors.size()] = true;
+        found[writer] = colors[(at + tries) % colors.size()];
+    }
+    return found;
+}
+
+void draw_legend(property::Painter& painter, const Legend& legend,
+                 const std::map<std::string, Color>& color) {
+    constexpr double row = 20, left = 16;
+    constexpr std::size_t most = 10;
+    Legend shown(legend.begin(),
+                 legend.begin() + static_cast<std::ptrdiff_t>(std::min(most, legend.size())));
+    std::size_t rest = 0;
+    for (std::size_t i = most; i < legend.size(); ++i) rest += legend[i].second;
+    if (rest > 0) shown.emplace_back(others, rest);
+    painter.begin_screen();
+    double y = painter.seen().screen.y() - 84 - row * static_cast<double>(shown.size());
+    const auto box = [&](const Vec2& from, const Vec2& to, const Color& fill) {
+        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        painter.polygon(corners, 0, {.fill = fill, .border = {0, 0, 0, 0}});
+    };
+    std::size_t longest = 0;
+    for (const auto& [writer, count] : shown) longest = std::max(longest, writer.size());
+    const double wide = 92 + 8.5 * static_cast<double>(longest);
+    box({left - 8, y - 8}, {left + wide, y + row * static_cast<double>(shown.size()) + 4},
+        {0.06f, 0.07f, 0.1f, 0.85f});
+    for (const auto& [writer, count] : shown) {
+        const auto found = color.find(writer);
+        box({left, y + 1}, {left + 14, y + 15},
+            found == color.end() ? unknown_color : found->second);
+        painter.text({left + 24, y + 8}, writer + "   " + std::to_string(count), 15,
+                     {0.92f, 0.93f, 0.95f, 1}, property::TextAlign::left);
+        y += row;
+    }
+    painter.end_screen();
+}
+
+}  // namespace
+
+std::vector<Blamed> blamed(const Tree& tree, double dt) {
+    std::vector<Blamed> all;
+    const auto visit = [&](const auto& self, Handle top) -> void {
+        for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
+            const property::Property* const position = tree.find(each, "position");
+            if (position != nullptr &&
+                (position->type == property::Type::vec2 || position->any_type))
+                all.push_back({each, writer_of(tree, each, dt)});
+            else
+                self(self, each);
+        }
+    };
+    visit(visit, tree.root());
+    return all;
+}
+
+void draw_blame(property::Painter& painter, const Tree& tree, double dt, double alpha) {
+    const std::vector<Blamed> all = blamed(tree, dt);
+    const Legend legend = legend_of(all);
+    const std::map<std::string, Color> color = colors_of(legend);
+    for (const Blamed& each : all) {
+        Color tint = color.at(each.writer);
+        tint.a = 0.75f;
+        TintPainter tinted(painter, tint);
+        tree.draw(each.instance, tinted, alpha);
+    }
+    draw_legend(painter, legend, color);
+}
+
+}  // namespace fettle::app

@@ -1,0 +1,18 @@
+#pragma once
+// Overlays that explain the solver: islands, impulses of contacts, limits of joints.
+
+#include <fettle/physics/world.h>
+#include <fettle/property/painter.h>
+
+namespace fettle::physics_module {
+
+/// Tints the bodies of each island with a color of its own; sleeping ones are paler and have a "z".
+void draw_islands(physics::World& world, property::Painter& painter, double alpha);
+/// Draws the impulse of each point of contact in the last step of `dt` seconds as an arrow, that on
+/// body b if it is dynamic, else that on body a. The weight of the heaviest body that moves has
+/// about a twelfth of the height of the picture, and a scale is drawn below.
+void draw_impulses(physics::World& world, double dt, property::Painter& painter);
+/// Draws the range of each joint with limits, and its present value.
+void draw_limits(physics::World& world, property::Painter& painter, double alpha);
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,97 @@
+// Overlays that know the tree: who wrote, and what formulas read.
+
+#include <catch.h>
+
+#include <loop/blame.h>
+#include <loop/wires.h>
+
+#include "game.h"
+
+namespace overlays_test {
+
+using namespace fettle;
+using app::Game;
+using property::Vec2;
+
+namespace {
+
+std::string writer_of(const Game& game, const std::string& path) {
+    for (const app::Blamed& each : app::blamed(game.tree, app::tick))
+        if (game.tree.path(each.instance) == path) return each.writer;
+    return "nobody";
+}
+
+}  // namespace
+
+TEST_CASE("the writer of an instance is who wrote last") {
+    Game game("game.crate = Object {}\ngame.crate.position = vec(1, 2)\ngame.empty = Object {}");
+    CHECK(writer_of(game, "crate") == "script");
+    CHECK(writer_of(game, "empty") == "nobody");
+    // The place of each write is kept while blame is shown.
+    game.set("view.show.blame", true);
+    game.loop.turn();
+    game.runtime.run("\ncrate.position = vec(2, 2)", "main.lua");
+    CHECK(writer_of(game, "crate") == "main.lua:2");
+    game.set("view.show.blame", false);
+    game.loop.turn();
+    game.runtime.run("\ncrate.position = vec(2, 3)", "main.lua");
+    CHECK(writer_of(game, "crate") == "script");
+    game.runtime.evaluate("crate.position = vec(3, 4)");
+    CHECK(writer_of(game, "crate") == "console");
+    {
+        const property::Tree::CauseScope cause(game.tree, property::Writer::inspector);
+        game.set("crate.position", Vec2(5, 6));
+    }
+    CHECK(writer_of(game, "crate") == "inspector");
+}
+
+TEST_CASE("the writer of a part counts for the whole") {
+    Game game;
+    game.set("view.show.blame", true);
+    game.loop.turn();
+    game.runtime.run(
+        "game.crate = Object {}\ngame.crate.position = vec(1, 2)\n"
+        "game.crate.lid = Object {}\ngame.crate.lid.open = true",
+        "main.lua");
+    CHECK(writer_of(game, "crate") == "main.lua:4");
+    CHECK(writer_of(game, "crate.lid") == "nobody");
+}
+
+TEST_CASE("physics counts for what it moves a second after other writers") {
+    Game game("game.crate = Object {}\ngame.crate.position = vec(1, 2)\ngame.crate.awake = true");
+    CHECK(writer_of(game, "crate") == "script");
+    for (int i = 0; i < 61; ++i) game.loop.turn();
+    CHECK(writer_of(game, "crate") == "physics");
+    game.runtime.run("crate.awake = false", "sleep");
+    for (int i = 0; i < 61; ++i) game.loop.turn();
+    CHECK(writer_of(game, "crate") == "script");
+}
+
+TEST_CASE("a wire leads from what a formula reads to what it writes") {
+    Game game(
+        "game.a = Object {}\ngame.a.position = vec(1, 0)\n"
+        "game.b = Object {}\ngame.b.position = vec(4, 0)\ngame.b.size = 1");
+    CHECK(app::wires(game.tree).empty());
+    REQUIRE_FALSE(game.runtime.evaluate("b.size is a.position.x * 2 + time.step").error);
+    const auto wires = app::wires(game.tree);
+    REQUIRE(wires.size() == 2);
+    for (const app::Wire& wire : wires) CHECK(wire.to == Vec2(4, 0));
+    const app::Wire& placed = wires[0].from ? wires[0] : wires[1];
+    const app::Wire& unplaced = wires[0].from ? wires[1] : wires[0];
+    CHECK(placed.from == Vec2(1, 0));
+    CHECK(placed.label == "a.position → b.size");
+    CHECK_FALSE(unplaced.from);
+    CHECK(unplaced.label == "time.step → b.size");
+    game.set("b.size", 3);
+    CHECK(app::wires(game.tree).empty());
+}
+
+TEST_CASE("no more formulas have wires than are asked for") {
+    Game game("game.a = Object {}\ngame.a.x = 1");
+    for (const char* name : {"p", "q", "r"})
+        game.runtime.evaluate(std::string("a.") + name + " is a.x + 1");
+    CHECK(app::wires(game.tree).size() == 3);
+    CHECK(app::wires(game.tree, 2).size() == 2);
+}
+
+}  // namespace overlays_test

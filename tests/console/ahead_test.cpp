@@ -1,0 +1,319 @@
+// Ghosts of what will move, onion skins of what moved, the row of overlays, the times of frames.
+
+#include <algorithm>
+
+#include "catch.h"
+#include "rig.h"
+
+namespace ahead_test {
+
+using namespace fettle;
+using console::test::Rig;
+using property::Handle;
+using property::Type;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+const std::vector<property::Field> ghost_fields = {
+    {"body", Type::reference, "", ""},
+    {.name = "points", .type = Type::list, .element = Type::vec2},
+    {"angle", Type::number, "", ""}};
+
+/// A game with a world that says where `world.ball` goes: to the right, as many points as
+/// seconds, from where it is.
+struct AheadRig : Rig {
+    app::FrameLog log;
+    int asked = 0;
+
+    AheadRig() {
+        property::Method ghosts;
+        ghosts.name = "ghosts";
+        ghosts.parameters = {{"seconds", Type::number}};
+        ghosts.required = 1;
+        ghosts.returns = ghost_fields;
+        ghosts.many = true;
+        ghosts.effect = property::Effect::nothing;
+        ghosts.context = this;
+        ghosts.call = [](void* self, property::Tree& of, Handle, property::Row,
+                         std::span<const Value> arguments) -> property::Result {
+            auto& rig = *static_cast<AheadRig*>(self);
+            ++rig.asked;
+            const Vec2 from = rig.value("world.ball.position").vec2();
+            property::List points;
+            for (int i = 0; i <= static_cast<int>(arguments[0].number()); ++i)
+                points.emplace_back(Vec2(from.x() + 2 * i, from.y()));
+            const Handle ball = of.child(of.child(of.root(), "world"), "ball");
+            return std::vector<property::Record>{
+                {&ghost_fields, {ball, Value(std::move(points)), 0.0}}};
+        };
+        property::ClassDescriptor seer;
+        seer.name = "Seer";
+        seer.methods = {ghosts};
+        tree.create(tree.define(std::move(seer)), tree.root(), "seer");
+        property::ClassDescriptor show;
+        show.name = "Show";
+        for (const char* name : {"contacts", "onion_skins", "timings"})
+            show.properties.push_back({.name = name,
+                                       .type = Type::boolean,
+                                       .default_value = Value(false),
+                                       .doc = "An overlay.",
+                                       .transient = true});
+        property::ClassDescriptor view;
+        view.name = "View";
+        const Handle of = tree.create(tree.define(std::move(view)), tree.root(), "view");
+        tree.create(tree.define(std::move(show)), of, "show");
+        state().options.frames = &log;
+        key("grave");
+        draw(2);
+    }
+    void pause(bool paused) {
+        const property::Tree::CauseScope cause(tree, property::Writer::module);
+        property::set(tree, "time.paused", Value(paused));
+        console.between_frames();
+    }
+    void edit(const char* path, const Value& to, property::Writer writer) {
+        {
+            const property::Tree::CauseScope cause(tree, writer);
+            property::set(tree, path, to);
+        }
+        draw();
+    }
+    const auto& ghosts() { return state().ghosts.ghosts(); }
+    /// Number of pixels with the color of ghosts and later poses near a point of the world.
+    int faint(const Vec2& world, int reach = 2) {
+        const Vec2 p = state().options.to_pixels(world);
+        int count = 0;
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x) {
+                const auto& pixel =
+                    surface.pixels().at(static_cast<std::size_t>(std::lround(p.y()) + y) * 1280 +
+                                        static_cast<std::size_t>(std::lround(p.x()) + x));
+                count += pixel[1] > pixel[0] + 20;
+            }
+        return count;
+    }
+};
+
+}  // namespace
+
+// --- Ghosts
+
+TEST_CASE_METHOD(AheadRig, "an edit of a paused game shows what will move") {
+    edit("world.ball.mass", 2.0, property::Writer::inspector);
+    CHECK(asked == 0);  // the game runs
+    pause(true);
+    draw(3);
+    CHECK(asked == 0);  // nothing was edited
+    edit("world.ball.mass", 3.0, property::Writer::inspector);
+    REQUIRE(ghosts().size() == 1);
+    CHECK(ghosts()[0].points.size() == 3);  // console.ghost_time is 2
+    CHECK(asked == 1);
+    draw(3);
+    CHECK(asked == 1);  // once for each edit
+    CHECK(faint({1, -4}) > 0);
+    CHECK(faint({3, -4}) > 0);
+    CHECK(faint({5, -4}) == 0);
+    save("ghosts");
+    edit("world.ball.position", Vec2(0, -6), property::Writer::console);
+    CHECK(asked == 2);
+    CHECK(faint({1, -4}) == 0);
+    CHECK(faint({1, -6}) > 0);
+}
+
+TEST_CASE_METHOD(AheadRig, "ghosts end when the game goes on or goes to another step") {
+    pause(true);
+    draw();
+    edit("world.ball.mass", 3.0, property::Writer::inspector);
+    REQUIRE_FALSE(ghosts().empty());
+    SECTION("the game goes on") {
+        pause(false);
+        draw();
+        CHECK(ghosts().empty());
+    }
+    SECTION("the console closes") {
+        key("grave");
+        draw();
+        CHECK(ghosts().empty());
+    }
+    SECTION("they are switched off") {
+        edit("console.ghosts", false, property::Writer::console);
+        console.between_frames();
+        CHECK(ghosts().empty());
+        edit("world.ball.mass", 4.0, property::Writer::inspector);
+        CHECK(ghosts().empty());
+    }
+    SECTION("a snapshot is restored") {
+        tree.restore(tree.snapshot());
+        draw();
+        CHECK(ghosts().empty());
+    }
+}
+
+TEST_CASE_METHOD(AheadRig, "only edits of persons show ghosts") {
+    pause(true);
+    draw();
+    edit("world.ball.mass", 3.0, property::Writer::script);
+    edit("world.ball.position", Vec2(1, -4), property::Writer::simulation);
+    edit("view.show.contacts", true, property::Writer::console);  // no part of the game
+    CHECK(asked == 0);
+    edit("world.ball.mass", 4.0, property::Writer::console);
+    CHECK(asked == 1);
+    tree.undo();
+    draw();
+    CHECK(asked == 2);
+}
+
+TEST_CASE_METHOD(AheadRig, "drags in the inspector show ghosts before the button is released") {
+    pause(true);
+    console.select(tree.child(tree.child(tree.root(), "world"), "ball"));
+    const ImVec2 at = widget("mass");
+    move(at.x, at.y);
+    button(true, at.x, at.y);
+    for (int i = 1; i <= 5; ++i) {
+        move(at.x + 4.0f * static_cast<float>(i), at.y);
+        draw();
+    }
+    draw();
+    CHECK(asked > 1);
+    CHECK_FALSE(ghosts().empty());
+    button(false, at.x + 20, at.y);
+    draw();
+    CHECK_FALSE(ghosts().empty());
+}
+
+// --- Onion skins
+
+namespace {
+
+struct SkinnedRig : AheadRig {
+    std::int64_t now = 0;
+    SkinnedRig() {
+        state().options.review = [this](std::int64_t from, const auto& look) {
+            for (std::int64_t n = std::max<std::int64_t>(0, from); n <= now; ++n) {
+                place(n);
+                look(n);
+            }
+        };
+        console.select(ball());
+        property::set(tree, "view.show.onion_skins", Value(true));
+    }
+    Handle ball() { return tree.child(tree.child(tree.root(), "world"), "ball"); }
+    void place(std::int64_t n) {
+        const property::Tree::CauseScope cause(tree, property::Writer::simulation);
+        tree.set_step(static_cast<std::uint64_t>(n));
+        property::set(tree, "world.ball.position", Value(Vec2(0.1 * static_cast<double>(n), -4)));
+    }
+    void step_to(std::int64_t n) {
+        for (; now < n; console.after_step(), console.between_frames()) place(++now);
+    }
+    const console::OnionSkins& skins() { return state().onion_skins; }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(SkinnedRig, "onion skins are poses at regular intervals before the present") {
+    step_to(50);
+    CHECK(skins().shown_at(50) == std::vector<std::int64_t>{0, 15, 30, 45});
+    CHECK(skins().skins().size() >= 50);
+    for (const auto& skin : skins().skins())
+        CHECK(skin.pose.origin.x() == Approx(0.1 * static_cast<double>(skin.step)));
+}
+
+TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins, too") {
+    step_to(60);
+    place(20);
+    CHECK(skins().shown_at(20) == std::vector<std::int64_t>{0, 15, 30, 45, 60});
+    // The game goes on from there: what came later is forgotten.
+    now = 20;
+    step_to(22);
+    CHECK(skins().shown_at(22) == std::vector<std::int64_t>{0, 15});
+}
+
+TEST_CASE_METHOD(SkinnedRig, "the past of what is selected newly is read once") {
+    property::set(tree, "view.show.onion_skins", Value(false));
+    step_to(40);
+    CHECK(skins().skins().empty());
+    property::set(tree, "view.show.onion_skins", Value(true));
+    console.between_frames();
+    CHECK(skins().shown_at(40) == std::vector<std::int64_t>{0, 15, 30});
+    tree.destroy(ball());
+    console.between_frames();
+    draw();
+    CHECK(skins().skins().empty());
+}
+
+// --- The row of overlays
+
+TEST_CASE_METHOD(AheadRig, "a button of the row of overlays switches its property") {
+    edit("console.overlays", true, property::Writer::console);
+    draw(2);
+    save("overlays");
+    const auto& bar = state().overlay_bar;
+    REQUIRE_FALSE(bar.button("contacts").empty());
+    REQUIRE_FALSE(bar.button("onion_skins").empty());
+    const ImVec2 at = bar.button("contacts").middle();
+    const std::size_t edits = tree.history().size();
+    click(at.x, at.y);
+    draw(2);
+    CHECK(value("view.show.contacts") == Value(true));
+    CHECK(bar.lit() == 1);
+    CHECK(tree.history().size() == edits);
+    click(at.x, at.y);
+    draw(2);
+    CHECK(value("view.show.contacts") == Value(false));
+}
+
+TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow panel") {
+    edit("console.overlays", true, property::Writer::console);
+    edit("console.inspector_width", 800.0, property::Writer::console);
+    draw(3);
+    const auto& bar = state().overlay_bar;
+    for (const char* name : {"contacts", "onion_skins", "timings"}) {
+        CHECK_FALSE(bar.button(name).empty());
+        CHECK(bar.button(name).high.x <= state().panel_rect.high.x);
+    }
+}
+
+// --- Times of frames
+
+TEST_CASE_METHOD(AheadRig, "the times of frames are shown and lead to the worst one") {
+    for (int i = 1; i <= 200; ++i) {
+        const double modules = i == 120 ? 30 : 3;
+        log.add(
+            {.ms = {.scripts = 2, .modules = modules, .draw = 1}, .frame = i, .step = 1000 + i});
+        (void)log.complete(16.7);
+    }
+    CHECK(state().frame_view.rect().empty());
+    property::set(tree, "view.show.timings", Value(true));
+    draw(3);
+    save("frame_times");
+    const auto& view = state().frame_view;
+    REQUIRE_FALSE(view.rect().empty());
+    REQUIRE(view.shown());
+    CHECK(view.shown()->frame == 200);
+    CHECK(console::worst_frame(log)->step == 1120);
+    std::int64_t went = 0;
+    state().frame_view.go_to = [&](std::int64_t step) { went = step; };
+    const ImVec2 worst = view.worst_button().middle();
+    click(worst.x, worst.y);
+    draw(2);
+    CHECK(went == 1120);
+    // The newest frame is at the right end.
+    const console::Rect bars = view.bars();
+    const float each = (bars.high.x - bars.low.x) / 300;
+    move(bars.high.x - 9.5f * each, bars.middle().y);
+    draw(2);
+    CHECK(view.shown()->frame == 191);
+    click(bars.high.x - 9.5f * each, bars.middle().y);
+    draw(2);
+    CHECK(went == 1191);
+    const ImVec2 close = view.close_button().middle();
+    click(close.x, close.y);
+    draw(2);
+    CHECK(value("view.show.timings") == Value(false));
+    CHECK(view.rect().empty());
+}
+
+}  // namespace ahead_test

@@ -1,0 +1,113 @@
+// Two runs side by side.
+
+#include <algorithm>
+
+#include "catch.h"
+#include "rig.h"
+
+namespace compare_test {
+
+using namespace fettle;
+using console::test::Rig;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+/// A game at step 100 in which `world.ball` moves to the right by its mass in each step.
+struct CompareRig : Rig {
+    std::int64_t now = 100;
+    bool fails = false;
+
+    CompareRig() {
+        auto& options = state().options;
+        options.review = [this](std::int64_t from, const auto& look) { run(from, look); };
+        options.branch = [this](std::int64_t from, const auto& change, const auto& look) {
+            const Value before = value("world.ball.mass");
+            change();
+            run(from, look);
+            property::set(tree, "world.ball.mass", before);
+            if (fails) throw std::runtime_error("no branch");
+        };
+        place(now);
+        property::set(tree, "world.ball.mass", Value(1.0));
+        key("grave");
+        draw(2);
+    }
+    void place(std::int64_t step) {
+        tree.set_step(static_cast<std::uint64_t>(step));
+        const double mass = value("world.ball.mass").number();
+        property::set(tree, "world.ball.position",
+                      Value(Vec2(0.01 * mass * static_cast<double>(step), -4)));
+    }
+    void run(std::int64_t from, const std::function<void(std::int64_t)>& look) {
+        for (std::int64_t step = from; step <= now; ++step) {
+            place(step);
+            look(step);
+        }
+    }
+    console::Comparison& runs() { return state().comparison; }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it would have been") {
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    CHECK_FALSE(runs().shown());
+    console.between_frames();
+    REQUIRE(runs().shown());
+    REQUIRE(runs().a().size() == 61);
+    REQUIRE(runs().b().size() == 61);
+    CHECK(runs().a().front().step == 40);
+    const auto ball = tree.child(tree.child(tree.root(), "world"), "ball");
+    CHECK(runs().a().back().find(ball)->position.x() == Approx(1));
+    CHECK(runs().b().back().find(ball)->position.x() == Approx(3));
+    CHECK(
+        logged("ab world.ball.mass = 3 since step 40: 1 of 3 end elsewhere, world.ball by "
+               "2.00 m"));
+    CHECK(value("world.ball.mass") == Value(1.0));
+}
+
+TEST_CASE_METHOD(CompareRig, "both runs are shown side by side and play again and again") {
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    draw(2);
+    save("compare");
+    const auto& view = state().compare_view;
+    REQUIRE_FALSE(view.rect().empty());
+    CHECK(view.shown() == 60);  // the end first
+    draw(80);
+    CHECK(view.shown() < 60);
+    const console::Rect track = view.track();
+    const float middle = track.middle().x;
+    move(middle, track.middle().y);
+    button(true, middle, track.middle().y);
+    draw(3);
+    CHECK(view.shown() == 30);
+    button(false, middle, track.middle().y);
+    draw();
+    const ImVec2 close = view.close_button().middle();
+    click(close.x, close.y);
+    draw(2);
+    CHECK(view.rect().empty());
+    CHECK_FALSE(runs().shown());
+}
+
+TEST_CASE_METHOD(CompareRig, "what cannot be compared is refused") {
+    CHECK_THROWS(runs().ask("world.ball.mas", Value(3.0), 1));
+    CHECK_THROWS(runs().ask("world.ball", Value(3.0), 1));
+    CHECK_THROWS(runs().ask("world.ball.energy", Value(3.0), 1));
+    CHECK_THROWS(runs().ask("world.ball.mass", Value(3.0), 0));
+    CHECK_THROWS(runs().ask("world.ball.mass", Value(3.0), 1e9));
+    runs().ask("world.ball.mass", Value("heavy"), 1);
+    console.between_frames();
+    CHECK_FALSE(runs().shown());
+    CHECK(logged("ab: "));
+    fails = true;
+    runs().ask("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK_FALSE(runs().shown());
+    CHECK(logged("ab: no branch"));
+}
+
+}  // namespace compare_test

@@ -1,0 +1,105 @@
+// Overlays that explain the solver.
+
+#include <set>
+#include <tuple>
+
+#include "catch.h"
+#include "game.h"
+#include "picture.h"
+
+namespace marks_test {
+
+using namespace fettle::physics_module::testing;
+using namespace fettle;
+using property::Overlay;
+
+namespace {
+
+/// A picture with 40 pixels a metre.
+struct FinePicture : Picture {
+    double pixels_per_unit() const override { return 40; }
+};
+
+struct Marked : Game {
+    /// The figures that an overlay adds to the picture.
+    std::vector<Figure> marks(Overlay which) {
+        FinePicture plain, picture;
+        tree.draw(tree.root(), plain, 1.0);
+        picture.overlays = {which};
+        tree.draw(tree.root(), picture, 1.0);
+        return {picture.figures.begin() + static_cast<std::ptrdiff_t>(plain.figures.size()),
+                picture.figures.end()};
+    }
+    static auto color_of(const Figure& figure) {
+        const auto& fill = figure.paint.fill;
+        return std::tuple(fill.r, fill.g, fill.b);
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Marked, "each island has a color of its own") {
+    floor();
+    const Handle a = body("Box", {0, 0.5}), b = body("Box", {0, 1.5}), c = body("Box", {9, 0.5});
+    step(10);
+    const auto marks = this->marks(Overlay::islands);
+    REQUIRE(marks.size() == 3);
+    CHECK(color_of(marks[0]) == color_of(marks[1]));
+    CHECK(color_of(marks[0]) != color_of(marks[2]));
+    make("WeldJoint", world(), {{"body_a", b}, {"body_b", c}});
+    step();
+    std::set<std::tuple<float, float, float>> colors;
+    for (const Figure& mark : this->marks(Overlay::islands)) colors.insert(color_of(mark));
+    CHECK(colors.size() == 1);
+    CHECK(tree.alive(a));
+}
+
+TEST_CASE_METHOD(Marked, "impulses are drawn to one scale") {
+    floor();
+    const Handle light = body("Box", {-3, 0.5}), heavy = body("Box", {3, 0.5});
+    set(heavy, "mass", 4);
+    set(light, "mass", 1);
+    step(20);
+    double by_side[2] = {0, 0};
+    std::size_t texts = 0;
+    for (const Figure& mark : marks(Overlay::impulses)) {
+        texts += mark.kind == "text";
+        // The shafts begin at the floor; heads and the scale do not.
+        if (mark.kind != "line" || std::abs(mark.points[0].y()) > 0.05 || mark.points[1].y() < 0.05)
+            continue;
+        by_side[mark.points[0].x() > 0] += (mark.points[1] - mark.points[0]).norm();
+    }
+    CHECK(texts == 1);
+    CHECK(by_side[0] > 0);
+    CHECK(by_side[1] / by_side[0] == Approx(4).epsilon(0.1));
+}
+
+TEST_CASE_METHOD(Marked, "the limits of a joint are drawn and those it does not have are not") {
+    const Handle arm = make("Body", world(), {{"position", Vec2(1, 0)}});
+    make("Box", arm);
+    const Handle hinge =
+        make("RevoluteJoint", world(),
+             {{"body_b", arm}, {"anchor_a", Vec2(0, 0)}, {"anchor_b", Vec2(-1, 0)}});
+    step();
+    CHECK(marks(Overlay::limits).empty());
+    set(hinge, "lower_angle", -0.5);
+    set(hinge, "upper_angle", 1.0);
+    const auto arc = marks(Overlay::limits);
+    CHECK(arc.size() > 10);
+    // Each point of the arc has the same distance from the anchor.
+    for (const Figure& mark : arc) {
+        REQUIRE(mark.kind == "line");
+        CHECK(mark.points[1].norm() == Approx(arc.front().points[1].norm()).margin(1e-4));
+    }
+    tree.destroy(hinge);
+    const Handle rail = make("PrismaticJoint", world(),
+                             {{"body_b", arm}, {"anchor_a", Vec2(1, 0)}, {"axis", Vec2(1, 0)}});
+    set(rail, "lower_translation", -2);
+    set(rail, "upper_translation", 3);
+    step();
+    const auto way = marks(Overlay::limits);
+    REQUIRE(way.size() == 4);
+    CHECK((way[0].points[1] - way[0].points[0]).norm() == Approx(5).epsilon(1e-3));
+}
+
+}  // namespace marks_test

@@ -1,0 +1,126 @@
+// The kept past once more, with a change at its beginning.
+
+#include <map>
+
+#include "catch.h"
+
+#include "playing.h"
+
+namespace branch_test {
+
+using namespace fettle;
+using namespace fettle::app;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+constexpr const char* bounce = R"(
+    world.floor = Body { type = "static", position = vec(0, -1), Box { width = 60, height = 2 } }
+    world.ball = Body { position = vec(0, 4), Circle { radius = 0.5 } }
+    world.other = Body { position = vec(6, 4), Circle { radius = 0.5 } }
+    steps = 0
+    function step(dt)
+        steps = steps + 1
+        if steps == 30 then world.other.velocity = vec(0, 9) end
+        if steps == 50 then world.late = Body { position = vec(-6, 3), Box {} } end
+    end
+)";
+
+struct Branching : Playing {
+    using Ways = std::map<std::int64_t, Vec2>;
+    Branching() : Playing(bounce) {}
+    Ways branch(std::int64_t from, const std::function<void()>& change, const char* path) {
+        Ways ways;
+        time().branch(from, change, [&](std::int64_t step) {
+            CHECK(ways.emplace(step, get(path).vec2()).second);
+        });
+        return ways;
+    }
+    Ways as_it_was(std::int64_t from, const char* path) {
+        Ways ways;
+        time().review(from, [&](std::int64_t step) { ways.emplace(step, get(path).vec2()); });
+        return ways;
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Branching, "a branch without a change is the past as it was") {
+    play(120);
+    const Ways was = as_it_was(20, "world.ball.position");
+    CHECK(branch(
+              20, [] {}, "world.ball.position") == was);
+    CHECK(was.size() == 101);
+}
+
+TEST_CASE_METHOD(Branching, "a branch differs by its change and leaves no trace") {
+    play(120);
+    const Ways was = as_it_was(20, "world.ball.position");
+    const auto change = [&] { property::set(tree, "world.ball.circle.restitution", Value(0.9)); };
+    const Ways other = branch(20, change, "world.ball.position");
+    REQUIRE(other.size() == was.size());
+    CHECK(other.at(20) == was.at(20));
+    CHECK(other.at(120) != was.at(120));
+    // What scripts wrote then is written again.
+    CHECK(branch(20, change, "world.other.position") == as_it_was(20, "world.other.position"));
+    REQUIRE(loop->hash() == hashes[120]);
+    CHECK(get("world.ball.circle.restitution").number() != 0.9);
+    CHECK(time().newest() == 120);
+    for (const std::int64_t step : {25, 60, 119, 120}) check(step);
+    // The game goes on as one that never branched.
+    Branching twin;
+    twin.play(160);
+    play(40);
+    CHECK(loop->hash() == twin.loop->hash());
+}
+
+TEST_CASE_METHOD(Branching, "a branch may be made from the past") {
+    play(120);
+    time().go_to(80);
+    const Ways seen = branch(
+        30, [] {}, "world.ball.position");
+    CHECK(seen.begin()->first == 30);
+    CHECK(seen.rbegin()->first == 80);
+    REQUIRE(loop->hash() == hashes[80]);
+    CHECK(time().newest() == 120);
+    check(120);
+}
+
+TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it was") {
+    play(100);
+    const auto nothing = [](std::int64_t) {};
+    const auto fails = [] { throw std::runtime_error("no"); };
+    CHECK_THROWS_WITH(time().branch(50, fails, nothing), "no");
+    REQUIRE(loop->hash() == hashes[100]);
+    int looks = 0;
+    CHECK_THROWS_WITH(time().branch(
+                          50, [] {},
+                          [&](std::int64_t) {
+                              if (++looks == 20) throw std::runtime_error("enough");
+                          }),
+                      "enough");
+    CHECK(looks == 20);
+    REQUIRE(loop->hash() == hashes[100]);
+    CHECK_THROWS(time().branch(
+        500, [] {}, nothing));
+    CHECK_THROWS(time().branch(
+        -1, [] {}, nothing));
+    for (const std::int64_t step : {10, 70, 100}) check(step);
+}
+
+TEST_CASE_METHOD(Branching, "what scripts wrote and the branch refuses is left out") {
+    play(60);
+    // At step 30 the script sets the velocity of a body that cannot move in the branch.
+    const Ways other = branch(
+        20, [&] { property::set(tree, "world.other.type", Value("static")); },
+        "world.other.position");
+    CHECK(other.at(20) == other.at(60));
+    CHECK(as_it_was(20, "world.other.position").at(60) != other.at(60));
+    REQUIRE(loop->hash() == hashes[60]);
+    CHECK(time().oldest() == 0);
+    check(40);
+    check(60);
+}
+
+}  // namespace branch_test

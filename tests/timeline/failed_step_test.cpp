@@ -1,0 +1,141 @@
+// A step in which a script failed is made again when the script is mended.
+
+#include "catch.h"
+
+#include "playing.h"
+
+namespace failed_step_test {
+
+using namespace fettle;
+using namespace fettle::app;
+using property::Value;
+
+namespace {
+
+/// A game whose `step` fails at step 40, after it has written something.
+struct Failing : Playing {
+    explicit Failing(const std::string& step = {})
+        : Playing(
+              "world.ball = Body { position = vec(0, 9), Circle {} }\n"
+              "world.floor = Body { type = 'static', Box { width = 30 } }\n"
+              "bad = false\n" +
+              (step.empty() ? "function step(dt) world.ball.count = time.step "
+                              "world.ball.velocity = world.ball.velocity + vec(0.1, 0) "
+                              "if bad and time.step == 40 then error('at forty') end end"
+                            : step)) {
+        runtime->on_error([this](const script::ScriptError& error) {
+            errors.push_back(error.message);
+            loop->halt();
+        });
+    }
+    void fail_at_40() {
+        play(39);
+        runtime->run("bad = true", "test");
+        for (int i = 0; i < 3; ++i) loop->turn();
+        REQUIRE(errors.size() == 1);
+        REQUIRE(loop->halted());
+        REQUIRE(services.clock.step == 40);
+        runtime->run("bad = false", "test");
+    }
+    std::uint64_t hash_of_good_run(int steps) {
+        Failing good;
+        good.play(steps);
+        return good.loop->hash();
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Failing, "the failed step is made again as if it had not failed") {
+    fail_at_40();
+    CHECK(loop->retry());
+    CHECK(services.clock.step == 39);
+    CHECK(loop->hash() == hashes[39]);
+    for (int i = 0; i < 21; ++i) loop->turn();
+    CHECK(services.clock.step == 60);
+    CHECK(loop->hash() == hash_of_good_run(60));
+    CHECK(errors.size() == 1);
+}
+
+TEST_CASE_METHOD(Failing, "an edit after the failure is there when the step is made again") {
+    fail_at_40();
+    console("world.ball.circle.restitution = 0.7");
+    CHECK(loop->retry());
+    CHECK(services.clock.step == 39);
+    CHECK(get("world.ball.circle.restitution").number() == Approx(0.7));
+    loop->turn();
+    CHECK(services.clock.step == 40);
+    CHECK(get("world.ball.circle.restitution").number() == Approx(0.7));
+}
+
+TEST_CASE_METHOD(Failing, "a game may also go on after the failed step") {
+    fail_at_40();
+    loop->resume();
+    loop->turn();
+    CHECK(services.clock.step == 41);
+    const std::uint64_t now = loop->hash();
+    const Value velocity = get("world.ball.velocity");
+    for (int i = 0; i < 20; ++i) loop->turn();
+    time().go_to(41);
+    CHECK(loop->hash() == now);
+    CHECK(get("world.ball.velocity") == velocity);
+}
+
+TEST_CASE_METHOD(Failing, "one may look at the past of a failed step and stay there") {
+    fail_at_40();
+    time().go_to(20);
+    CHECK(loop->hash() == hashes[20]);
+    CHECK_FALSE(loop->retry());
+    CHECK(services.clock.step == 20);
+    for (int i = 0; i < 40; ++i) loop->turn();
+    CHECK(services.clock.step == 60);
+    CHECK(loop->hash() == hash_of_good_run(60));
+}
+
+TEST_CASE("a step whose handler failed is made again") {
+    Failing game(
+        "world.ball:on('contact_begin', function() if bad then error('hit') end "
+        "world.ball.hits = 0 end)");
+    game.play(39);
+    game.runtime->run("bad = true", "test");
+    int turns = 0;
+    while (!game.loop->halted() && ++turns < 200) game.loop->turn();
+    REQUIRE(game.loop->halted());
+    const std::int64_t failed = game.services.clock.step;
+    game.runtime->run("bad = false", "test");
+    CHECK(game.loop->retry());
+    CHECK(game.services.clock.step == failed - 1);
+    game.loop->turn();
+    CHECK(game.services.clock.step == failed);
+    CHECK(game.errors.size() == 1);
+    CHECK(game.get("world.ball.hits") == Value(0));
+}
+
+TEST_CASE("an edit after a handler failed keeps the failed step as it is") {
+    Failing game("world.ball:on('contact_begin', function() if bad then error('hit') end end)");
+    game.runtime->run("bad = true", "test");
+    int turns = 0;
+    while (!game.loop->halted() && ++turns < 200) game.loop->turn();
+    REQUIRE(game.loop->halted());
+    const std::int64_t failed = game.services.clock.step;
+    game.runtime->run("bad = false", "test");
+    game.console("world.ball.mass = 9");
+    CHECK_FALSE(game.loop->retry());
+    CHECK_FALSE(game.loop->halted());
+    CHECK(game.services.clock.step == failed);
+    CHECK(game.get("world.ball.mass").number() == Approx(9));
+}
+
+TEST_CASE("an error outside of a step repeats no step") {
+    Failing game("function update(dt) if bad then error('now') end end");
+    game.play(20);
+    game.runtime->run("bad = true", "test");
+    game.loop->turn();
+    REQUIRE(game.loop->halted());
+    game.runtime->run("bad = false", "test");
+    const std::int64_t step = game.services.clock.step;
+    CHECK_FALSE(game.loop->retry());
+    CHECK(game.services.clock.step == step);
+}
+
+}  // namespace failed_step_test
