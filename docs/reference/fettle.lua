@@ -568,6 +568,12 @@ StepStatistics = {}
 ---@field point_b vec The point of the second that is nearest to the first. · m
 ---@field normal vec Direction from the first to the second; the zero vector if they overlap.
 
+---What will move in the next seconds, and where, if only the physics goes on: a copy of the world makes the steps, with the length of the last step. This world does not change, and no function of a script is called: what scripts would do in `step` or in handlers is not in it. With more than 2500 bodies awake it ends earlier: after 300 000 bodies times steps.
+---@class World.ghosts.result
+---@field body Body A body that will move.
+---@field points vec[] Its position now and after each step. · m
+---@field angle number Its angle at the end. · rad
+
 ---The first shape that a ray hits, or nil. Sensors and shapes in which the ray begins do not count.
 ---@class World.raycast.result
 ---@field shape Shape? The shape that was hit; nil for the bounds of the world.
@@ -649,6 +655,11 @@ function fettle_World:distance(a, b) end
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode(point, radius, impulse, mask, accept) end
+
+---What will move in the next seconds, and where, if only the physics goes on: a copy of the world makes the steps, with the length of the last step. This world does not change, and no function of a script is called: what scripts would do in `step` or in handlers is not in it. With more than 2500 bodies awake it ends earlier: after 300 000 bodies times steps.
+---@param seconds? number How far to look ahead; 2 if it is left out. · s
+---@return World.ghosts.result[]
+function fettle_World:ghosts(seconds) end
 
 ---The bodies that overlap a shape or a body; not its own body. A shape without a body is at its own coordinates.
 ---@param shape Object A shape or a body, of any world or of none.
@@ -1700,7 +1711,7 @@ Emitter = {}
 ---@field scale number Simulated seconds a real second: 0.1 is slow motion. A headless run ignores it. · 0 to 100 · default 1
 ---@field step integer Fixed steps made since the game started. · any integer · read-only, simulated
 ---@field step_once boolean Set it to make one step while paused; it is false again when the step is made. · true or false · default false · not saved
----@field timings Timings Where a frame's time goes, smoothed over about half a second.
+---@field timings Timings Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
 local fettle_Time = {}
 
 ---Goes to that step of the past, or back to the present, at the next barrier. What came later is forgotten when a step is made from there.
@@ -1711,7 +1722,7 @@ function fettle_Time:go_to(step) end
 ---@class Class.Time : Class
 Time = {}
 
----Where a frame's time goes, smoothed over about half a second.
+---Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
 ---@class Timings : Object
 ---@field draw number Drawing, layers included. · ms · any finite number · read-only, simulated
 ---@field frame number The whole frame, waiting for the screen included. · ms · any finite number · read-only, simulated
@@ -1720,9 +1731,10 @@ Time = {}
 ---@field modules number Steps of the modules: the physics. · ms · any finite number · read-only, simulated
 ---@field scripts number Timers, coroutines and step(dt). · ms · any finite number · read-only, simulated
 ---@field update number The game's update(dt). · ms · any finite number · read-only, simulated
+---@field wait number Waiting for the screen, and what is in no other part; 0 in a headless run. · ms · any finite number · read-only, simulated
 local fettle_Timings = {}
 
----Where a frame's time goes, smoothed over about half a second.
+---Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
 ---@class Class.Timings : Class
 Timings = {}
 
@@ -1771,14 +1783,19 @@ View = {}
 ---What is shown over the picture, for looking into a game.
 ---@class Show : Object
 ---@field aabbs boolean Axis-aligned bounding boxes of shapes. · true or false · default false · not saved
+---@field blame boolean Who wrote last: what is drawn has the color of the line of a script, the console, the inspector or the physics that wrote it. · true or false · default false · not saved
 ---@field centers boolean Centers of mass. · true or false · default false · not saved
 ---@field contacts boolean Contact points, their normals and impulses. · true or false · default false · not saved
 ---@field grid boolean A grid of metres. · true or false · default false · not saved
----@field islands boolean Islands: bodies that sleep and wake together. · true or false · default false · not saved
+---@field impulses boolean Impulses of contacts in the last step, as arrows with one scale for all. · true or false · default false · not saved
+---@field islands boolean Islands: bodies that sleep and wake together, each island in a color of its own. · true or false · default false · not saved
 ---@field joints boolean Joints and their anchors. · true or false · default false · not saved
+---@field limits boolean Limits of joints: the angles and ways that they allow. · true or false · default false · not saved
 ---@field names boolean Names of bodies. · true or false · default false · not saved
+---@field onion_skins boolean Earlier poses of the selected instance while the console is open, and later ones after going back. · true or false · default false · not saved
 ---@field timings boolean Frames a second, and where a frame's time goes. · true or false · default false · not saved
 ---@field velocities boolean Velocities of bodies, as lines. · true or false · default false · not saved
+---@field wires boolean Formulas: arrows from what a formula reads to what it writes. · true or false · default false · not saved
 local fettle_Show = {}
 
 ---What is shown over the picture, for looking into a game.
@@ -2745,6 +2762,8 @@ Transition = {}
 ---@class Console : Object
 ---@field filter string Only lines of the log that contain this text are shown; "" shows all. · any text · default "" · not saved
 ---@field font_size number Height of the text. · px · 8 to 48 · default 15 · not saved
+---@field ghost_time number How far these ghosts look ahead. · s · 0.1 to 10 · default 2 · not saved
+---@field ghosts boolean Whether edits of a game that is paused show what would move, and where, as far as the physics says. · true or false · default true · not saved
 ---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
 ---@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
@@ -2753,6 +2772,7 @@ Transition = {}
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
 ---@field opacity number Of the background. Below 1 the game is seen behind the text. · 0.3 to 1 · default 1 · not saved
 ---@field open boolean Whether the console is shown. · true or false · default false · not saved
+---@field overlays boolean Whether the overlays of `view.show` are shown as a row of buttons. · true or false · default false · not saved
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body selects it while the console is open. · true or false · default true · not saved
 ---@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
@@ -2833,6 +2853,12 @@ string = {}
 table = {}
 
 utf8 = {}
+
+---Shows the last seconds twice, side by side: A as they were, and B with that value of the property from their beginning on. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. Without a path the comparison ends. ab("world.ball.mass", 3).
+---@param path? string
+---@param value? any
+---@param seconds? number
+function ab(path, value, seconds) end
 
 ---Calls the function once, after that much simulation time. The function may call wait().
 ---@param seconds number
@@ -3003,6 +3029,10 @@ function scene.load(file, parent, name) end
 ---@param file string
 ---@param instance Object
 function scene.save(file, instance) end
+
+---A command of the console: writes this moment of the game into one file, with the game, its edits, and the recording if the run is recorded. `fettle run NAME.fettle` opens the game at this moment, paused. The name has letters, digits, - and _; the file is in the folder `moments` of the player's files, and the command prints where. Variables of scripts that are not in the tree, and timers, are not in it, as in a saved game.
+---@param name string
+function share(name) end
 
 ---The whole tree as it is at the next barrier between steps, for restore.
 ---@return Snapshot
