@@ -16,7 +16,7 @@ using property::Vec2;
 
 namespace {
 
-constexpr Color ink{0.55f, 0.85f, 1.0f, 0.95f}, pale{0.8f, 0.92f, 1.0f, 1};
+constexpr Color ink{0.55f, 0.85f, 1.0f, 0.95f}, pale_wire{0.8f, 0.92f, 1.0f, 1};
 
 std::optional<Vec2> place_of(const Tree& tree, Handle instance) {
     const auto place = property::place_below(tree, instance, false, 1);
@@ -110,7 +110,7 @@ void draw_wires(property::Painter& painter, const Tree& tree) {
         const Vec2 middle = drawn ? Vec2(0.5 * (*wire.from + wire.to)) : wire.to;
         const Vec2 way = drawn ? Vec2(wire.to - *wire.from) : Vec2(0, 0);
         const Vec2 at = middle + 0.06 * Vec2(-way.y(), way.x()) + Vec2(0, (22 + below) * pixel);
-        painter.text(at, wire.label, 15 * pixel, pale);
+        painter.text(at, wire.label, 15 * pixel, pale_wire);
     }
 }
 
