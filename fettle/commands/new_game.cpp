@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -58,7 +61,18 @@ void require_template(const std::string& name) {
                     all + property::suggestion(name, names));
 }
 
-/// A part of an id: letters and digits of the name in lower case, the rest as dashes.
+/// FNV-1a; the same on every machine.
+std::string short_hash(const std::string& text) {
+    std::uint32_t hash = 2166136261u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    std::array<char, 9> digits{};
+    std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(hash));
+    return digits.data();
+}
+
+/// A part of an id: letters and digits of the name in lower case, the rest as dashes. Names that
+/// differ in other letters only, such as those of other scripts, get a hash to tell them apart: a
+/// game's saves lie under its id.
 std::string id_of(const std::string& name) {
     std::string id;
     for (const char c : name) {
@@ -68,7 +82,10 @@ std::string id_of(const std::string& name) {
     }
     while (!id.empty() && id.back() == '-') id.pop_back();
     constexpr std::size_t longest = 60;
-    return id.empty() ? "game" : id.substr(0, longest);
+    id = id.empty() ? "game" : id.substr(0, longest);
+    const bool ascii =
+        std::ranges::all_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    return ascii ? id : id + "-" + short_hash(name);
 }
 
 void replace_all(std::string& text, std::string_view what, const std::string& with) {

@@ -3,6 +3,7 @@
 #include <catch.h>
 
 #include <fstream>
+#include <set>
 
 #include "program.h"
 
@@ -32,6 +33,20 @@ TEST_CASE("a game of every template runs and passes its tests") {
     INFO(tests.out << tests.err);
     CHECK(tests.status == 0);
     CHECK(contains(tests.out, " 0 failed\n"));
+}
+
+TEST_CASE("names in other letters get different ids") {
+    const Folder folder;
+    std::set<std::string> ids;
+    for (const char* name : {"\u00e9", "\u00e8", "caf\u00e9", "cafe"}) {
+        CHECK(fettle(folder, {"new", (folder / name).string()}).status == 0);
+        const std::string settings = folder.text(std::string(name) + "/game.json");
+        const std::size_t at = settings.find("org.example.");
+        REQUIRE(at != std::string::npos);
+        ids.insert(settings.substr(at, settings.find('"', at) - at));
+    }
+    CHECK(ids.size() == 4);
+    CHECK(ids.contains("org.example.cafe"));
 }
 
 TEST_CASE("a new game overwrites nothing") {
