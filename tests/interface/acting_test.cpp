@@ -145,6 +145,29 @@ TEST_CASE_METHOD(Menu, "disabled and invisible widgets are left out") {
     CHECK_FALSE(get("menu.column.t.value").boolean());
 }
 
+TEST_CASE("left and right stay in a row and pass what is disabled") {
+    Screen s(R"(
+        game.m = Panel { modal = true, Column {
+            Row { name = "cards", Button { name = "a", text = "one", min_size = vec(200, 80) },
+                                  Button { name = "b", text = "two", min_size = vec(200, 80), disabled = true },
+                                  Button { name = "c", text = "three", min_size = vec(200, 80), disabled = true } },
+            Row { name = "below", Button { name = "d", text = "four" }, Button { name = "e", text = "five" } } } })");
+    s.turn();
+    CHECK(s.focus() == "m.column.cards.a");
+    s.tap("right");  // the buttons below are to the right of its middle
+    CHECK(s.focus() == "m.column.cards.a");
+    s.set("m.column.cards.c.disabled", false);
+    s.turn();
+    s.tap("right");
+    CHECK(s.focus() == "m.column.cards.c");
+    s.tap("right");
+    CHECK(s.focus() == "m.column.cards.a");
+    s.tap("left");
+    CHECK(s.focus() == "m.column.cards.c");
+    s.tap("down");
+    CHECK(s.focus().starts_with("m.column.below."));
+}
+
 TEST_CASE_METHOD(Menu, "a slider follows the mouse and the arrow keys") {
     const Vec2 corner = get("menu.column.s.screen_position").vec2();
     const Vec2 size = get("menu.column.s.screen_size").vec2();

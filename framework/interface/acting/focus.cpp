@@ -126,7 +126,8 @@ void Player::next(int direction) {
     focus(all[static_cast<std::size_t>((at + direction + count) % count)], true);
 }
 
-/// The nearest widget in that direction; if there is none, the farthest in the opposite one.
+/// The nearest widget in that direction; if there is none, the farthest in the opposite one. Left
+/// and right stay in a row: a disabled widget leads to the next one, and not out of the row.
 /// `direction`: one of the four, y down.
 void Player::towards(const Vec2& direction) {
     Widget* const now = focused();
@@ -135,8 +136,9 @@ void Player::towards(const Vec2& direction) {
         if (!all.empty()) focus(all.front(), true);
         return;
     }
-    Widget* best = nullptr;
+    Widget *best = nullptr, *in_row = nullptr;
     double least = std::numeric_limits<double>::infinity();
+    double least_in_row = least;
     Widget* opposite = nullptr;
     double farthest = 0;
     const int along = direction.x() != 0 ? 0 : 1, across = 1 - along;
@@ -148,16 +150,25 @@ void Player::towards(const Vec2& direction) {
         const double overlap = std::min(each->box.upper[across], now->box.upper[across]) -
                                std::max(each->box.lower[across], now->box.lower[across]);
         const double aside = overlap > 0 ? 0 : -overlap;
-        if (ahead > 1 && ahead + 3 * aside < least) {
+        // Left and right never go to what is rather above or below.
+        const bool leaves_row = along == 0 && overlap <= 0 && std::abs(apart[across]) > ahead;
+        if (ahead > 1 && !leaves_row && ahead + 3 * aside < least) {
             least = ahead + 3 * aside;
             best = each;
+        }
+        if (along == 0 && overlap > 0 && ahead > 1 && ahead < least_in_row) {
+            least_in_row = ahead;
+            in_row = each;
         }
         if (-ahead > farthest && overlap > 0) {
             farthest = -ahead;
             opposite = each;
         }
     }
-    if (best == nullptr) best = opposite;
+    if (in_row != nullptr)
+        best = in_row;
+    else if (best == nullptr || (along == 0 && opposite != nullptr))
+        best = opposite;
     focus(best != nullptr ? best : now, true);
 }
 
