@@ -7,7 +7,7 @@
 # Exit status 77, with the reason in the last line: the case cannot run here.
 set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-cases=(sdl2 python python_installed python_demo love love_demo guide)
+cases=(sdl2 python python_installed python_demo love love_demo web web_demo web_speed guide)
 
 if [[ ${1:-} == --list ]]; then
     printf '%s\n' "${cases[@]}"
@@ -113,6 +113,58 @@ case_love_demo() {
     shows "$folder/love/love/demo/demo.png" "#ff6347" gold skyblue
     in_display love "$folder/demo" --speed
     in_display love "$folder/demo" --speed --love
+}
+
+# The npm package, made from its own archive in a project that has nothing else. Nothing is downloaded for it.
+web_project() {
+    needs em++
+    needs node
+    needs npm
+    "$project/tests/platforms/run.sh" package webassembly "$(dirname -- "$build")"
+    rm -rf -- "$folder/web"
+    mkdir -p -- "$folder/web"
+    cd -- "$folder/web"
+    npm pack --silent "$(dirname -- "$build")/webassembly/package"
+    printf '{ "name": "empty", "private": true, "type": "module" }\n' >package.json
+    npm install --offline --no-audit --no-fund ./fettle-physics-*.tgz
+}
+
+case_web() {
+    web_project
+    cp -- "$project"/bindings/web/tests/* .
+    node --test package.test.mjs
+    # The program of the guide, and what it prints.
+    sed -n '/^```js drop.mjs$/,/^```$/{/^```/!p}' "$project/docs/guide/web.md" >drop.mjs
+    sed -n '/^```text$/,/^```$/{/^```/!p}' "$project/docs/guide/web.md" >expected.txt
+    node drop.mjs | diff - expected.txt
+    if command -v tsc >/dev/null; then
+        tsc --strict --target es2022 --module es2022 --moduleResolution node --noEmit types.ts
+    else
+        cannot "the tests have passed, but tsc is not here to check the types"
+    fi
+}
+
+case_web_demo() {
+    needs chromium
+    needs_python pygame
+    web_project
+    cp -- "$project"/bindings/web/demo/* .
+    # A page of modules needs a server.
+    "$python" -u -m http.server --bind 127.0.0.1 0 >server.log 2>&1 &
+    local server=$! port=
+    trap "kill $server" EXIT
+    until port=$(sed -n 's/.*http:\/\/127\.0\.0\.1:\([0-9]*\).*/\1/p' server.log) && [[ -n $port ]]; do sleep 0.1; done
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
+        --virtual-time-budget=20000 --screenshot="$folder/web.png" "http://127.0.0.1:$port/index.html?steps=100"
+    shows "$folder/web.png" gold "#ff6347" "#708070"
+}
+
+# The other engines are from npm; without the network the table has Fettle alone.
+case_web_speed() {
+    web_project
+    npm install --no-audit --no-fund @dimforge/rapier2d-simd-compat planck matter-js || echo "npm could not install the other engines"
+    cp -- "$project"/bindings/web/bench/* .
+    node main.mjs 100
 }
 
 # The pages of the guide, with the blocks that need the packages of these hosts.

@@ -3,6 +3,7 @@
 #
 #   run.sh --list                        the names of the platforms
 #   run.sh hashes PLATFORM BUILD         writes BUILD/PLATFORM/hashes.txt, what `scene_hashes` prints there
+#   run.sh package webassembly BUILD     makes the npm package in BUILD/webassembly/package
 #   run.sh tests PLATFORM BUILD          runs the tests of physics, of its interface in C and of the property tree there
 #
 # Exit status 77, with the reason in the last line: the platform cannot be tried here.
@@ -38,7 +39,7 @@ case $platform in
         needs em++
         needs node
         export NODE_PATH=/usr/share/nodejs  # of Debian's emscripten, for a node that is not Debian's
-        parts=physics tests='determinism;physics'
+        parts='physics;physics_c' tests=determinism
         ;;
     *) cannot "there is no platform $platform" ;;
 esac
@@ -67,5 +68,7 @@ run_tests() {
     cd -- "$folder"
     ctest --output-on-failure --timeout 3000 -E '^(scene_hashes|determinism)$'
 }
+
+run_package() { build fettle_web; }
 
 "run_$1"

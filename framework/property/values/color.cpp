@@ -216,8 +216,9 @@ std::string color_text(Color color) {
     std::string out = "#";
     const std::array<float, 4> channels{color.r, color.g, color.b, color.a};
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto byte =
-            static_cast<unsigned>(std::lround(std::clamp(channels[i], 0.0f, 1.0f) * 255.0f));
+        // NaN, which an error message shows, counts as 0.
+        const float channel = channels[i] > 0.0f ? std::min(channels[i], 1.0f) : 0.0f;
+        const auto byte = static_cast<unsigned>(std::lround(channel * 255.0f));
         if (i == 3 && byte == 255) break;
         out += digits[byte >> 4];
         out += digits[byte & 15];

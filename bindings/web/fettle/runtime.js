@@ -1,0 +1,304 @@
+// The library in WebAssembly: loading it, its memory, its errors, and the objects that stand for ids.
+
+/** The functions of the library. */
+export let c;
+let memory;
+/** Views of its memory, made anew when it has grown. */
+export const view = { u8: new Uint8Array(0) };
+let classes;
+
+function refresh() {
+  const { buffer } = memory;
+  view.u8 = new Uint8Array(buffer);
+  view.i32 = new Int32Array(buffer);
+  view.u32 = new Uint32Array(buffer);
+  view.f32 = new Float32Array(buffer);
+  view.u64 = new BigUint64Array(buffer);
+}
+
+// --- Errors ---------------------------------------------------------------------------------------
+
+export class FettleError extends Error {}
+export class Invalid extends FettleError {}
+export class Stale extends FettleError {}
+export class Locked extends FettleError {}
+export class NoMemory extends FettleError {}
+const errors = [, Invalid, Stale, Locked, NoMemory];
+
+/** Throws the error that a code stands for. */
+export function done(code) {
+  if (view.u8.length === 0) refresh();
+  if (code !== 0) throw new (errors[code] ?? FettleError)(text(c.fettle_last_error()));
+}
+
+function shown(value) {
+  return typeof value === "string" ? JSON.stringify(value) : String(value);
+}
+export function number(value, name) {
+  if (typeof value !== "number") throw new Invalid(`${name} = ${shown(value)}: expected a number`);
+  return value;
+}
+export function whole(value, name, low, high) {
+  if (!Number.isInteger(value) || value < low || value > high) throw new Invalid(`${name} = ${shown(value)}: expected a whole number from ${low} to ${high}`);
+  return value;
+}
+export function bits(value, name) {
+  if (typeof value === "bigint" ? value >= 0n && value < 1n << 64n : Number.isSafeInteger(value) && value >= 0) return BigInt(value);
+  throw new Invalid(`${name} = ${shown(value)}: expected a whole number from 0 to 2^64 - 1`);
+}
+export function xOf(value, name) {
+  if (typeof value?.x !== "number" || typeof value.y !== "number") throw new Invalid(`${name} = ${shown(value)}: expected { x, y } with two numbers`);
+  return value.x;
+}
+export const yOf = (value) => value.y;
+
+// --- Memory of one call ---------------------------------------------------------------------------
+
+// What a call gets and gives lies in one block; what is too large for it is freed by the next call.
+const blockSize = 1 << 16;
+let block = 0, top = 0;
+const large = [];
+
+export function begin() {
+  if (view.u8.length === 0) refresh();
+  top = block;
+  while (large.length) c.free(large.pop());
+}
+/** The address of `size` bytes, aligned to 8, with anything in them. */
+export function room(size) {
+  let p = top;
+  const needed = (size + 7) & ~7;
+  if (p + needed > block + blockSize) {
+    p = c.malloc(needed) >>> 0;
+    if (p === 0) throw new NoMemory(`no memory for ${size} bytes`);
+    if (view.u8.length === 0) refresh();
+    large.push(p);
+  } else top += needed;
+  return p;
+}
+
+export function text(p) {
+  if (view.u8.length === 0) refresh();
+  return p === 0 ? "" : new TextDecoder().decode(view.u8.subarray(p, view.u8.indexOf(0, p)));
+}
+export function copyOf(p, size) {
+  return view.u8.slice(p, p + size);
+}
+export function bytes(value, name) {
+  if (!(value instanceof Uint8Array)) throw new Invalid(`${name}: expected a Uint8Array`);
+  const p = room(value.length);
+  view.u8.set(value, p);
+  return [p, value.length];
+}
+/** Writes an element at a time; the address of the first. */
+export function list(values, size, name, write) {
+  if (typeof values?.length !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);
+  const p = room(values.length * size);
+  view.u8.fill(0, p, p + values.length * size);
+  for (let i = 0; i < values.length; ++i) write(p + i * size, values[i], `${name}[${i}]`);
+  return p;
+}
+export function optional(value, write) {
+  if (value === null || value === undefined) return 0;
+  const p = room(8);
+  write(p);
+  return p;
+}
+/** The address of a structure with its defaults and the members of `value`; 0 where there is no value. */
+export function struct(value, size, name, write, defaults) {
+  if (value === null || value === undefined) return 0;
+  if (typeof value !== "object") throw new Invalid(`${name} = ${shown(value)}: expected an object`);
+  const p = room(size);
+  view.u8.fill(0, p, p + size);
+  if (defaults) done(defaults(p));
+  write(p, value, name);
+  return p;
+}
+export function typeOf(value, name) {
+  return whole(value?.type, `${name}.type`, 0, 255);
+}
+export function members(p, value, name, known) {
+  if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
+  for (const key of Object.keys(value)) {
+    if (!Object.hasOwn(known, key)) throw new Invalid(`${name} has no member "${key}"; it has ${Object.keys(known).join(", ")}`);
+    if (value[key] !== undefined) known[key](p, value[key], name);
+  }
+}
+export function readList(p, count, size, read) {
+  const found = new Array(count);
+  for (let i = 0; i < count; ++i) found[i] = read(p + i * size);
+  return found;
+}
+/** All elements of a list: asks again with more room where there are more. */
+export function readAll(size, call, read) {
+  const count = room(4);
+  let most = 32;
+  for (;;) {
+    const out = room(most * size);
+    done(call(out, most, count));
+    const have = view.u32[count >> 2];
+    if (have <= most) return readList(out, have, size, read);
+    most = have;
+  }
+}
+
+// --- Objects --------------------------------------------------------------------------------------
+
+const slotBits = 28, slotMask = (1 << slotBits) - 1;
+
+/** A body, shape, joint or field of a world. The same object always has the same handle. */
+export class Handle {
+  constructor(world, id, low, high) {
+    this.world = world;
+    this.id = id;
+    this.low = low;
+    this.high = high;
+    Object.preventExtensions(this);  // a misspelt property is an error
+  }
+  /** Where it is in the columns of its world. */
+  get slot() { return this.low & slotMask; }
+  get isValid() { return c[`fettle_${kindNames[this.low >>> slotBits]}_is_valid`](this.world.pointer, this.id) !== 0; }
+  toString() { return `${this.constructor.name} ${this.slot}`; }
+}
+const kindNames = [, "body", "shape", "joint", "field"];
+
+/** The handle of the id at an address; null for 0. */
+export function handle(world, p) {
+  const low = view.u32[p >> 2], high = view.u32[(p >> 2) + 1];
+  if (low === 0 && high === 0) return null;
+  const kind = low >>> slotBits, slot = low & slotMask;
+  const known = world.handles[kind][slot];
+  if (known !== undefined && known.low === low && known.high === high) return known;
+  const id = (BigInt(high) << 32n) | BigInt(low);
+  let Class = [, classes.Body, classes.Shape, undefined, classes.Field][kind];
+  if (kind === 3) Class = classes.joints[jointType(world, id)];
+  return (world.handles[kind][slot] = new Class(world, id, low, high));
+}
+/** The type of a joint; what a caller has on its way in memory stays. */
+function jointType(world, id) {
+  const p = room(4);
+  return c.fettle_joint_type(world.pointer, id, p) === 0 ? view.i32[p >> 2] : 0;
+}
+export function idOf(value, name) {
+  if (value === null || value === undefined) return 0n;
+  if (!(value instanceof Handle)) throw new Invalid(`${name} = ${shown(value)}: expected a body, shape, joint or field`);
+  return value.id;
+}
+export function pointerOf(world, name) {
+  if (!(world instanceof WorldBase)) throw new Invalid(`${name} = ${shown(world)}: expected a World`);
+  return world.pointer;
+}
+
+const forgotten = new FinalizationRegistry((pointer) => c.fettle_world_destroy(pointer));
+
+/** What a world has besides the functions in C. */
+export class WorldBase {
+  constructor(definition) {
+    if (c === undefined) throw new FettleError("the library is not loaded yet: await load()");
+    begin();
+    const def = struct(definition, classes.worldDefSize, "definition", classes.writeWorldDef, (p) => c.fettle_world_def_init(p, classes.worldDefSize));
+    const out = room(4);
+    done(c.fettle_world_create(def, out));
+    this.own(view.u32[out >> 2]);
+  }
+  /** A world that the library has made. */
+  static of(pointer) {
+    const world = Object.create(this.prototype);
+    world.own(pointer);
+    return world;
+  }
+  own(pointer) {
+    this.pointer = pointer;
+    this.handles = [, [], [], [], []];
+    forgotten.register(this, pointer, this);
+  }
+  /** Destroys the world and all in it; it can be called again. */
+  destroy() {
+    forgotten.unregister(this);
+    c.fettle_world_destroy(this.pointer);
+    this.handles = [, [], [], [], []];
+  }
+  column(offset, floats) {
+    begin();
+    const p = room(12);
+    done(c.fettle_world_columns(this.pointer, p));
+    return new Float32Array(view.u8.buffer, view.u32[(p + offset) >> 2], view.u32[(p + 8) >> 2] * floats);
+  }
+  /** x, y, angle, angular velocity, velocity x and y, cosine and sine of the body in each slot. */
+  get states() { return this.column(0, 8); }
+  /** x, y and angle before the last step, of the body in each slot. */
+  get previousPoses() { return this.column(4, 3); }
+}
+
+export function register(made) {
+  classes = made;
+}
+
+// --- Loading --------------------------------------------------------------------------------------
+
+let loading;
+
+/** Loads the library; `source`: the bytes of fettle.wasm, its module, or a promise of its response. */
+export function load(source) {
+  loading ??= instantiate(source).catch((error) => {
+    loading = undefined;
+    throw error;
+  });
+  return loading;
+}
+
+async function instantiate(source) {
+  const { instance } = await compiled(await (source ?? standard()));
+  c = instance.exports;
+  memory = c.memory;
+  refresh();
+  c._initialize?.();
+  block = c.malloc(blockSize);
+  refresh();
+}
+
+/** fettle.wasm beside this file. */
+async function standard() {
+  const url = new URL("./fettle.wasm", import.meta.url);
+  if (url.protocol !== "file:") return fetch(url);
+  const { readFile } = await import("node:fs/promises");
+  return readFile(url);
+}
+
+async function compiled(source) {
+  if (source instanceof WebAssembly.Module) return { instance: await WebAssembly.instantiate(source, imports) };
+  if (typeof Response !== "undefined" && source instanceof Response) {
+    if (!source.ok) throw new FettleError(`${source.url}: ${source.status} ${source.statusText}`);
+    source = await source.arrayBuffer();
+  }
+  return WebAssembly.instantiate(source, imports);
+}
+
+// What the C library of Emscripten asks of its host: a clock, and a place for what it prints.
+const now = () => BigInt(Math.round(performance.now() * 1e6));
+const fail = (what) => () => { throw new FettleError(what); };
+const imports = {
+  env: new Proxy({ emscripten_notify_memory_growth() { refresh(); } }, {
+    get: (known, name) => known[name] ?? fail(`fettle.wasm asks for ${String(name)}`),
+  }),
+  wasi_snapshot_preview1: {
+    clock_time_get(_clock, _precision, out) {
+      if (view.u8.length === 0) refresh();
+      view.u64[out >> 3] = now();
+      return 0;
+    },
+    fd_write(_file, parts, count, written) {
+      if (view.u8.length === 0) refresh();
+      let size = 0;
+      for (let i = 0; i < count; ++i) size += view.u32[(parts >> 2) + 2 * i + 1];
+      view.u32[written >> 2] = size;
+      return 0;
+    },
+    fd_close: () => 0,
+    fd_seek: () => 70,
+    fd_read: () => 8,
+    environ_sizes_get: (count, size) => ((view.u32[count >> 2] = 0), (view.u32[size >> 2] = 0)),
+    environ_get: () => 0,
+    proc_exit: fail("the library has ended"),
+  },
+};

@@ -1,0 +1,42 @@
+/** Loads the library, once. Without a source it is fettle.wasm beside this file, in a browser and in node. */
+export declare function load(source?: BufferSource | WebAssembly.Module | Response | Promise<BufferSource | WebAssembly.Module | Response>): Promise<void>;
+
+/** A call was refused, and has changed nothing. */
+export declare class FettleError extends Error {}
+/** An argument without meaning: NaN, out of range, of a wrong type. */
+export declare class Invalid extends FettleError {}
+/** The world, body, shape, joint or field does not exist any more. */
+export declare class Stale extends FettleError {}
+export declare class Locked extends FettleError {}
+export declare class NoMemory extends FettleError {}
+
+/** A body, shape, joint or field of a world. The same object always has the same handle. */
+export declare class Handle {
+  protected constructor();
+  readonly world: World;
+  readonly id: bigint;
+  /** Where it is in the columns of its world. */
+  readonly slot: number;
+  readonly isValid: boolean;
+}
+
+declare class WorldBase {
+  constructor(definition?: WorldDef);
+  /** Destroys the world and all in it. A world that nothing refers to any more is destroyed too, at some time. */
+  destroy(): void;
+  /** x, y, angle, angular velocity, velocity x and y, cosine and sine of the body in each slot. A view without a copy, until
+      bodies are made or a step needs more memory. */
+  readonly states: Float32Array;
+  /** x, y and angle before the last step, of the body in each slot; a view as `states` is. */
+  readonly previousPoses: Float32Array;
+}
+
+/** Geometry of shapes by type, in body coordinates, m. */
+export declare function circle(radius?: number, more?: Partial<Geometry>): Geometry;
+export declare function box(width?: number, height?: number, more?: Partial<Geometry>): Geometry;
+export declare function segment(from: Vec2, to: Vec2, more?: Partial<Geometry>): Geometry;
+export declare function polygon(points: readonly Vec2[], more?: Partial<Geometry>): Geometry;
+export declare function ellipse(radiusX?: number, radiusY?: number, more?: Partial<Geometry>): Geometry;
+export declare function concave(points: readonly Vec2[]): Geometry;
+export declare function chain(points: readonly Vec2[], closed?: boolean): Geometry;
+

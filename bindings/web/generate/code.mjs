@@ -1,0 +1,188 @@
+// Writes interface.js: the structures, and the methods and properties of each class.
+
+import { camel, classes, handleOf } from "./shape.mjs";
+import { sizeOf, visibleMembers } from "./layout.mjs";
+
+// What runtime.js gives to the code; arguments with these names get another one.
+const helpers = [
+  "Handle", "WorldBase", "begin", "bits", "bytes", "c", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
+  "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
+];
+const variable = (input) => (helpers.includes(input.name) ? input.name + "Given" : input.name);
+
+const short = (type) => type.replace(/^fettle_/, "");
+const readScalar = {
+  float: (p) => `view.f32[(${p}) >> 2]`,
+  bool: (p) => `view.u8[${p}] !== 0`,
+  int32_t: (p) => `view.i32[(${p}) >> 2]`,
+  uint32_t: (p) => `view.u32[(${p}) >> 2]`,
+  size_t: (p) => `view.u32[(${p}) >> 2]`,
+  uint64_t: (p) => `view.u64[(${p}) >> 3]`,
+};
+const scalarOf = {
+  float: (v, name) => `number(${v}, ${name})`,
+  bool: (v) => `(${v} ? 1 : 0)`,
+  int32_t: (v, name) => `whole(${v}, ${name}, -2147483648, 2147483647)`,
+  uint32_t: (v, name) => `whole(${v}, ${name}, 0, 4294967295)`,
+  size_t: (v, name) => `whole(${v}, ${name}, 0, 4294967295)`,
+  uint64_t: (v, name) => `bits(${v}, ${name})`,
+};
+
+/** An expression that reads a value of a type at p. */
+function read(type, p, world) {
+  if (readScalar[type]) return readScalar[type](p);
+  if (type === "fettle_id") return `handle(${world}, ${p})`;
+  return `read_${short(type)}(${p}, ${world})`;
+}
+
+/** A statement that writes v at p. */
+function write(type, p, v, name) {
+  const array = { float: "f32", int32_t: "i32", uint32_t: "u32", size_t: "u32", uint64_t: "u64" }[type];
+  if (type === "bool") return `view.u8[${p}] = ${v} ? 1 : 0;`;
+  if (array) return `view.${array}[(${p}) >> ${array === "u64" ? 3 : 2}] = ${scalarOf[type](v, name)};`;
+  if (type === "fettle_id") return `view.u64[(${p}) >> 3] = idOf(${v}, ${name});`;
+  // Vectors of any library, which may have more members.
+  if (type === "fettle_vec2") return `view.f32[(${p}) >> 2] = xOf(${v}, ${name}); view.f32[((${p}) >> 2) + 1] = yOf(${v});`;
+  return `write_${short(type)}(${p}, ${v}, ${name});`;
+}
+
+const at = (offset) => (offset ? `p + ${offset}` : "p");
+
+function structCode(struct, structs) {
+  const name = short(struct.name), members = visibleMembers(struct);
+  const fields = members.map((member) => {
+    const p = at(member.offset);
+    let value;
+    if (member.type === "char") value = `text(view.u32[(${p}) >> 2])`;
+    else if (member.pointer) value = `readList(view.u32[(${p}) >> 2], view.u32[(${at(member.counted.offset)}) >> 2], ${sizeOf({ type: member.type }, structs).size}, (p) => ${read(member.type, "p", "world")})`;
+    else if (member.count > 1) value = `readList(${p}, ${readScalar[member.counted.type](at(member.counted.offset))}, ${member.stride}, (p) => ${read(member.type, "p", "world")})`;
+    else value = read(member.type, p, "world");
+    if (member.has) value = `view.u8[${at(member.has.offset)}] ? ${value} : null`;
+    return `    ${camel(member.name)}: ${value},\n`;
+  });
+  const writers = members.filter((member) => member.type !== "char" && (!member.pointer || member.name === "points") && member.count === 1).map((member) => {
+    const p = at(member.offset), says = `name + ".${camel(member.name)}"`;
+    let code;
+    if (member.pointer) code = `view.u32[(${p}) >> 2] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${at(member.counted.offset)}) >> 2] = v.length;`;
+    else code = write(member.type, p, "v", says);
+    if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
+    return `  ${camel(member.name)}: (p, v, name) => { ${code} },\n`;
+  });
+  return `function read_${name}(p, world) {\n  return {\n${fields.join("")}  };\n}\nconst members_${name} = {\n${writers.join("")}};\nfunction write_${name}(p, value, name) {\n  members(p, value, name, members_${name});\n}\n\n`;
+}
+
+/** The code that makes the argument in C of one of JavaScript. */
+function given(input, structs) {
+  const name = JSON.stringify(input.name), v = variable(input);
+  switch (input.kind) {
+    case "scalar": return scalarOf[input.type](v, name);
+    case "vec2": return `xOf(${v}, ${name}), yOf(${v}, ${name})`;
+    case "id": return `idOf(${v}, ${name})`;
+    case "world": return `pointerOf(${v}, ${name})`;
+    case "bytes": return `...bytes(${v}, ${name})`;
+    case "array": return `list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} }), ${v}.length`;
+    case "optional": return `optional(${v}, (p) => { ${write(input.type, "p", v, name)} })`;
+    case "struct": {
+      const struct = structs.get(input.type), begins = struct.members[0].name === "size";
+      const typed = /^fettle_(geometry|field_def)$/.test(input.type);
+      const start = begins ? `, (p) => c.${input.type}_init(p, ${struct.size}${typed ? `, typeOf(${v}, ${name})` : ""})` : "";
+      return `struct(${v}, ${struct.size}, ${name}, write_${short(input.type)}${start})`;
+    }
+  }
+  throw new Error(`no code for ${input.kind}`);
+}
+
+function methodBody(plan, structs) {
+  const world = plan.owner === "World" ? "this" : plan.owner ? "this.world" : "null";
+  const fixed = plan.given.filter((g) => typeof g === "string"), code = [], after = [];
+  const results = plan.outputs.map((output, i) => ({ output, p: `out${i}` }));
+  if (plan.result?.direct) {
+    const value = `c.${plan.fn.name}(${[...fixed, ...plan.inputs.map((input) => given(input, structs))].join(", ")})`;
+    return `begin(); return ${plan.result.direct === "constchar*" ? `text(${value})` : plan.result.direct === "bool" ? `${value} !== 0` : value};`;
+  }
+  const list = plan.outputs.find((output) => output.kind === "list");
+  code.push("begin();");
+  // What is written to memory is written before the places of the results are taken.
+  const args = [];
+  for (const [i, g] of plan.given.entries()) {
+    if (typeof g === "string") args.push(g);
+    else if (g.kind === "flag") {
+      code.push("const flag = room(1);");
+      args.push("flag");
+    } else if (plan.inputs.includes(g)) {
+      if (["struct", "array", "optional", "bytes"].includes(g.kind)) {
+        code.push(`const in${i} = [${given(g, structs)}];`);
+        args.push(`...in${i}`);
+      } else args.push(given(g, structs));
+    } else {
+      const p = results.find((result) => result.output === g).p;
+      if (g.kind === "list") args.push("out", "most", "count");
+      else if (g.kind === "bytes") {
+        code.push(`const ${p} = room(4), size = room(4);`);
+        args.push(p, "size");
+      } else {
+        const size = ["text", "world"].includes(g.kind) ? 4 : sizeOf({ type: g.type === "uint64_t" ? "uint64_t" : g.type }, structs).size;
+        code.push(`const ${p} = room(${size});`);
+        if (g.kind === "struct" && structs.get(g.type).members[0].name === "size") code.push(`view.u32[${p} >> 2] = ${size};`);
+        args.push(p);
+      }
+    }
+  }
+  const callOf = `c.${plan.fn.name}(${args.join(", ")})`;
+  const value = ({ output, p }) => {
+    if (output.kind === "text") return `text(view.u32[${p} >> 2])`;
+    if (output.kind === "world") return `World.of(view.u32[${p} >> 2])`;
+    if (output.kind === "bytes") return `copyOf(view.u32[${p} >> 2], view.u32[size >> 2])`;
+    if (output.kind === "list") return "found";
+    return read(output.type, p, world);
+  };
+  if (list) {
+    const { size } = sizeOf({ type: list.type }, structs);
+    code.push(`const found = readAll(${size}, (out, most, count) => ${callOf}, (p) => ${read(list.type, "p", world)});`);
+  } else code.push(`done(${callOf});`);
+  if (results.length === 1) after.push(`return ${plan.maybe ? "view.u8[flag] === 0 ? null : " : ""}${value(results[0])};`);
+  else if (results.length > 1) after.push(`return { ${results.map((r) => `${r.output.name}: ${value(r)}`).join(", ")} };`);
+  return [...code, ...after].join(" ");
+}
+
+function classCode(cls, plans, structs) {
+  const own = plans.filter((plan) => plan.owner === cls.name);
+  const lines = own.map((plan) => {
+    const names = plan.inputs.map(variable).join(", ");
+    const body = methodBody(plan, structs);
+    if (plan.gets) return `  get ${plan.gets}() { ${body} }\n`;
+    if (plan.sets && own.some((other) => other.gets === plan.sets)) return `  set ${plan.sets}(${names}) { ${body} }\n`;
+    return `  ${plan.name}(${names}) { ${body} }\n`;
+  });
+  const base = cls.base ?? (cls.id ? "Handle" : "WorldBase");
+  return `export class ${cls.name} extends ${base} {\n${lines.join("")}}\n\n`;
+}
+
+export function interfaceCode(headers, plans) {
+  const { structs } = headers;
+  let code = `// Made from the headers in C by bindings/web/generate; what is changed here is lost.
+import { ${helpers.join(", ")} } from "./runtime.js";
+
+`;
+  for (const enumeration of headers.enums.filter((e) => e.name !== "codes")) {
+    const name = camel("_" + enumeration.name), common = prefixOf(enumeration.values);
+    code += `export const ${name} = Object.freeze({ ${enumeration.values.map((v) => `${v.name.slice(common.length)}: ${v.value}`).join(", ")} });\n`;
+  }
+  code += "\n";
+  for (const struct of structs.values()) if (!/^fettle_(columns|debug_draw|contact_edit)$/.test(struct.name)) code += structCode(struct, structs);
+  for (const cls of classes) code += classCode(cls, plans, structs);
+  for (const plan of plans.filter((p) => !p.owner))
+    code += `export function ${plan.name}(${plan.inputs.map(variable).join(", ")}) { ${methodBody(plan, structs)} }\n`;
+  const joints = classes.filter((cls) => cls.base).map((cls) => cls.name);
+  code += `\nregister({ World, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType });\n`;
+  return code;
+}
+
+export function prefixOf(values) {
+  const words = values.map((v) => v.name.split("_"));
+  let n = 0;
+  while (n < words[0].length - 1 && words.every((w) => w.length > n + 1 && w[n] === words[0][n])) ++n;
+  return words[0].slice(0, n).join("_") + (n ? "_" : "");
+}
+
+export { handleOf };

@@ -1,0 +1,120 @@
+// What a function in C becomes in JavaScript: a method or a property of a class, its arguments and its result.
+
+export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
+export const pascal = (name) => camel("_" + name);
+
+const kinds = { body: "Body", shape: "Shape", joint: "Joint", field: "Field" };
+const jointTypes = ["mouse", "distance", "revolute", "prismatic", "wheel", "weld", "motor", "pulley", "gear", "groove", "pin_slot", "ratchet"];
+
+/** The classes, in the order in which they extend each other, with the prefix of their functions. */
+export const classes = [
+  { name: "World", prefix: "world_" },
+  { name: "Body", prefix: "body_", id: "body" },
+  { name: "Shape", prefix: "shape_", id: "shape" },
+  { name: "Field", prefix: "field_", id: "field" },
+  { name: "Joint", prefix: "joint_", id: "joint" },
+  ...jointTypes.map((type) => ({ name: pascal(type) + "Joint", prefix: type + "_joint_", id: "joint", base: "Joint" })),
+];
+
+/** What an id with this name names. */
+export function handleOf(name, inFunction = "") {
+  const plain = name === "out" ? inFunction : name;
+  if (/sensor_body|visitor_body|bod(y|ies)|slept|woke/.test(plain)) return "Body";
+  if (/joint/.test(plain)) return "Joint";
+  if (/field/.test(plain)) return "Field";
+  if (/shape|sensor|visitor|query/.test(plain)) return "Shape";
+  return kinds[plain] ?? "Body";
+}
+
+// What a program in JavaScript does not need, or gets by hand in runtime.js: memory, sizes, threads of the host.
+const byHand = /_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
+
+/** The functions with their plans; `without` are those that have none, because C would call a function of JavaScript. */
+export function plansOf(headers) {
+  const plans = [], without = [];
+  for (const fn of headers.functions) {
+    if (byHand.test(fn.name)) continue;
+    const calls = fn.params.some((param) => headers.callbacks.has(param.type) || param.type === "fettle_owner" || param.type === "fettle_debug_draw");
+    if (calls) without.push(fn.name);
+    else plans.push(planOf(fn));
+  }
+  return { plans, without };
+}
+
+function planOf(fn) {
+  const bare = fn.name.slice("fettle_".length);
+  const params = [...fn.params];
+  // The longest prefix: wheel_joint_ and not joint_.
+  let owner = classes.filter((c) => bare.startsWith(c.prefix)).sort((a, b) => b.prefix.length - a.prefix.length)[0];
+  if (owner && params[0]?.type !== "fettle_world") owner = undefined;
+  const plan = { fn, owner: owner?.name, inputs: [], outputs: [], given: [], returns: fn.result };
+  if (owner) {
+    plan.given.push(owner.id ? "this.world.pointer" : "this.pointer");
+    params.shift();
+    if (owner.id) {
+      plan.given.push("this.id");
+      params.shift();
+    }
+  }
+  plan.bare = owner ? bare.slice(owner.prefix.length) : bare;
+  while (params.length) take(params, plan);
+  plan.name = camel(plan.bare.replace(/^set_/, "set_"));
+  plan.result = resultOf(plan);
+  const setter = plan.bare.match(/^set_(\w+)$/);
+  if (owner && setter && plan.inputs.length === 1 && !plan.result) {
+    plan.sets = camel(setter[1]);
+    if (plan.inputs[0].kind === "vec2") plan.inputs[0].name = plan.sets;
+  }
+  const makes = plan.outputs.some((output) => output.kind === "world");
+  if (owner && plan.inputs.length === 0 && plan.result && fn.params[0].constant && !makes) plan.gets = plan.name;
+  return plan;
+}
+
+/** Takes the next argument of JavaScript, or result, from the parameters in C. */
+function take(params, plan) {
+  const [a, b, c] = params;
+  const input = (count, kind, more = {}) => {
+    params.splice(0, count);
+    plan.inputs.push({ kind, name: camel(a.name), type: a.type, ...more });
+    plan.given.push(plan.inputs.at(-1));
+  };
+  const output = (count, kind, more = {}) => {
+    params.splice(0, count);
+    plan.outputs.push({ kind, name: camel(a.name), type: a.type, ...more });
+    plan.given.push(plan.outputs.at(-1));
+  };
+  const scalar = ["float", "bool", "int32_t", "uint32_t", "uint64_t", "size_t"].includes(a.type);
+  if (b?.name === "room") return output(3, "list", { handle: handleOf(a.name, plan.fn.name) });
+  if (a.type === "void" && a.pointer === 2) return output(2, "bytes");
+  if (a.type === "void") return input(2, "bytes");
+  if (a.type === "char" && a.pointer === 2) return output(1, "text");
+  if (a.type === "fettle_world") return a.pointer === 2 ? output(1, "world") : input(1, "world");
+  if (a.constant && a.pointer === 1 && b && /count$/.test(b.name)) return input(2, "array");
+  if (a.pointer === 0 && a.type === "float" && b?.type === "float" && /(^|_)x$/.test(a.name) && /(^|_)y$/.test(b.name)) {
+    input(2, "vec2");
+    plan.inputs.at(-1).name = camel(a.name.replace(/_?x$/, "")) || nameOfPoint(plan.fn.name);
+    return;
+  }
+  if (a.pointer === 0 && a.type === "fettle_id") return input(1, "id", { handle: handleOf(a.name) });
+  if (a.pointer === 0) return input(1, "scalar");
+  if (a.constant) return input(1, scalar ? "optional" : "struct");
+  if (a.type === "bool" && /^(is_set|found)$/.test(a.name)) {
+    params.shift();
+    plan.given.push({ kind: "flag" });
+    plan.maybe = true;
+    return;
+  }
+  if (a.type === "fettle_id") return output(1, "id", { handle: handleOf(a.name) });
+  return output(1, scalar ? "scalar" : "struct");
+}
+
+function nameOfPoint(name) {
+  return name.match(/apply_(\w+?)(_at)?$/)?.[1] ?? (/vector/.test(name) ? "vector" : "point");
+}
+
+/** undefined, one output, or several as an object. */
+function resultOf(plan) {
+  if (plan.returns !== "fettle_code") return { direct: plan.returns };
+  if (plan.outputs.length === 0) return undefined;
+  return plan.outputs.length === 1 ? plan.outputs[0] : { several: plan.outputs };
+}

@@ -1,0 +1,165 @@
+// Tests of the installed package: node --test, in a project that has it.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as fettle from "fettle-physics";
+
+const { BodyType, Invalid, Locked, ShapeType, Stale, World, box, circle, load, polygon } = fettle;
+await load();
+
+const near = (value, expected, most) => assert.ok(Math.abs(value - expected) <= most, `${value} is not ${expected}`);
+const standing = () => {
+  const world = new World();
+  const ground = world.createBody({ type: BodyType.STATIC });
+  ground.add(box(20, 1));
+  const ball = world.createBody({ position: { x: 0, y: 5 } });
+  ball.add(circle(0.5));
+  return { world, ground, ball };
+};
+const run = (world, steps) => { for (let i = 0; i < steps; ++i) world.step(1 / 60); };
+
+test("a ball falls on the ground and rests there", () => {
+  const { world, ball } = standing();
+  run(world, 180);
+  near(ball.position.y, 1, 0.02);
+  assert.equal(ball.awake, false);
+});
+
+test("properties are read and written", () => {
+  const { world, ball } = standing();
+  ball.velocity = { x: 3, y: -1 };
+  assert.deepEqual(ball.velocity, { x: 3, y: -1 });
+  ball.gravityScale = 0.5;
+  assert.equal(ball.gravityScale, 0.5);
+  ball.mass = 7;
+  assert.equal(ball.mass, 7);
+  assert.equal(ball.massOverride, 7);
+  ball.mass = null;
+  assert.equal(ball.massOverride, null);
+  world.gravity = { x: 0, y: 0 };
+  assert.deepEqual(world.gravity, { x: 0, y: 0 });
+});
+
+test("what is wrong is refused, and says why", () => {
+  const { world, ball } = standing();
+  assert.throws(() => (ball.angle = NaN), Invalid);
+  assert.throws(() => (ball.angle = "1"), /angle = "1": expected a number/);
+  assert.throws(() => (ball.position = { x: 1 }), Invalid);
+  assert.throws(() => world.createBody({ positon: { x: 0, y: 0 } }), /no member "positon"/);
+  assert.throws(() => ball.add({ radius: 1 }), /geometry.type/);
+  assert.throws(() => ball.add(circle(-1)), Invalid);
+  assert.equal(ball.shapes.length, 1);
+});
+
+test("objects that are gone are stale", () => {
+  const { world, ball } = standing();
+  ball.destroy();
+  assert.equal(ball.isValid, false);
+  assert.throws(() => ball.position, Stale);
+  world.destroy();
+  world.destroy();
+  assert.throws(() => world.step(1 / 60), Stale);
+});
+
+test("an object has one handle", () => {
+  const { world, ball } = standing();
+  const [shape] = ball.shapes;
+  assert.equal(shape, ball.shapes[0]);
+  assert.equal(shape.body, ball);
+  assert.ok(world.bodies.includes(ball));
+  ball.destroy();
+  const other = world.createBody();
+  assert.notEqual(other, ball);
+});
+
+test("a joint has the class of its type", () => {
+  const { world, ground, ball } = standing();
+  const joint = world.createRevoluteJoint({ bodyA: ground, bodyB: ball, anchorA: { x: 0, y: 5 } });
+  assert.ok(joint instanceof fettle.RevoluteJoint && joint instanceof fettle.Joint);
+  assert.equal(joint.bodyB, ball);
+  assert.equal(ball.joints[0], joint);
+  joint.motorSpeed = 2;
+  assert.equal(joint.motorSpeed, 2);
+  assert.throws(() => (joint.motorSped = 2), TypeError);
+});
+
+test("events name shapes and bodies", () => {
+  const { world, ground, ball } = standing();
+  const touched = [];
+  for (let i = 0; i < 120; ++i) {
+    world.step(1 / 60);
+    for (const event of world.events().contactBegin) touched.push(event);
+  }
+  assert.equal(touched.length, 1);
+  assert.deepEqual(new Set([touched[0].bodyA, touched[0].bodyB]), new Set([ground, ball]));
+  near(Math.abs(touched[0].normal.y), 1, 1e-4);
+});
+
+test("rays and boxes find shapes", () => {
+  const { world, ball } = standing();
+  const hit = world.castRay({ x: -5, y: 5 }, { x: 5, y: 5 });
+  assert.equal(hit.shape.body, ball);
+  near(hit.point.x, -0.5, 1e-4);
+  assert.equal(world.castRay({ x: -5, y: 9 }, { x: 5, y: 9 }), null);
+  assert.equal(world.queryAabb({ min: { x: -1, y: 4 }, max: { x: 1, y: 6 } }).length, 1);
+  assert.equal(world.queryAabb({ min: { x: -1, y: 4 }, max: { x: 1, y: 6 } }, { mask: 2n }).length, 0);
+});
+
+test("lists that are longer than the usual room", () => {
+  const world = new World();
+  for (let i = 0; i < 5000; ++i) world.createBody({ position: { x: i, y: 0 } });
+  const bodies = world.bodies;
+  assert.equal(bodies.length, 5000);
+  assert.equal(new Set(bodies).size, 5000);
+});
+
+test("geometry with many points", () => {
+  const world = new World();
+  const points = Array.from({ length: 9000 }, (_, i) => ({ x: i, y: Math.sin(i) }));
+  const shape = world.createBody({ type: BodyType.STATIC }).add(fettle.chain(points));
+  assert.equal(shape.type, ShapeType.CHAIN);
+  assert.equal(shape.vertices.length, 9000);
+  assert.throws(() => world.createBody().add(polygon([{ x: 0, y: 0 }, { x: 1, y: 0 }])), Invalid);
+});
+
+test("poses without copies", () => {
+  const { world, ball } = standing();
+  run(world, 30);
+  const { states } = world, { position, velocity } = ball, at = 8 * ball.slot;
+  assert.equal(states[at], position.x);
+  assert.equal(states[at + 1], position.y);
+  assert.equal(states[at + 5], velocity.y);
+});
+
+test("saves restore a world", () => {
+  const { world, ball } = standing();
+  run(world, 20);
+  const saved = world.save(), hash = world.hash, { y } = ball.position;
+  run(world, 20);
+  assert.notEqual(ball.position.y, y);
+  world.restore(saved);
+  assert.equal(ball.position.y, y);
+  assert.equal(world.hash, hash);
+  saved[saved.length >> 1] ^= 1;
+  assert.throws(() => world.restore(saved), Invalid);
+  assert.equal(world.hash, hash);
+  const copy = world.clone();
+  assert.equal(copy.hash, hash);
+});
+
+test("memory grows while views are in use", () => {
+  const worlds = [];
+  for (let i = 0; i < 40; ++i) {
+    const { world } = standing();
+    for (let k = 0; k < 500; ++k) world.createBody({ position: { x: k, y: 3 } }).add(circle(0.3));
+    world.step(1 / 60);
+    worlds.push(world);
+  }
+  assert.equal(new Set(worlds.map((world) => world.hash)).size, 1);
+});
+
+test("the library in C is there as a whole", () => {
+  assert.match(fettle.physicsVersion(), /^\d+\.\d+\.\d+$/);
+  assert.equal(fettle.simdWidth(), 4);
+  assert.ok(new Locked("locked") instanceof fettle.FettleError);
+});

@@ -1,0 +1,23 @@
+// Compiled with every check of TypeScript on; not run.
+
+import { BodyType, World, box, circle, load, type Body, type ContactEvent, type RayHit } from "fettle-physics";
+
+await load();
+const world: World = new World({ gravity: { x: 0, y: -10 }, bounds: null });
+const ball: Body = world.createBody({ type: BodyType.DYNAMIC, position: { x: 0, y: 2 } });
+ball.add(circle(0.5), { density: 2 });
+ball.add(box(1, 2, { rounding: 0.1 }));
+const hit: RayHit | null = world.castRay({ x: 0, y: 0 }, { x: 1, y: 0 });
+const events: ContactEvent[] = world.events().contactBegin;
+const mass: number = ball.mass;
+ball.mass = null;
+const joint = world.createWheelJoint({ bodyA: ball });
+joint.motorSpeed = 2;
+const hash: bigint = world.hash;
+const view: Float32Array = world.states;
+export { events, hash, hit, mass, view };
+
+// @ts-expect-error a body has no such property
+ball.colour = 1;
+// @ts-expect-error a vector is no number
+ball.position = 3;
