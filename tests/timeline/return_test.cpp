@@ -55,4 +55,17 @@ TEST_CASE("a transition goes on after going back into it as it did") {
     CHECK(game.get("game.scene.n").integer() > 10);
 }
 
+TEST_CASE("a change of the scene that is due is made after going back to that step") {
+    Playing game(R"(
+        class("A", Object) { } class("B", Object) { n = 0 }
+        function B:enter(args) self.n = args.n end
+        function step()
+            if time.step == 2 then go_to_scene("A") end
+            if time.step == 5 then go_to_scene("B", { args = { n = 7 } }) end
+        end)");
+    for (const std::int64_t step : {4, 5, 6}) check_again(game, step, 12);
+    CHECK(game.get("game.scene.n") == Value(7));
+    CHECK_FALSE(bool(game.tree.child(game.tree.root(), "transition")));
+}
+
 }  // namespace return_test

@@ -70,8 +70,9 @@ void draw_bars(property::Painter& painter, const View& view) {
 void draw_transition(property::Painter& painter, const property::Tree& tree, const Vec2& screen) {
     const property::Handle now = tree.child(tree.root(), "transition");
     if (!now || tree.class_of(now).name() != "Transition") return;
-    const double progress = tree.get(now, "progress").as_double();
     const std::string kind = tree.get(now, "kind").text();
+    if (kind == "none") return;
+    const double progress = tree.get(now, "progress").as_double();
     Color color = tree.get(now, "color").color();
     const double covered = progress < 0.5 ? 2 * progress : 2 - 2 * progress;
     Vec2 from(0, 0), to = screen;

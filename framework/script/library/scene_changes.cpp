@@ -1,6 +1,7 @@
 // What happens in go_to_scene is state of the tree: a transition is the instance `game.transition`,
 // so that a rewind into it finds it as it was. Without a transition, the scene is replaced at the
-// next barrier.
+// next barrier, and until then that instance, of the kind "none", says by what: a rewind may come
+// to a step with a barrier that is still due.
 
 #include <algorithm>
 #include <cmath>
@@ -190,6 +191,23 @@ void change_at_barrier(Machine& machine, std::string name, Arguments arguments) 
     });
 }
 
+/// Replaces the scene at the next barrier, unless another call of go_to_scene is in the way then.
+void change_without_transition(Machine& machine) {
+    machine.tree.at_barrier([&machine, alive = machine.lua.alive] {
+        if (*alive == nullptr) return;
+        property::Tree& tree = machine.tree;
+        const Handle due = tree.child(tree.root(), transition_name);
+        if (!due || tree.class_of(due).name() != "Transition" ||
+            tree.get(due, "kind").text() != "none")
+            return;
+        const std::string name = tree.get(due, "to").text();
+        const Arguments arguments{.value = tree.get(due, "args"),
+                                  .named = tree.get(due, "named").boolean()};
+        tree.destroy(due);
+        change_scene(machine, name, arguments);
+    });
+}
+
 // --- go_to_scene
 
 Arguments arguments_at(lua_State* L, int index) {
@@ -248,11 +266,7 @@ int go_to_scene(lua_State* L) {
     Handle now = tree.child(tree.root(), transition_name);
     if (now && tree.class_of(now).name() != "Transition")
         throw Error(ErrorKind::bad_name, "go_to_scene: game.transition is something else");
-    if (kind == "none" || seconds == 0) {
-        if (now) tree.destroy(now);
-        change_at_barrier(machine, name, std::move(arguments));
-        return 0;
-    }
+    if (seconds == 0) kind = "none";
     // A transition that covers the screen already goes on with the new scene.
     if (now && tree.get(now, "done").boolean()) {
         tree.destroy(now);
@@ -265,6 +279,7 @@ int go_to_scene(lua_State* L) {
     tree.set(now, "args", arguments.value);
     tree.set(now, "named", arguments.named);
     if (!color.is_nil()) tree.set(now, "color", color);
+    if (kind == "none") change_without_transition(machine);
     return 0;
 }
 
@@ -282,6 +297,7 @@ void advance_transition(Machine& machine, double seconds) {
     if (!now || tree.class_of(now).name() != "Transition") return;
     static std::function<std::string()> where = [] { return std::string("go_to_scene"); };
     const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
+    if (tree.get(now, "kind").text() == "none") return change_without_transition(machine);
     const double length = std::max(1e-9, tree.get(now, "seconds").as_double());
     double progress = tree.get(now, "progress").as_double() + seconds / length;
     if (!tree.get(now, "done").boolean() && progress >= 0.5) {
