@@ -15,9 +15,9 @@
 #include <command_line/arguments.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
-#include <command_line/terminal.h>
 #include <commands/gallery.h>
 #include <commands/run_arguments.h>
+#include <commands/run_steps.h>
 #include <files/archive.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
@@ -29,62 +29,6 @@
 namespace fettle::program {
 
 namespace {
-
-int complain(ExitStatus status, const std::string& message) {
-    tell(message);
-    return status;
-}
-
-/// Time limit of the game's `closing()` after a signal, s.
-constexpr unsigned closing_time = 5;
-
-/// Notifies the game that the run ends, as when its window is closed.
-void close(Session& session) {
-    EndRequest::allow(closing_time);
-    session.runtime().go_on();
-    app::InputEvent event;
-    event.kind = app::EventKind::closing;
-    session.loop().handle(event);
-}
-
-/// Writes the requested results of the run: the hash to stdout, and the picture of the last frame.
-int finish(Session& session, const RunOptions& options, app::Screen* screen) {
-    EndRequest::allow(0);
-    int status = session.exit_status();
-    if (EndRequest::asked() != 0) status = status_of_signal(EndRequest::asked());
-    if (const std::string problem = session.recording_problem(); !problem.empty())
-        status = complain(file_error, problem);
-    if (options.hash) std::printf("%016" PRIx64 "\n", session.loop().hash());
-    if (!options.screenshot.empty() && screen != nullptr) {
-        try {
-            screen->save(options.screenshot);
-        } catch (const std::exception& error) {
-            status = complain(file_error, property::exception_text(error));
-        }
-    }
-    if (status != success || session.runtime().quit_status()) return status;
-    const auto tell_unreached = [&](const char* option, const auto& all) {
-        for (const auto& [step, chunk] : all)
-            if (step > session.loop().lived())
-                tell(option + (" " + std::to_string(step)) +
-                     " was never reached: the run ended with its step " +
-                     std::to_string(session.loop().lived()));
-    };
-    tell_unreached("--at", options.at);
-    tell_unreached("--console", options.console);
-    return status;
-}
-
-/// Applies the time limit of `--budget`, or that of a sandbox, to each call into the scripts.
-/// Returns false if there is none.
-bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
-    constexpr std::uint64_t in_sandbox = 2000;  // ms
-    const auto limit = options.budget    ? options.budget
-                       : options.sandbox ? std::optional(in_sandbox)
-                                         : std::nullopt;
-    if (limit) runtime.limit_calls(static_cast<double>(*limit) / 1000, {});
-    return limit.has_value();
-}
 
 int run_headless(const RunOptions& options, Gallery* gallery) {
     Session session(options, nullptr, {});
@@ -126,13 +70,6 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
 property::Thumbnail thumbnail(app::Pixels pixels) {
     constexpr std::uint32_t widest = 256;
     return property::scaled_down({pixels.width, pixels.height, std::move(pixels.rgba)}, widest);
-}
-
-/// Plays the voices of the game, and tells once why they cannot be heard.
-void be_heard(app::Loudspeaker& loudspeaker, Session& session) {
-    loudspeaker.follow(session.services(), session.loop().halted());
-    if (const std::string problem = loudspeaker.take_problem(); !problem.empty())
-        session.note("note: " + problem);
 }
 
 /// After this time in one call into the scripts, the window offers to stop it, s.

@@ -1,0 +1,33 @@
+#pragma once
+// What runs with a window, without one and of a recording have in common.
+
+#include <string>
+
+#include <fettle/app/loudspeaker.h>
+#include <fettle/app/screen.h>
+#include <fettle/script/runtime.h>
+
+#include <command_line/exit_status.h>
+#include <game/run_options.h>
+#include <game/session.h>
+
+namespace fettle::program {
+
+/// Tells the message, and returns the status.
+int complain(ExitStatus status, const std::string& message);
+
+/// Notifies the game that the run ends, as when its window is closed.
+void close(Session& session);
+
+/// Writes the requested results of the run: the hash to stdout, and the picture of the last frame.
+/// Returns the exit status.
+int finish(Session& session, const RunOptions& options, app::Screen* screen);
+
+/// Applies the time limit of `--budget`, or that of a sandbox, to each call into the scripts.
+/// Returns false if there is none.
+bool limit_calls(script::Runtime& runtime, const RunOptions& options);
+
+/// Plays the voices of the game, and tells once why they cannot be heard.
+void be_heard(app::Loudspeaker& loudspeaker, Session& session);
+
+}  // namespace fettle::program
