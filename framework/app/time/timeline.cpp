@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <string>
 #include <utility>
 
 #include <fettle/property/error.h>
 
+#include <time/jumps.h>
 #include <time/packing.h>
 
 namespace fettle::app {
@@ -36,46 +36,6 @@ double now() {
 }
 
 }  // namespace
-
-/// Notices when other code restores a snapshot, that is, when time jumps.
-class Timeline::Jumps : public property::Observer {
-  public:
-    explicit Jumps(property::Tree& tree) : tree_(tree), tree_life_(tree.lifetime()) {
-        tree_.observe(*this);
-    }
-    ~Jumps() override {
-        if (!tree_life_.expired()) tree_.unobserve(*this);
-    }
-    void restored() override {
-        jumped = !travelling;
-        arrived = true;
-    }
-    void wrote_plain(const property::PlainWrites&) override {
-        // Single writes are not needed here.
-    }
-
-    bool jumped = false;
-    bool travelling = false;
-    bool arrived = false;
-
-  private:
-    property::Tree& tree_;
-    std::weak_ptr<const property::Tree*> tree_life_;
-};
-
-/// While it lives, restoring a snapshot is no jump of other code.
-class Timeline::Travelling {
-  public:
-    explicit Travelling(Jumps& jumps) : jumps_(jumps) {
-        jumps_.travelling = true;
-        jumps_.arrived = false;
-    }
-    ~Travelling() { jumps_.travelling = false; }
-    Travelling(const Travelling&) = delete;
-
-  private:
-    Jumps& jumps_;
-};
 
 /// Memory for the next keyframe.
 struct Timeline::Room {
@@ -396,161 +356,6 @@ std::size_t Timeline::memory() const {
     const Keyframe& first = keyframes_.front();
     const std::size_t since = forgotten();
     return sum + std::min(first.history, since - std::min(since, first.forgotten));
-}
-
-// --- Travelling
-
-void Timeline::require(std::int64_t step) const {
-    if (!keeps())
-        throw property::Error(property::ErrorKind::out_of_range,
-                              "there is no past to go to: no step was made, time.rewind_limit is "
-                              "0, or time.rewind_memory is too little for one state");
-    if (step < oldest() || step > newest())
-        throw property::Error(property::ErrorKind::out_of_range,
-                              "step " + std::to_string(step) + ": the past is kept from step " +
-                                  std::to_string(oldest()) + " to " + std::to_string(newest()));
-}
-
-void Timeline::require_between_steps(const char* what) const {
-    if (in_step_ || jumps_->travelling)
-        throw property::Error(property::ErrorKind::bad_structure,
-                              std::string(what) +
-                                  (in_step_ ? " in the middle of a step" : " while time travels") +
-                                  ": wait for the next barrier between steps");
-}
-
-void Timeline::go_to(std::int64_t step) {
-    require_between_steps("the past cannot be gone back to");
-    settle();
-    require(step);
-    travel(step);
-}
-
-void Timeline::go_near(std::int64_t step) {
-    require_between_steps("the past cannot be gone back to");
-    settle();
-    if (keeps()) travel(std::clamp(step, oldest(), newest()));
-}
-
-void Timeline::rewind(double seconds) {
-    require_between_steps("the past cannot be gone back to");
-    clock_.require_usable();
-    if (std::isnan(seconds))
-        throw property::Error(property::ErrorKind::out_of_range,
-                              "rewind: nan: expected a time in seconds");
-    settle();
-    const double steps = std::clamp(std::round(seconds / clock_.dt), -1e15, 1e15);
-    if (!keeps()) return;
-    const std::int64_t to = clock_.step - static_cast<std::int64_t>(steps);
-    travel(std::clamp(to, oldest(), newest()));
-}
-
-void Timeline::review(std::int64_t from, const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
-    if (!keeps()) return;
-    const std::int64_t here = here_;
-    auto frame = std::prev(keyframes_.end());
-    while (frame != keyframes_.begin() && (frame->step > here || frame->step > from) &&
-           !(frame->step <= here && frame->jumped_to))
-        --frame;
-    from = std::max(from, frame->step);
-    replay(*frame, here, [&](std::int64_t step) {
-        if (step >= from) look(step);
-    });
-}
-
-void Timeline::branch(std::int64_t from, const std::function<void()>& change,
-                      const std::function<void(std::int64_t step)>& look) {
-    require_between_steps("the past cannot be looked at");
-    settle();
-    require(from);
-    const std::int64_t here = here_;
-    auto frame = std::prev(keyframes_.end());
-    while (frame != keyframes_.begin() && (frame->step > here || frame->step > from)) --frame;
-    std::exception_ptr problem;
-    const auto differently = [&] {
-        try {
-            for (const Step& each : steps_)
-                if (each.number > frame->step && each.number <= from) redo(each);
-            change();
-            look(from);
-            for (const Step& each : steps_) {
-                if (each.number <= from || each.number > here) continue;
-                redo(each);
-                look(each.number);
-            }
-        } catch (...) {
-            problem = std::current_exception();
-        }
-    };
-    {
-        const Travelling travelling(*jumps_);
-        tree_.restore(Snapshot(frame->payload->payload(), frame->memories), differently);
-    }
-    replay(*frame, here, {});
-    if (problem) std::rethrow_exception(problem);
-}
-
-void Timeline::redo(const Piece& piece) {
-    log_->play(piece.writes);
-    for (const auto& [part, changes] : piece.changes) part->redo(changes);
-}
-
-/// Functions that the modules ask see the time and random numbers of the step.
-void Timeline::redo(const Step& step) {
-    for (const Piece& piece : step.before) redo(piece);
-    tree_.set_step(static_cast<std::uint64_t>(step.number));
-    step_modules_(step.dt);
-    redo(step.after);
-}
-
-/// Saves the changes since the newest step, so that they can be restored later.
-void Timeline::settle() {
-    note_jump();
-    if (log_ == nullptr || here_ != newest()) return;
-    note(tail_, tail_.before.emplace_back());
-    // Time and random numbers after a step that failed are those of that step.
-    if (!broken_.before.empty()) tail_.before.back().changes.clear();
-    if (too_much(tail_)) restart();
-}
-
-void Timeline::travel(std::int64_t step) {
-    broken_ = {};
-    failed_ = -1;
-    const auto frame =
-        std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
-                                   [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
-    replay(*frame, step, {});
-    returned_ = step < newest();
-}
-
-/// Restores the keyframe and repeats the steps behind it up to `step`; calls `look`, if given,
-/// after each, the first time for the keyframe itself.
-void Timeline::replay(const Keyframe& frame, std::int64_t step,
-                      const std::function<void(std::int64_t)>& look) {
-    const Snapshot from(frame.payload->payload(), frame.memories);
-    const Travelling travelling(*jumps_);
-    try {
-        tree_.restore(from, [&] {
-            if (look) look(frame.step);
-            for (const Step& each : steps_) {
-                if (each.number <= frame.step || each.number > step) continue;
-                redo(each);
-                if (look) look(each.number);
-            }
-            if (step != newest()) return;
-            for (const Step* each : {&broken_, &tail_})
-                for (const Piece& piece : each->before) redo(piece);
-        });
-    } catch (...) {
-        // The tree has changed and its state is unknown; without `arrived` nothing has changed.
-        if (jumps_->arrived) restart();
-        throw;
-    }
-    here_ = step;
-    clock_.step = step;
-    skip_changes();
 }
 
 }  // namespace fettle::app
