@@ -27,8 +27,8 @@ addEventListener("pointerdown", (event) => throwBall(12 * (1 - event.clientY / i
 const canvas = document.querySelector("canvas"), pen = canvas.getContext("2d");
 
 function draw() {
-  canvas.width = innerWidth;
-  canvas.height = innerHeight;
+  canvas.width = canvas.clientWidth;
+  canvas.height = canvas.clientHeight;
   const scale = canvas.width / 34;
   pen.setTransform(scale, 0, 0, -scale, canvas.width / 2, canvas.height - 2 * scale);
   pen.fillStyle = "#708070";
