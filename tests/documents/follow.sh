@@ -195,7 +195,7 @@ for i in "${!block_kind[@]}"; do
         text) compare_output "${block_text[i]%$'\n'}" ;;
         console) play_console ;;
         picture) draw_picture ;;
-        cpp | c | cmake | json | lua | python)
+        cpp | c | cmake | json | lua | python | glsl)
             [[ -n $file ]] || fail "a block of $kind needs the name of its file behind the language"
             write_file
             ;;
