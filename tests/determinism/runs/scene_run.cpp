@@ -29,7 +29,8 @@ std::uint64_t run_scene(const ShortScene& short_scene, const RunOptions& options
                              ? bench::crowd_of(12, 8)
                              : bench::scene_named(short_scene.name).make();
     scene.steps = options.times > 0 ? scene.steps * options.times : short_scene.steps;
-    auto engine = bench::make_fettle(scene, options.solver, options.threads);
+    auto engine = bench::make_fettle(scene, options.solver, 4);
+    engine->set_threads(options.threads);
     physics::World& world = bench::fettle_world(*engine);
     if (options.simd_width > 0) world.limit_simd_width(options.simd_width);
     bench::Simulation simulation(scene, "fettle", std::move(engine));

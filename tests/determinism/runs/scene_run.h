@@ -25,7 +25,7 @@ struct RunOptions {
     std::function<void(physics::World&)> in_the_middle{};
     /// Called after each step.
     std::function<void(physics::World&)> after_step{};
-    int threads = 4;
+    int threads = 1;
     int times = 0;  ///< multiples of the length in the benchmark; 0: the length of the short scene
 };
 
