@@ -198,7 +198,7 @@ function fettle_Pen.line(from, to, stroke, width) end
 ---The fill of the circles, boxes and polygons that follow changes its color along this line, until pen.pop() or the end of the function.
 ---@param from vec
 ---@param to vec
----@param colors (color|string)[]
+---@param colors color[]|string[]
 function fettle_Pen.linear(from, to, colors) end
 
 ---A dot as many pixels wide as its size says, 4 without one.
@@ -226,7 +226,7 @@ function fettle_Pen.push(position, angle, scale) end
 ---The fill of the circles, boxes and polygons that follow changes its color from the center outwards, until pen.pop() or the end of the function.
 ---@param center vec
 ---@param radius number
----@param colors (color|string)[]
+---@param colors color[]|string[]
 function fettle_Pen.radial(center, radius, colors) end
 
 ---What the function draws is measured in pixels from the upper left corner.

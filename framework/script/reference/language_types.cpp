@@ -243,7 +243,7 @@ TypeDoc pen_type() {
           "{ \"walk.png\", columns = 4, rows = 2, frame = 3 }, or of an export of Aseprite "
           "{ \"walk.json\", frame = 3 }."},
          {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
-         {"linear", "linear(from: vec, to: vec, colors: (color|string)[])",
+         {"linear", "linear(from: vec, to: vec, colors: color[]|string[])",
           "The fill of the circles, boxes and polygons that follow changes its color along this "
           "line, until pen.pop() or the end of the function."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
@@ -258,7 +258,7 @@ TypeDoc pen_type() {
          {"push", "push(position?: vec, angle?: number, scale?: number)",
           "What follows is scaled, turned and moved by this, until pen.pop() or the end of the "
           "function. Widths of borders and lines stay as they are."},
-         {"radial", "radial(center: vec, radius: number, colors: (color|string)[])",
+         {"radial", "radial(center: vec, radius: number, colors: color[]|string[])",
           "The fill of the circles, boxes and polygons that follow changes its color from the "
           "center outwards, until pen.pop() or the end of the function."},
          {"screen", "screen(action: fun(pen: Pen))",
