@@ -312,6 +312,12 @@ Handle Console::selected() const {
 void Console::print(std::string_view text) {
     state_->log.game(text);
 }
+void Console::output(std::string_view text) {
+    state_->log.output(text);
+}
+void Console::note(std::string_view text) {
+    state_->log.note(text);
+}
 void Console::report(const script::ScriptError& error) {
     state_->log.error(error);
 }

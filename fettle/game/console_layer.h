@@ -18,6 +18,8 @@ struct Session::ConsoleLayer : console::Console {
 #else
 struct Session::ConsoleLayer {
     void print(std::string_view) {}
+    void output(std::string_view) {}
+    void note(std::string_view) {}
     void report(const script::ScriptError&) {}
 };
 #endif

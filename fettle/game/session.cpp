@@ -191,7 +191,7 @@ void Session::note(const std::string& text) {
     if (listener_) listener_->print(text);
     if (ending_) return;
     if (console_)
-        console_->print(text);
+        console_->note(text);
     else
         early_notes_.push_back(text);
 }
@@ -299,7 +299,7 @@ void Session::make_console(app::Clipboard* clipboard) {
     if (!options_.headless) options.history_file = console::default_history_file();
     take_players_console(options);
     console_ = std::make_unique<ConsoleLayer>(tree_, *runtime_, std::move(options));
-    for (const std::string& text : early_notes_) console_->print(text);
+    for (const std::string& text : early_notes_) console_->note(text);
     if (options_.listen) console_->listen(true);
 #endif
 }
@@ -382,13 +382,23 @@ void Session::start() {
 }
 
 void Session::print(std::string_view text) {
+    print_outside(text);
+    if (console_) console_->print(text);
+}
+
+/// Prints what a command of --console says.
+void Session::print_said(const std::string& text) {
+    print_outside(text);
+    if (console_) console_->output(text);
+}
+
+void Session::print_outside(std::string_view text) {
     if (output_)
         output_(text);
     else
         print_line(text);
     if (!options_.headless) std::fflush(stdout);
     if (listener_) listener_->print(text);
-    if (console_) console_->print(text);
 }
 
 void Session::run_at(std::uint64_t step) {
@@ -407,8 +417,8 @@ void Session::type_what_is_due() {
     const std::uint64_t before = std::exchange(typed_, next);
     for (const auto& [when, command] : options_.console) {
         if (when <= before || when > next || loop_->stopped()) continue;
-        print("› " + command);
-        for (const std::string& line : lines_of(runtime_->evaluate(command))) print(line);
+        print_said("› " + command);
+        for (const std::string& line : lines_of(runtime_->evaluate(command))) print_said(line);
     }
     // The output must not be lost if the run crashes.
     if (!options_.console.empty()) std::fflush(stdout);

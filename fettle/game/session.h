@@ -100,6 +100,8 @@ class Session {
     void add_modules();
     void make_console(app::Clipboard* clipboard);
     void print(std::string_view text);
+    void print_said(const std::string& text);
+    void print_outside(std::string_view text);
     void run_at(std::uint64_t step);
     void type_what_is_due();
     void listen();

@@ -116,8 +116,11 @@ class Console : public app::Layer {
     /// A null handle if nothing is selected, or the selected instance is deleted.
     property::Handle selected() const;
 
-    /// `print`: text of the game's own `print`. `report`: an error of the game.
+    /// `print`: text of the game's own `print`. `output`: what a command printed. `note`: what a
+    /// person should know. `report`: an error of the game.
     void print(std::string_view text);
+    void output(std::string_view text);
+    void note(std::string_view text);
     void report(const script::ScriptError& error);
 
     struct FETTLE_CONSOLE_PRIVATE State;
