@@ -87,6 +87,30 @@ TEST_CASE_METHOD(Branching, "a branch may be made from the past") {
     check(120);
 }
 
+TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is looked at") {
+    Branching twin;
+    for (Branching* each : {static_cast<Branching*>(this), &twin}) {
+        each->play(120);
+        each->time().go_to(80);
+        property::set(each->tree, "world.ball.circle.restitution", Value(0.9));
+    }
+    (void)as_it_was(30, "world.ball.position");
+    (void)branch(
+        30, [] {}, "world.ball.position");
+    CHECK(get("world.ball.circle.restitution").number() == 0.9);
+    REQUIRE(loop->hash() == twin.loop->hash());
+    CHECK(time().newest() == 120);
+    // It belongs to the step that follows.
+    play(20);
+    twin.play(20);
+    CHECK(loop->hash() == twin.loop->hash());
+    CHECK(time().newest() == 100);
+    time().go_to(90);
+    CHECK(get("world.ball.circle.restitution").number() == 0.9);
+    time().go_to(80);
+    CHECK(get("world.ball.circle.restitution").number() != 0.9);
+}
+
 TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it was") {
     play(100);
     const auto nothing = [](std::int64_t) {};

@@ -66,7 +66,7 @@ void Timeline::forget_all() {
     log_.reset();
     keyframes_.clear();
     steps_.clear();
-    tail_ = broken_ = {};
+    tail_ = edits_ = broken_ = {};
     logged_ = logged_since_ = 0;
     spacing_ = min_spacing;
     clock_.oldest = clock_.newest = clock_.step;
@@ -115,7 +115,8 @@ void Timeline::begin_step() {
     // A step from here replaces the later steps.
     if (here_ < newest()) {
         drop_after(here_);
-        tail_ = broken_ = {};
+        tail_ = std::exchange(edits_, {});
+        broken_ = {};
     }
     open_ = {};
 }
@@ -268,7 +269,7 @@ void Timeline::note_jump() {
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
-    tail_ = broken_ = {};
+    tail_ = edits_ = broken_ = {};
     failed_ = -1;
     here_ = step;
     take_keyframe();
@@ -348,8 +349,8 @@ std::size_t Timeline::forgotten() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum =
-        logged_ + tail_.bytes + broken_.bytes + (log_ != nullptr ? log_->memory() : 0);
+    std::size_t sum = logged_ + tail_.bytes + edits_.bytes + broken_.bytes +
+                      (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
     if (keyframes_.empty()) return sum;
     // The part of the history at the first keyframe that is kept only for the timeline.

@@ -122,18 +122,19 @@ void Timeline::redo(const Step& step) {
     redo(step.after);
 }
 
-/// Saves the changes since the newest step, so that they can be restored later.
+/// Saves the changes since the step that the tree is at, so that they can be restored later.
 void Timeline::settle() {
     note_jump();
-    if (log_ == nullptr || here_ != newest()) return;
-    note(tail_, tail_.before.emplace_back());
+    if (log_ == nullptr) return;
+    Step& since = here_ == newest() ? tail_ : edits_;
+    note(since, since.before.emplace_back());
     // Time and random numbers after a step that failed are those of that step.
-    if (!broken_.before.empty()) tail_.before.back().changes.clear();
-    if (too_much(tail_)) restart();
+    if (!broken_.before.empty()) since.before.back().changes.clear();
+    if (too_much(since)) restart();
 }
 
 void Timeline::travel(std::int64_t step) {
-    broken_ = {};
+    edits_ = broken_ = {};
     failed_ = -1;
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
@@ -156,7 +157,10 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
                 redo(each);
                 if (look) look(each.number);
             }
-            if (step != newest()) return;
+            if (step != newest()) {
+                for (const Piece& piece : edits_.before) redo(piece);
+                return;
+            }
             for (const Step* each : {&broken_, &tail_})
                 for (const Piece& piece : each->before) redo(piece);
         });

@@ -164,6 +164,7 @@ class Timeline {
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
     bool returned_ = false;
+    Step edits_;   // at an earlier step than the newest, before the next step; `before` only
     Step broken_;  // the newest step, as far as it was made before it failed; `before` only
     bool in_step_ = false;
     bool stepping_ = false;          // in a step: changes are logged
