@@ -92,12 +92,12 @@ TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is 
     for (Branching* each : {static_cast<Branching*>(this), &twin}) {
         each->play(120);
         each->time().go_to(80);
-        property::set(each->tree, "world.ball.circle.restitution", Value(0.9));
+        property::set(each->tree, "world.ball.circle.restitution", Value(0.75));
     }
     (void)as_it_was(30, "world.ball.position");
     (void)branch(
         30, [] {}, "world.ball.position");
-    CHECK(get("world.ball.circle.restitution").number() == 0.9);
+    CHECK(get("world.ball.circle.restitution").number() == 0.75);
     REQUIRE(loop->hash() == twin.loop->hash());
     CHECK(time().newest() == 120);
     // It belongs to the step that follows.
@@ -106,9 +106,9 @@ TEST_CASE_METHOD(Branching, "what was edited in the past stays when the past is 
     CHECK(loop->hash() == twin.loop->hash());
     CHECK(time().newest() == 100);
     time().go_to(90);
-    CHECK(get("world.ball.circle.restitution").number() == 0.9);
+    CHECK(get("world.ball.circle.restitution").number() == 0.75);
     time().go_to(80);
-    CHECK(get("world.ball.circle.restitution").number() != 0.9);
+    CHECK(get("world.ball.circle.restitution").number() != 0.75);
 }
 
 TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it was") {
