@@ -64,11 +64,20 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
                            &data_->face) != 0)
         throw std::runtime_error("is no font (TTF or OTF)");
     const FT_Face face = data_->face;
-    if (face->units_per_EM == 0) throw std::runtime_error("is no font (TTF or OTF)");
     // As in other programs, the size is that of the em square.
-    unit_ = 1.0 / face->units_per_EM;
-    ascent_ = unit_ * face->ascender;
-    descent_ = -unit_ * face->descender;
+    if (FT_IS_SCALABLE(face) && face->units_per_EM > 0) {
+        unit_ = 1.0 / face->units_per_EM;
+        ascent_ = unit_ * face->ascender;
+        descent_ = -unit_ * face->descender;
+        return;
+    }
+    // Emoji are pictures of a few sizes.
+    if (FT_IS_SCALABLE(face) || face->num_fixed_sizes < 1 || FT_Select_Size(face, 0) != 0 ||
+        face->size->metrics.y_ppem == 0)
+        throw std::runtime_error("is no font (TTF or OTF)");
+    const FT_Size_Metrics& metrics = face->size->metrics;
+    ascent_ = static_cast<double>(metrics.ascender) / 64 / metrics.y_ppem;
+    descent_ = -static_cast<double>(metrics.descender) / 64 / metrics.y_ppem;
 }
 
 Font::~Font() = default;
@@ -76,10 +85,17 @@ Font::~Font() = default;
 unsigned Font::glyph(char32_t letter) const {
     const auto [at, added] = glyphs_.try_emplace(letter, Glyph{});
     if (!added) return at->second.index;
-    at->second.index = FT_Get_Char_Index(data_->face, letter);
+    const FT_Face face = data_->face;
+    at->second.index = FT_Get_Char_Index(face, letter);
     FT_Fixed advance = 0;
-    if (FT_Get_Advance(data_->face, at->second.index, FT_LOAD_NO_SCALE, &advance) == 0)
-        at->second.advance = unit_ * static_cast<double>(advance);
+    if (FT_IS_SCALABLE(face)) {
+        if (FT_Get_Advance(face, at->second.index, FT_LOAD_NO_SCALE, &advance) == 0)
+            at->second.advance = unit_ * static_cast<double>(advance);
+    } else if (FT_Select_Size(face, 0) == 0 &&
+               FT_Load_Glyph(face, at->second.index, FT_LOAD_COLOR) == 0) {
+        at->second.advance =
+            static_cast<double>(face->glyph->advance.x) / 64 / face->size->metrics.y_ppem;
+    }
     return at->second.index;
 }
 
