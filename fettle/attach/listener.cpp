@@ -103,7 +103,7 @@ void Listener::frame() {
             if (answer_next(connections_[(first_ + i) % count])) {
                 --left;
                 some = true;
-                // A command that takes long is one of a person who may type it: it ends the turn.
+                // A command may take as long as a typed one, but is then the last of the frame.
                 if (std::chrono::duration<double>(Clock::now() - begin).count() >
                     limits_.busy_seconds)
                     left = 0;
@@ -129,7 +129,8 @@ void Listener::take_connections() {
     }
 }
 
-/// Who has not said the token and waits longest is put out, so that nobody can take all places.
+/// Closes the connection that has been longest without giving the token, so that silent ones cannot
+/// take all places.
 void Listener::make_room() {
     if (connections_.size() - terminals() < limits_.waiting) return;
     const auto oldest = std::ranges::find(connections_, false, &Connection::greeted);
@@ -162,7 +163,7 @@ void Listener::remove_gone() {
     for (; left > 0; --left) answers_.note("a terminal is no longer attached");
 }
 
-// --- What they say
+// --- Requests
 
 void Listener::receive(Connection& from) {
     // While answers wait to be read, no more requests are taken: the sender has to wait.
@@ -226,7 +227,7 @@ bool Listener::answer_next(Connection& to) {
     return true;
 }
 
-// --- What they get
+// --- Answers and prints
 
 void Listener::print(std::string_view line) {
     if (connections_.empty()) return;

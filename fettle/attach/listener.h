@@ -1,7 +1,7 @@
 #pragma once
-// The game's end: terminals attach to it and type commands. Everything has a limit, so that nobody
-// holds the game up who connects: the work of a frame, what is kept of each connection, their
-// number. Sockets never wait.
+// The game's end: terminals attach to it and type commands. The work of a frame, what is kept of
+// each connection and their number have limits, so that no connection can hold the game up. Sockets
+// never wait.
 
 #include <chrono>
 #include <cstddef>
