@@ -118,7 +118,8 @@ void Ghosts::look_ahead(double seconds) {
             if (all == nullptr) continue;
             for (const Record& record : *all) {
                 Ghost ghost{record.get("body").reference(), {}, record.get("angle").number()};
-                for (const Value& point : record.get("points").list())
+                const Value points = record.get("points");
+                for (const Value& point : points.list())
                     ghost.points.push_back(point.vec2());
                 if (!ghost.points.empty()) ghosts_.push_back(std::move(ghost));
             }
