@@ -119,8 +119,7 @@ void Ghosts::look_ahead(double seconds) {
             for (const Record& record : *all) {
                 Ghost ghost{record.get("body").reference(), {}, record.get("angle").number()};
                 const Value points = record.get("points");
-                for (const Value& point : points.list())
-                    ghost.points.push_back(point.vec2());
+                for (const Value& point : points.list()) ghost.points.push_back(point.vec2());
                 if (!ghost.points.empty()) ghosts_.push_back(std::move(ghost));
             }
         } catch (const property::Error&) {

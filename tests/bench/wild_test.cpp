@@ -4,9 +4,9 @@
 #include <set>
 
 #include "catch.h"
-#include "wild/plans/cpp_text.h"
 #include "wild/grammar/grammar.h"
 #include "wild/minimize.h"
+#include "wild/plans/cpp_text.h"
 #include "wild/survey.h"
 
 namespace wild_test {

@@ -64,7 +64,8 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
     }));
     CAPTURE(main);
     const Folder folder;
-    const Outcome run = play(folder, main, {"--budget", "600000"});  // ms; other limits are met first
+    const Outcome run =
+        play(folder, main, {"--budget", "600000"});  // ms; other limits are met first
     CAPTURE(run.err);
     CHECK(run.status == 1);
     CHECK(contains(run.err, reason));

@@ -8,6 +8,12 @@
 
 #include "gallery.h"
 
+/// The leak checker asks for this. Fontconfig keeps some data until the program ends.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libfontconfig";
+}
+
 namespace text_test {
 
 using namespace fettle::visuals::test;
