@@ -92,6 +92,15 @@ function(fettle_library name text)
   fettle_pkgconfig(${name} "${text}" "${of_NEEDS}" "${of_PKGCONFIG}" "${defines}" "${of_LIBS_BEHIND}")
 endfunction()
 
+# fettle_with_vectors(TARGET): TARGET and its users include <fettle/vector/...>, headers without a library.
+function(fettle_with_vectors target)
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/vector/include>")
+  if(FETTLE_INSTALL)
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/vector/include/fettle/vector" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fettle"
+      COMPONENT development)
+  endif()
+endfunction()
+
 # fettle_plugin(NAME): the target fettle_NAME_plugin is a module in a shared object, found by its name.
 function(fettle_plugin name)
   set(target fettle_${name}_plugin)

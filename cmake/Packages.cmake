@@ -41,7 +41,7 @@ games to begin with.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME fettle-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "fettle (= ${PROJECT_VERSION}), libeigen3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "fettle (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkgconf, libsfml-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "Headers of Fettle's libraries: rigid bodies, the live property tree,

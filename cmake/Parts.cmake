@@ -1,6 +1,6 @@
 # Which parts there are, which of them are to be built, and what each rests on.
 #
-# A project that takes Fettle in as a folder of its own gets the parts that need nothing but Eigen, and names
+# A project that takes Fettle in as a folder of its own gets the property tree and physics, which need only Eigen to be built, and names
 # more in FETTLE_PARTS when it wants them:
 #
 #   set(FETTLE_PARTS physics)            only rigid bodies

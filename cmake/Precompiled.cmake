@@ -16,10 +16,11 @@ endfunction()
 # which needs the very same flags for each; that is why it is made of fettle_compile_options and nothing else.
 function(fettle_precompile_tree target)
   if(NOT TARGET fettle_tree_headers)
-    file(WRITE "${PROJECT_BINARY_DIR}/cmake/tree_headers.cpp" "// Has no code: the precompiled header is made for it.\n")
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cmake/tree_headers.cpp"
+      CONTENT "// Has no code: the precompiled header is made for it.\n")
     add_library(fettle_tree_headers OBJECT "${PROJECT_BINARY_DIR}/cmake/tree_headers.cpp")
     target_include_directories(fettle_tree_headers PRIVATE "${PROJECT_SOURCE_DIR}/framework/include")
-    target_link_libraries(fettle_tree_headers PRIVATE Eigen3::Eigen)
+    fettle_with_vectors(fettle_tree_headers)
     if(NOT BUILD_SHARED_LIBS)
       target_compile_definitions(fettle_tree_headers PRIVATE FETTLE_PROPERTY_STATIC)
     endif()

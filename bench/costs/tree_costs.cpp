@@ -171,7 +171,7 @@ void add_writes(CostTable& table) {
         ProbeTree& t = shared_probes();
         Vec2 position(0, 0);
         for (auto _ : state) {
-            position.x() = position.x() == 1 ? 2 : 1;
+            position.x = position.x == 1 ? 2 : 1;
             for (const Handle probe : t.handles) t.tree.set(probe, *t.position, position);
         }
     });
@@ -188,7 +188,7 @@ void add_writes(CostTable& table) {
         ProbeTree& t = shared_probes();
         Vec2 position(0, 0);
         for (auto _ : state) {
-            position.x() = position.x() == 1 ? 2 : 1;
+            position.x = position.x == 1 ? 2 : 1;
             for (const Handle probe : t.handles)
                 if (!t.tree.write(probe, *t.position, position))
                     throw std::logic_error("not written");

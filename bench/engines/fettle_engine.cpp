@@ -115,9 +115,9 @@ class FettleEngine : public Engine {
     static BodyMotion motion_of(const physics::Body& body) {
         const physics::Vec2 position = body.position();
         const physics::Vec2 velocity = body.velocity();
-        return {{position.x(), position.y()},
+        return {{position.x, position.y},
                 body.angle(),
-                {velocity.x(), velocity.y()},
+                {velocity.x, velocity.y},
                 body.angular_velocity()};
     }
 

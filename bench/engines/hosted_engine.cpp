@@ -203,7 +203,7 @@ void HostedEngine::mix_groups(std::uint64_t& hash) const {
 BodyMotion HostedEngine::motion_of(Handle body) const {
     const Tree& tree = game_.tree;
     const auto point = [](const Value& v) {
-        return Point{static_cast<float>(v.vec2().x()), static_cast<float>(v.vec2().y())};
+        return Point{static_cast<float>(v.vec2().x), static_cast<float>(v.vec2().y)};
     };
     return {point(tree.get(body, *position_)), static_cast<float>(tree.get(body, *angle_).number()),
             point(tree.get(body, *velocity_)),

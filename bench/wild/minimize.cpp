@@ -161,7 +161,7 @@ class Minimizer {
                 if (const auto* box = std::get_if<Box>(&now); box && box->rounding > 0)
                     replace(Box{box->width, box->height, box->center, box->angle, 0});
                 if (const auto* polygon = std::get_if<Polygon>(&now)) {
-                    const float size = 2 * polygon->vertices[0].norm();
+                    const float size = 2 * polygon->vertices[0].length();
                     if (!replace(Box{.width = size, .height = size}) && polygon->rounding > 0)
                         replace(Polygon{polygon->vertices, 0});
                 }
@@ -182,7 +182,7 @@ class Minimizer {
     void round_numbers(float per_unit) {
         const auto rounded = [&](float number) { return std::round(number * per_unit) / per_unit; };
         const auto change = [&](const auto& of) {
-            const Vec2 now = of(plan_), wanted{rounded(now.x()), rounded(now.y())};
+            const Vec2 now = of(plan_), wanted{rounded(now.x), rounded(now.y)};
             if (now != wanted) attempt([&](WorldPlan& plan) { of(plan) = wanted; });
         };
         const auto change_number = [&](const auto& of) {

@@ -120,7 +120,7 @@ requires(kind_of<IdOf<Object>> != 0) fettle_id converted(const Object& object) {
     return converted(object.id());
 }
 inline fettle_vec2 converted(const physics::Vec2& v) {
-    return {v.x(), v.y()};
+    return {v.x, v.y};
 }
 inline fettle_aabb converted(const physics::Aabb& box) {
     return {converted(box.min), converted(box.max)};

@@ -15,13 +15,13 @@ constexpr int arc_points = 32;  // of a whole turn
 
 /// Pose at which a body is drawn; the origin for the world itself.
 struct Place {
-    Vec2 position = Vec2::Zero();
+    Vec2 position = {};
     float cosine = 1.0f, sine = 0.0f;
 
     explicit Place(const Pose& pose)
         : position(pose.position), cosine(std::cos(pose.angle)), sine(std::sin(pose.angle)) {}
     Vec2 operator()(const Vec2& p) const {
-        return position + Vec2(cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y());
+        return position + Vec2(cosine * p.x - sine * p.y, sine * p.x + cosine * p.y);
     }
 };
 
@@ -32,7 +32,7 @@ std::vector<Vec2> rounded(const std::vector<Vec2>& core, float rounding) {
     const size_t count = core.size();
     const auto direction = [&](size_t i) {
         const Vec2 along = core[(i + 1) % count] - core[i];
-        return std::atan2(-along.x(), along.y());  // of the outward normal of the edge
+        return std::atan2(-along.x, along.y);  // of the outward normal of the edge
     };
     for (size_t i = 0; i < count; ++i) {
         const float from = direction((i + count - 1) % count);
@@ -54,7 +54,7 @@ std::vector<Vec2> outline_of(const Ellipse& ellipse) {
         const float t = turn * float(i) / float(arc_points);
         const Vec2 p(ellipse.radius_x * std::cos(t), ellipse.radius_y * std::sin(t));
         outline.push_back(ellipse.center +
-                          Vec2(cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()));
+                          Vec2(cosine * p.x - sine * p.y, sine * p.x + cosine * p.y));
     }
     return outline;
 }
@@ -142,7 +142,7 @@ void draw_body(Pen& pen, const fettle_debug_draw& draw, const Body& body) {
         if (flag(draw.shapes)) draw_shape(pen, shape, pose, color_of(body, shape));
         if (flag(draw.boxes)) {
             const Aabb box = shape.aabb();
-            pen.polygon({box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}},
+            pen.polygon({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}},
                         Place(Pose{}), true, 0x8060a0);
         }
     }

@@ -26,7 +26,7 @@ constexpr float nearest = 3;             // px between two drawn points of a way
 
 double length_of(const std::vector<Vec2>& points) {
     double sum = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
+    for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).length();
     return sum;
 }
 
@@ -40,7 +40,7 @@ Value time_value(const property::Tree& tree, const char* name) {
 void draw_way(ImDrawList& list, const std::vector<Vec2>& points, const ToPixels& to_pixels) {
     const auto pixel = [&](std::size_t i) {
         const Vec2 p = to_pixels(points[i]);
-        return ImVec2(static_cast<float>(p.x()), static_cast<float>(p.y()));
+        return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
     };
     ImVec2 last = pixel(0);
     for (std::size_t i = 1; i < points.size(); ++i) {

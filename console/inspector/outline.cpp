@@ -47,8 +47,8 @@ void draw_outline(ImDrawList& list, const property::Tree& tree, Handle instance,
     if (pen.drew_anything() || !box) return;
     const std::vector<Vec2> corners = points_of(*box);
     if (corners.size() != 2) return;
-    const std::array<Vec2, 4> round{corners[0], Vec2(corners[1].x(), corners[0].y()), corners[1],
-                                    Vec2(corners[0].x(), corners[1].y())};
+    const std::array<Vec2, 4> round{corners[0], Vec2(corners[1].x, corners[0].y), corners[1],
+                                    Vec2(corners[0].x, corners[1].y)};
     pen.polygon(round, 0, {});
 }
 

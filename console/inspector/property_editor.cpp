@@ -298,12 +298,12 @@ std::optional<Vec2> PropertyEditor::vector_fields(const Target& target, Vec2 val
     const bool beside =
         one_row || half >= text_width("x -0.0000") + 2 * ImGui::GetStyle().FramePadding.x;
     look.label = "x";
-    auto x = fields_.number("##x", value.x(), look, beside ? half : width);
+    auto x = fields_.number("##x", value.x, look, beside ? half : width);
     if (beside) ImGui::SameLine(0, gap);
     look.label = "y";
-    auto y = fields_.number("##y", value.y(), look, beside ? width - gap - half : width);
+    auto y = fields_.number("##y", value.y, look, beside ? width - gap - half : width);
     if (!x && !y) return std::nullopt;
-    return Vec2(x.value_or(value.x()), y.value_or(value.y()));
+    return Vec2(x.value_or(value.x), y.value_or(value.y));
 }
 
 void PropertyEditor::vector(const Target& target, const Value& value, float width) {

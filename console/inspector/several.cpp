@@ -72,7 +72,7 @@ std::vector<Handle> topmost(const property::Tree& tree, const std::vector<Handle
 }
 
 std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) {
-    const Vec2 low = corner.cwiseMin(other), high = corner.cwiseMax(other);
+    const Vec2 low = corner.min(other), high = corner.max(other);
     std::vector<Handle> inside;
     tree.each_below(tree.root(), [&](Handle instance) {
         // A camera has a center and no position; a widget has a position on the screen and is
@@ -84,8 +84,7 @@ std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) 
             placed = tree.class_of(above).method("at") != nullptr;
         if (!placed) return;
         const Vec2 at = tree.get(instance, *position_of(tree, instance)).vec2();
-        if ((at.array() >= low.array()).all() && (at.array() <= high.array()).all())
-            inside.push_back(instance);
+        if (at.within(low, high)) inside.push_back(instance);
     });
     // A shape has a position inside its body, which is no place in the world.
     std::erase_if(inside, [&](Handle instance) {

@@ -40,8 +40,8 @@ void Pen::circle(const Vec2& center, double radius, const property::Paint& paint
 
 void Pen::ellipse(const Vec2& center, const Vec2& radii, double angle,
                   const property::Paint& paint) {
-    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
-    arc(center, radii.x() * along, radii.y() * across, 0, two_pi);
+    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    arc(center, radii.x * along, radii.y * across, 0, two_pi);
     stroke(true, paint);
 }
 
@@ -55,7 +55,7 @@ void Pen::polygon(std::span<const Vec2> vertices, double rounding, const propert
     // normal of one edge to the normal of the next.
     const auto normal = [&](std::size_t i) {
         const Vec2 edge = vertices[(i + 1) % n] - vertices[i % n];
-        return std::atan2(-edge.x(), edge.y());
+        return std::atan2(-edge.x, edge.y);
     };
     for (std::size_t i = 0; i < n; ++i) {
         const double before = normal(i + n - 1);
@@ -73,7 +73,7 @@ void Pen::line(const Vec2& from, const Vec2& to, property::Color color, float wi
 
 ImVec2 Pen::pixel(const Vec2& at) const {
     const Vec2 p = on_screen() ? transform()(at) : to_pixels_(map_(transform()(at)));
-    return ImVec2(static_cast<float>(p.x()), static_cast<float>(p.y()));
+    return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
 }
 
 void Pen::arc(const Vec2& center, const Vec2& a, const Vec2& b, double start, double end) {

@@ -19,8 +19,8 @@ using ToPixels = std::function<property::Vec2(property::Vec2 world)>;
 inline property::Transform inverse(const property::Transform& map) {
     const double area = map.area();
     if (area == 0) return {};
-    property::Transform back{property::Vec2(map.y.y(), -map.x.y()) / area,
-                             property::Vec2(-map.y.x(), map.x.x()) / area};
+    property::Transform back{property::Vec2(map.y.y, -map.x.y) / area,
+                             property::Vec2(-map.y.x, map.x.x) / area};
     back.origin = -back.direction(map.origin);
     return back;
 }

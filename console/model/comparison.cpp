@@ -87,7 +87,7 @@ Comparison::Moment Comparison::moment(std::int64_t step) const {
     Moment made{step, {}};
     for (const Handle instance : placed(tree_)) {
         const auto at = property::place_below(tree_, instance, false, 1);
-        if (at) made.poses.push_back({instance, at->origin, std::atan2(at->x.y(), at->x.x())});
+        if (at) made.poses.push_back({instance, at->origin, std::atan2(at->x.y, at->x.x)});
     }
     return made;
 }
@@ -134,7 +134,7 @@ void Comparison::tell_difference() {
             ++only_one;
             continue;
         }
-        const double way = (pose.position - other->position).norm();
+        const double way = (pose.position - other->position).length();
         if (way > apart) ++moved;
         if (way > most) most = way, farthest = &pose;
     }

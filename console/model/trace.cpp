@@ -16,8 +16,8 @@ constexpr int rest_after_error = 30;
 bool sample_of(const property::Value& value, Trace::Sample& sample, bool& vector) {
     vector = value.is(Type::vec2);
     if (vector) {
-        sample.x = value.vec2().x();
-        sample.y = value.vec2().y();
+        sample.x = value.vec2().x;
+        sample.y = value.vec2().y;
     } else if (value.is(Type::boolean)) {
         sample.x = value.boolean() ? 1 : 0;
     } else if (value.is_numeric()) {

@@ -215,14 +215,14 @@ bool Console::State::selection_key(const InputEvent& event) {
     if (all.empty() || event.name.ends_with("_shift") || event.name.ends_with("_control"))
         return false;
     property::Vec2 pixels(0, 0);
-    if (event.name == "left") pixels.x() = -1;
-    if (event.name == "right") pixels.x() = 1;
-    if (event.name == "up") pixels.y() = -1;
-    if (event.name == "down") pixels.y() = 1;
+    if (event.name == "left") pixels.x = -1;
+    if (event.name == "right") pixels.x = 1;
+    if (event.name == "up") pixels.y = -1;
+    if (event.name == "down") pixels.y = 1;
     const bool moves = pixels != property::Vec2(0, 0) && !event.control;
     if (moves) {
         if (event.shift) pixels *= 10;
-        const auto x = static_cast<float>(pixels.x()), y = static_cast<float>(pixels.y());
+        const auto x = static_cast<float>(pixels.x), y = static_cast<float>(pixels.y);
         try {
             move_by(tree, all, options.to_world(x, y) - options.to_world(0, 0));
         } catch (const std::exception& error) {

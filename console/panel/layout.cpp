@@ -126,7 +126,7 @@ void Console::State::draw_comparison(float right, double seconds) {
     const property::Vec2 a = options.to_world(0, height), b = options.to_world(width, 0);
     compare_view.draw(
         {ImVec2(margin, panel_rect.high.y + margin), ImVec2(width - margin - right, low)}, tree,
-        comparison, {a.cwiseMin(b), a.cwiseMax(b)}, seconds,
+        comparison, {a.min(b), a.max(b)}, seconds,
         time_bar.available() ? time_bar.times().dt : 1.0 / 60);
 }
 

@@ -26,14 +26,14 @@ constexpr double rest = 0.8;  // s that the last moment stays
 class Window {
   public:
     Window(const Rect& place, const CompareView::Seen& seen) : middle_(place.middle()) {
-        const Vec2 size = (seen.upper - seen.lower).cwiseMax(1e-6);
-        scale_ = std::min(static_cast<double>(place.high.x - place.low.x) / size.x(),
-                          static_cast<double>(place.high.y - place.low.y) / size.y());
+        const Vec2 size = (seen.upper - seen.lower).max({1e-6, 1e-6});
+        scale_ = std::min(static_cast<double>(place.high.x - place.low.x) / size.x,
+                          static_cast<double>(place.high.y - place.low.y) / size.y);
         center_ = 0.5 * (seen.lower + seen.upper);
     }
     Vec2 pixels(const Vec2& at) const {
-        return {static_cast<double>(middle_.x) + scale_ * (at.x() - center_.x()),
-                static_cast<double>(middle_.y) - scale_ * (at.y() - center_.y())};
+        return {static_cast<double>(middle_.x) + scale_ * (at.x - center_.x),
+                static_cast<double>(middle_.y) - scale_ * (at.y - center_.y)};
     }
 
   private:
@@ -76,7 +76,7 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
         const Comparison::Pose* other =
             second && i < others.size() && others[i].instance == pose.instance ? &others[i]
                                                                                : nullptr;
-        if (other == nullptr || (other->position - pose.position).norm() <= Comparison::apart)
+        if (other == nullptr || (other->position - pose.position).length() <= Comparison::apart)
             continue;
         Pen faint(list, to_pixels, {.color = with_alpha(palette::accent, 0.6f), .width = 1.2f},
                   Transform::placed(other->position, other->angle) * back);

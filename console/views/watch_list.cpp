@@ -25,8 +25,8 @@ std::string short_text(const property::Tree& tree, const property::Value& value,
                        const std::string& unit, int digits) {
     std::string text;
     if (value.is(Type::vec2))
-        text = "(" + short_number(value.vec2().x(), digits) + ", " +
-               short_number(value.vec2().y(), digits) + ")";
+        text = "(" + short_number(value.vec2().x, digits) + ", " +
+               short_number(value.vec2().y, digits) + ")";
     else if (value.is(Type::number))
         text = short_number(value.number(), digits);
     else

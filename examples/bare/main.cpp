@@ -18,7 +18,7 @@ int main() {
         tower.back().add(Box{.width = 1, .height = 1}, {.friction = 0.6f});
     }
     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
-    std::printf("after 2 s the tower is %.2f m high\n", double(tower.back().position().y()) + 0.5);
+    std::printf("after 2 s the tower is %.2f m high\n", double(tower.back().position().y) + 0.5);
 
     Body ball = world.create_body({.position = {-10, 5}, .velocity = {25, 0}});
     ball.add(Circle{.radius = 0.6f}, {.density = 4});
@@ -29,6 +29,6 @@ int main() {
             if (e.body_a == ball.id() || e.body_b == ball.id()) ++hits;
     }
     std::printf("the ball hit %zu times; the top lies at %.2f, %.2f\n", hits,
-                double(tower.back().position().x()), double(tower.back().position().y()));
-    return tower.back().position().y() < 9 ? 0 : 1;
+                double(tower.back().position().x), double(tower.back().position().y));
+    return tower.back().position().y < 9 ? 0 : 1;
 }

@@ -26,7 +26,7 @@ constexpr float scale = 40;  // pixels a metre
 constexpr unsigned width = 960, height = 640;
 
 sf::Vector2f pixels(const Vec2& at) {
-    return {width / 2 + scale * float(at.x()), height - 60 - scale * float(at.y())};
+    return {width / 2 + scale * float(at.x), height - 60 - scale * float(at.y)};
 }
 Vec2 metres(float x, float y) {
     return {(x - width / 2) / scale, (height - 60 - y) / scale};

@@ -54,8 +54,7 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
     std::unique_ptr<app::Screen> picture;
     if (!options.screenshot.empty()) {
         const property::Vec2 size = session.services().view.screen;
-        picture =
-            app::make_picture(static_cast<unsigned>(size.x()), static_cast<unsigned>(size.y()));
+        picture = app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
         // The console lays out its lists by what it has drawn before: the second picture is
         // settled.
         for (int i = 0; i < 2; ++i) {

@@ -169,7 +169,7 @@ class TestRun {
     std::string compare_drawn(Session& session, const std::string& name, double tolerance) {
         const property::Vec2 size = session.services().view.screen;
         const auto picture =
-            app::make_picture(static_cast<unsigned>(size.x()), static_cast<unsigned>(size.y()));
+            app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
         session.loop().draw(*picture, 0);
         picture->present();
         const fs::path folder = folder_of(options_.game) / "tests" / "pictures";

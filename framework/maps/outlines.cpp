@@ -58,10 +58,10 @@ struct Edge {
 std::vector<Point> rounded(const Outline& polygon) {
     std::vector<Point> points;
     for (const Vec2& v : polygon) {
-        if (!(std::abs(v.x()) < largest && std::abs(v.y()) < largest))
+        if (!(std::abs(v.x) < largest && std::abs(v.y) < largest))
             throw property::Error(property::ErrorKind::out_of_range,
                                   "an outline has a vertex that is too far away");
-        const Point p{std::llround(v.x() * resolution), std::llround(v.y() * resolution)};
+        const Point p{std::llround(v.x * resolution), std::llround(v.y * resolution)};
         if (points.empty() || points.back() != p) points.push_back(p);
     }
     while (points.size() > 1 && points.front() == points.back()) points.pop_back();

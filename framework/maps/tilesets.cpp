@@ -13,11 +13,10 @@ void Reader::complete(Tileset& set) {
         const double room = pixels - 2 * set.margin + set.spacing;
         return room >= apart && apart > 0 ? static_cast<int>(std::min(room / apart, 1e6)) : 0;
     };
-    if (set.columns == 0 && !set.image.empty())
-        set.columns = fit(set.image_size.x(), set.tile_width);
+    if (set.columns == 0 && !set.image.empty()) set.columns = fit(set.image_size.x, set.tile_width);
     if (set.count == 0 && !set.image.empty())
         set.count = static_cast<int>(std::min<std::int64_t>(
-            std::int64_t{set.columns} * fit(set.image_size.y(), set.tile_height), max_tiles));
+            std::int64_t{set.columns} * fit(set.image_size.y, set.tile_height), max_tiles));
 }
 
 Tileset Reader::tileset(const Place& outer) {

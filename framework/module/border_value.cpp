@@ -36,8 +36,8 @@ fettle_value Outgoing::put(const Value& value) {
             break;
         }
         case Type::vec2:
-            sent.as.vec2[0] = value.vec2().x();
-            sent.as.vec2[1] = value.vec2().y();
+            sent.as.vec2[0] = value.vec2().x;
+            sent.as.vec2[1] = value.vec2().y;
             break;
         case Type::color: {
             const property::Color color = value.color();

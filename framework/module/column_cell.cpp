@@ -90,10 +90,10 @@ void write(const BridgedProperty& p, std::byte* to, const Value& value) {
         case Native::boolean:
             return store(to, static_cast<std::uint8_t>(value.boolean()));
         case Native::vec2f:
-            return store(to, Pair<float>{static_cast<float>(value.vec2().x()),
-                                         static_cast<float>(value.vec2().y())});
+            return store(to, Pair<float>{static_cast<float>(value.vec2().x),
+                                         static_cast<float>(value.vec2().y)});
         case Native::vec2d:
-            return store(to, Pair<double>{value.vec2().x(), value.vec2().y()});
+            return store(to, Pair<double>{value.vec2().x, value.vec2().y});
         case Native::color:
             return store(to, value.color());
         case Native::enumeration:

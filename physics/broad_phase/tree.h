@@ -90,7 +90,7 @@ class Tree {
     /// Calls `visit(item, far)` for every leaf whose box meets the segment from + t·(to - from)
     /// with t <= far; `visit` returns the new `far`: smaller to clip, 0 to stop.
     template <typename Visit>
-    void cast(V2 from, V2 to, Visit&& visit) const;
+    void cast(Vec2 from, Vec2 to, Visit&& visit) const;
 
     /// True if every parent contains its children, has moved if one of them has, and every link is
     /// mutual.
@@ -136,7 +136,7 @@ class Tree {
     /// A subtree that does not change while the nodes above it are built again: in most cases a
     /// leaf.
     struct Part {
-        V2 middle;  // twice the center of its box
+        Vec2 middle;  // twice the center of its box
         int32_t node;
     };
     /// A subtree to be built from the `count` parts beginning at `part`. It needs one inner node
@@ -390,14 +390,14 @@ void Tree::pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps
 }
 
 template <typename Visit>
-void Tree::cast(V2 from, V2 to, Visit&& visit) const {
+void Tree::cast(Vec2 from, Vec2 to, Visit&& visit) const {
     if (root_ == none) return;
-    const V2 d = to - from;
-    const V2 across = normalized(V2{-d.y, d.x});
-    const V2 abs_across = {std::fabs(across.x), std::fabs(across.y)};
+    const Vec2 d = to - from;
+    const Vec2 across = normalized(Vec2{-d.y, d.x});
+    const Vec2 abs_across = {std::fabs(across.x), std::fabs(across.y)};
     float far = 1.0f;
     auto swept = [&] {
-        const V2 end = from + far * d;
+        const Vec2 end = from + far * d;
         return Box4{{min(from.x, end.x), min(from.y, end.y)},
                     {max(from.x, end.x), max(from.y, end.y)}};
     };
@@ -409,8 +409,8 @@ void Tree::cast(V2 from, V2 to, Visit&& visit) const {
         if (!overlap(node.box, reach)) continue;
         // Separating axis across the ray: its distance from the box's center against the box's
         // projected half size.
-        const V2 center = 0.5f * (node.box.low + node.box.high);
-        const V2 half = 0.5f * (node.box.high - node.box.low);
+        const Vec2 center = 0.5f * (node.box.low + node.box.high);
+        const Vec2 half = 0.5f * (node.box.high - node.box.low);
         if (std::fabs(dot(across, from - center)) > dot(abs_across, half) * 1.00001f + 1e-6f)
             continue;
         if (node.is_leaf()) {

@@ -234,7 +234,7 @@ void Tree::add_bucket_place(const PartRange& range, Subtree& subtree) {
 /// halves by number, so that no coordinates make the tree deep.
 Tree::Part* Tree::split(Part* begin, Part* end) {
     if (end - begin == 2) return begin + 1;
-    V2 low = begin->middle, high = begin->middle;
+    Vec2 low = begin->middle, high = begin->middle;
     for (const Part* part = begin + 1; part != end; ++part) {
         low = {min(low.x, part->middle.x), min(low.y, part->middle.y)};
         high = {max(high.x, part->middle.x), max(high.y, part->middle.y)};

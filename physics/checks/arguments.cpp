@@ -24,7 +24,7 @@ std::string text(float value) {
 }
 
 std::string text(const Vec2& v) {
-    return "(" + text(v.x()) + ", " + text(v.y()) + ")";
+    return "(" + text(v.x) + ", " + text(v.y) + ")";
 }
 
 const char* name_of(ShapeType type) {
@@ -47,7 +47,7 @@ void refuse_infinite(const char* what, const Vec2& value) {
 
 const Vec2& check_direction(const char* what, const Vec2& value) {
     check_finite(what, value);
-    if (!(length(to_v2(value)) > 1e-6f))
+    if (!(length(value) > 1e-6f))
         throw std::invalid_argument(std::string(what) + ": expected a direction, got no length");
     return value;
 }
@@ -76,7 +76,7 @@ int check_simd_width(const char* what, int value) {
 
 const Vec2& check_coordinates(const char* what, const Vec2& value) {
     const float limit = greatest_coordinate;
-    if (!(std::fabs(value.x()) <= limit && std::fabs(value.y()) <= limit)) {
+    if (!(std::fabs(value.x) <= limit && std::fabs(value.y) <= limit)) {
         refuse(what, text(value), "coordinates between -" + text(limit) + " and " + text(limit));
     }
     return value;
@@ -94,7 +94,7 @@ std::optional<float> check_inertial(const char* what, std::optional<float> value
 const Aabb& check_box(const char* what, const Aabb& value) {
     check_coordinates((std::string(what) + ".min").c_str(), value.min);
     check_coordinates((std::string(what) + ".max").c_str(), value.max);
-    if (!(value.min.x() < value.max.x() && value.min.y() < value.max.y())) {
+    if (!(value.min.x < value.max.x && value.min.y < value.max.y)) {
         refuse(what, text(value.min) + " to " + text(value.max),
                "a lower left and an upper right corner");
     }
@@ -102,8 +102,8 @@ const Aabb& check_box(const char* what, const Aabb& value) {
 }
 
 const Vec2& check_point(const char* what, const Vec2& p) {
-    check_range(what, p.x(), -greatest_size, greatest_size);
-    check_range(what, p.y(), -greatest_size, greatest_size);
+    check_range(what, p.x, -greatest_size, greatest_size);
+    check_range(what, p.y, -greatest_size, greatest_size);
     return p;
 }
 
@@ -161,7 +161,7 @@ void check_count(const char* what, size_t count) {
 
 bool all_the_same(std::span<const Vec2> points) {
     for (const Vec2& p : points)
-        if ((p - points.front()).lpNorm<Eigen::Infinity>() > least_size) return false;
+        if ((p - points.front()).abs().largest() > least_size) return false;
     return true;
 }
 
@@ -170,8 +170,8 @@ bool all_the_same(std::span<const Vec2> points) {
 void check_outline(std::span<const Vec2> points) {
     check_count("vertices", points.size());
     for (const Vec2& v : points) check_point("vertices", v);
-    std::vector<V2> outline;
-    for (const Vec2& v : points) outline.push_back(to_v2(v));
+    std::vector<Vec2> outline;
+    for (const Vec2& v : points) outline.push_back(v);
     if (const auto problem = outline_problem(outline))
         throw std::invalid_argument("vertices: " + *problem);
 }

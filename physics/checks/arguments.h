@@ -20,7 +20,7 @@ inline float check_finite(const char* what, float value) {
     return value;
 }
 inline const Vec2& check_finite(const char* what, const Vec2& value) {
-    if (!std::isfinite(value.x()) || !std::isfinite(value.y())) [[unlikely]]
+    if (!std::isfinite(value.x) || !std::isfinite(value.y)) [[unlikely]]
         refuse_infinite(what, value);
     return value;
 }

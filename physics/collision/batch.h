@@ -9,8 +9,8 @@ namespace fettle::physics::detail {
 /// The rotated vertices of all shapes: see VertexPool. A triangle repeats its first vertex and edge
 /// as the fourth; the offset of this edge is so large that it never separates shapes.
 struct ConvexArrays {
-    const V2* vertices;
-    const V2* normals;
+    const Vec2* vertices;
+    const Vec2* normals;
     const float* offsets;
 };
 

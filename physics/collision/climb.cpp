@@ -4,8 +4,8 @@ namespace fettle::physics::detail {
 namespace {
 
 /// True if u comes before v, counted counter-clockwise from `base`.
-bool turned_less(V2 base, V2 u, V2 v) {
-    const auto half = [base](V2 w) {
+bool turned_less(Vec2 base, Vec2 u, Vec2 v) {
+    const auto half = [base](Vec2 w) {
         const float k = cross(base, w);
         return k < 0.0f || (k == 0.0f && dot(base, w) < 0.0f);
     };
@@ -15,7 +15,7 @@ bool turned_less(V2 base, V2 u, V2 v) {
 
 }  // namespace
 
-int farthest_vertex(const Convex& polygon, V2 direction) {
+int farthest_vertex(const Convex& polygon, Vec2 direction) {
     const int n = polygon.count;
     int vertex = 0;
     if (n > most_small_vertices) {

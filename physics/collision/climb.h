@@ -11,7 +11,7 @@ namespace fettle::physics::detail {
 inline constexpr int most_small_vertices = 8;
 
 /// The vertex that is farthest along a direction, by bisection.
-int farthest_vertex(const Convex& polygon, V2 direction);
+int farthest_vertex(const Convex& polygon, Vec2 direction);
 
 /// An edge, and the distance of a point or shape outside of it, m.
 struct EdgeGap {
@@ -65,10 +65,10 @@ class Facets {
 
     int count() const { return form_.count; }
     float offset(int edge) const { return form_.offsets[edge]; }
-    V2 normal(int edge) const { return form_.normals[edge]; }
-    V2 middle() const { return 0.5f * (form_.vertices[0] + form_.vertices[form_.count / 2]); }
+    Vec2 normal(int edge) const { return form_.normals[edge]; }
+    Vec2 middle() const { return 0.5f * (form_.vertices[0] + form_.vertices[form_.count / 2]); }
     int previous(int i) const { return i > 0 ? i - 1 : form_.count - 1; }
-    int farthest(V2 direction) const { return farthest_vertex(form_, direction); }
+    int farthest(Vec2 direction) const { return farthest_vertex(form_, direction); }
 
   private:
     const Convex& form_;
@@ -81,10 +81,10 @@ class Facets {
 /// to there, the farthest vertices along the normals are on the near side of the nearest point.
 /// Beyond it there may be another maximum, that of the far side.
 template <class Polygon, class Nearest>
-EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
+EdgeGap deepest_edge(const Polygon& polygon, Vec2 inside, Nearest&& nearest) {
     const auto separation = [&](int i) { return nearest(polygon.normal(i)) - polygon.offset(i); };
     if (polygon.count() > most_small_vertices) {
-        const V2 towards = inside - polygon.middle();
+        const Vec2 towards = inside - polygon.middle();
         return climb(polygon.count(), polygon.farthest(towards), separation,
                      [&](int i) { return dot(polygon.normal(i), towards) >= 0.0f; });
     }
@@ -97,7 +97,7 @@ EdgeGap deepest_edge(const Polygon& polygon, V2 inside, Nearest&& nearest) {
 }
 
 /// The more opposed of the two edges at the vertex that is deepest along a normal.
-int incident_edge_of(const auto& polygon, V2 normal) {
+int incident_edge_of(const auto& polygon, Vec2 normal) {
     const int vertex = polygon.farthest(-normal), before = polygon.previous(vertex);
     return dot(polygon.normal(before), normal) < dot(polygon.normal(vertex), normal) ? before
                                                                                      : vertex;

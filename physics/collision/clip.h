@@ -7,7 +7,7 @@
 namespace fettle::physics::detail {
 
 /// The edge whose normal is most opposed to `normal`.
-inline int incident_edge(const Convex& shape, V2 normal) {
+inline int incident_edge(const Convex& shape, Vec2 normal) {
     int edge = 0;
     float least = dot(normal, shape.normals[0]);
     for (int i = 1; i < shape.count; ++i) {
@@ -26,9 +26,9 @@ inline uint16_t feature_of(int vertex_a, int vertex_b) {
 
 /// Nearest points of two segments that do not cross, as fractions of each. True if both points are
 /// ends.
-inline bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
+inline bool nearest_ends(Vec2 p1, Vec2 p2, Vec2 q1, Vec2 q2, float& s, float& t) {
     // C. Ericson, "Real-Time Collision Detection", 5.1.9.
-    const V2 d1 = p2 - p1, d2 = q2 - q1, r = p1 - q1;
+    const Vec2 d1 = p2 - p1, d2 = q2 - q1, r = p1 - q1;
     const float a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r), b = dot(d1, d2);
     const float denominator = a * e - b * b;
     s = denominator > 1e-12f * a * e ? clamp((b * f - c * e) / denominator, 0.0f, 1.0f) : 0.0f;
@@ -47,7 +47,7 @@ inline bool nearest_ends(V2 p1, V2 p2, V2 q1, V2 q2, float& s, float& t) {
 /// `reference`; `to_other` is the origin of `other` in it.
 class FacingEdges {
   public:
-    FacingEdges(const Convex& reference, int edge, const Convex& other, int incident, V2 to_other)
+    FacingEdges(const Convex& reference, int edge, const Convex& other, int incident, Vec2 to_other)
         : reference_(reference),
           other_(other),
           edge_(edge),
@@ -59,7 +59,7 @@ class FacingEdges {
           w2_(other.vertices[incident_] + to_other) {
         // The incident edge runs against the reference edge: its second vertex is at the
         // reference's first.
-        const V2 tangent = {-n_.y, n_.x};
+        const Vec2 tangent = {-n_.y, n_.x};
         low_ = dot(tangent, reference.vertices[edge_]);
         high_ = dot(tangent, reference.vertices[edge2_]);
         x1_ = dot(tangent, w1_);
@@ -78,10 +78,10 @@ class FacingEdges {
 
     /// The ends of the incident edge, clipped at the ends of the reference edge. `flipped`: the
     /// reference belongs to shape b of the manifold; `offset` leads from a to b.
-    void clip(bool flipped, float margin, V2 offset, Manifold& m) const {
+    void clip(bool flipped, float margin, Vec2 offset, Manifold& m) const {
         const float run = x2_ - x1_;
-        const V2 along = w2_ - w1_;
-        V2 c1 = w1_, c2 = w2_;
+        const Vec2 along = w2_ - w1_;
+        Vec2 c1 = w1_, c2 = w2_;
         if (x2_ < low_) {
             c1 = w2_;  // the edges do not face each other: only the nearer end remains
         } else if (x1_ > high_) {
@@ -92,7 +92,7 @@ class FacingEdges {
         }
         const float radii = reference_.radius + other_.radius;
         const float plane = reference_.offsets[edge_];
-        const V2 candidates[2] = {c1, c2};
+        const Vec2 candidates[2] = {c1, c2};
         const int reference_vertex[2] = {edge_, edge2_};
         const int other_vertex[2] = {incident2_, incident_};
         m.normal = flipped ? -n_ : n_;
@@ -102,7 +102,7 @@ class FacingEdges {
             const float separation = gap - radii;
             if (separation > margin) continue;
             // Midway between the two surfaces.
-            const V2 middle =
+            const Vec2 middle =
                 candidates[k] + (0.5f * (reference_.radius - other_.radius - gap)) * n_;
             ManifoldPoint& point = m.points[m.count++];
             point.anchor_a = flipped ? middle + offset : middle;
@@ -119,7 +119,7 @@ class FacingEdges {
     const Convex& reference_;
     const Convex& other_;
     int edge_, edge2_, incident_, incident2_;
-    V2 n_, w1_, w2_;
+    Vec2 n_, w1_, w2_;
     float low_, high_, x1_, x2_;
 };
 

@@ -18,10 +18,10 @@ struct Axis {
 
 /// The edge of `a` with the greatest separation from `b`. `offset` is the origin of b relative to
 /// a's.
-Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
+Axis deepest_axis(const Convex& a, const Convex& b, Vec2 offset) {
     Axis best;
     for (int i = 0; i < a.count; ++i) {
-        const V2 n = a.normals[i];
+        const Vec2 n = a.normals[i];
         float nearest = dot(n, b.vertices[0]);
         for (int j = 1; j < b.count; ++j) nearest = min(nearest, dot(n, b.vertices[j]));
         const float separation = nearest + dot(n, offset) - a.offsets[i];
@@ -31,24 +31,24 @@ Axis deepest_axis(const Convex& a, const Convex& b, V2 offset) {
 }
 
 /// One point with the normal along the line between `p` on a and `q` on b.
-void single_point(V2 p, V2 q, V2 fallback, const Convex& a, const Convex& b, V2 offset,
+void single_point(Vec2 p, Vec2 q, Vec2 fallback, const Convex& a, const Convex& b, Vec2 offset,
                   float margin, uint16_t feature, Manifold& m) {
-    const V2 d = q - p;
+    const Vec2 d = q - p;
     const float distance = length(d);
     const float separation = distance - a.radius - b.radius;
     if (separation > margin) return;
     m.normal = distance > 1e-9f ? (1.0f / distance) * d : fallback;
-    const V2 surface_a = p + a.radius * m.normal;
-    const V2 surface_b = q - b.radius * m.normal;
-    const V2 middle = 0.5f * (surface_a + surface_b);
+    const Vec2 surface_a = p + a.radius * m.normal;
+    const Vec2 surface_b = q - b.radius * m.normal;
+    const Vec2 middle = 0.5f * (surface_a + surface_b);
     m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
     m.count = 1;
     m.corner = distance;
 }
 
 /// Circle (one vertex) against any shape.
-void collide_circle(const Convex& a, const Convex& circle, V2 offset, float margin, Manifold& m) {
-    const V2 c = circle.vertices[0] + offset;
+void collide_circle(const Convex& a, const Convex& circle, Vec2 offset, float margin, Manifold& m) {
+    const Vec2 c = circle.vertices[0] + offset;
     if (a.count == 1) {
         single_point(a.vertices[0], c, {0.0f, 1.0f}, a, circle, offset, margin, 0, m);
         return;
@@ -59,10 +59,10 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
         if (s > best.separation) best = {i, s};
     }
     if (best.separation > a.radius + circle.radius + margin) return;
-    const V2 n = a.normals[best.edge];
+    const Vec2 n = a.normals[best.edge];
     const int next = best.edge + 1 < a.count ? best.edge + 1 : 0;
-    const V2 v1 = a.vertices[best.edge], v2 = a.vertices[next];
-    const V2 along = v2 - v1;
+    const Vec2 v1 = a.vertices[best.edge], v2 = a.vertices[next];
+    const Vec2 along = v2 - v1;
     const float t1 = dot(c - v1, along), t2 = dot(v2 - c, along);
     // A segment has no inside: beyond its ends, the end itself is nearest, even at distance 0.
     const bool outside = best.separation > 1e-7f || a.count == 2;
@@ -72,9 +72,9 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
         single_point(v2, c, n, a, circle, offset, margin, feature_of(next, 255), m);
     } else {
         const float separation = best.separation - a.radius - circle.radius;
-        const V2 surface_a = c + (a.radius - best.separation) * n;
-        const V2 surface_b = c - circle.radius * n;
-        const V2 middle = 0.5f * (surface_a + surface_b);
+        const Vec2 surface_a = c + (a.radius - best.separation) * n;
+        const Vec2 surface_b = c - circle.radius * n;
+        const Vec2 middle = 0.5f * (surface_a + surface_b);
         m.normal = n;
         m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature_of(best.edge, 254)};
         m.count = 1;
@@ -83,7 +83,7 @@ void collide_circle(const Convex& a, const Convex& circle, V2 offset, float marg
 
 }  // namespace
 
-void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& m) {
+void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
     if (b.count == 1) {
@@ -107,7 +107,7 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
     const bool flipped = on_b.separation > on_a.separation + face_preference;
     const Convex& reference = flipped ? b : a;
     const Convex& other = flipped ? a : b;
-    const V2 to_other = flipped ? -offset : offset;
+    const Vec2 to_other = flipped ? -offset : offset;
     const int edge = flipped ? on_b.edge : on_a.edge;
     const int incident = incident_edge(other, reference.normals[edge]);
 
@@ -122,17 +122,17 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
                          s, t)) {
             const int r = s == 0.0f ? edge : edge2;
             const int o = t == 0.0f ? incident : incident2;
-            const V2 p = reference.vertices[r], q = other.vertices[o] + to_other;
-            const V2 n = reference.normals[edge];
-            const V2 along = {-n.y, n.x};
+            const Vec2 p = reference.vertices[r], q = other.vertices[o] + to_other;
+            const Vec2 n = reference.normals[edge];
+            const Vec2 along = {-n.y, n.x};
             // Facing edges with level ends give a face contact, not a vertex contact.
-            const V2 d = q - p;
+            const Vec2 d = q - p;
             if (std::fabs(dot(d, along)) > 1e-3f * length(d)) {
                 // Corners of thick shapes without rounding may still pass each other. (Cards do
                 // lean on each other corner to corner.)
                 const float thin = 20.0f * seam;
-                const V2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
-                const V2 other_edge = other.vertices[incident2] - other.vertices[incident];
+                const Vec2 reference_edge = reference.vertices[edge2] - reference.vertices[edge];
+                const Vec2 other_edge = other.vertices[incident2] - other.vertices[incident];
                 const float shorter =
                     min(length_squared(reference_edge), length_squared(other_edge));
                 if (a.radius + b.radius == 0.0f && shorter > thin * thin) return;
@@ -151,7 +151,7 @@ void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold
     if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }
 
-void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
+void collide_half_plane(Vec2 normal, float depth, const Convex& b, Vec2 center_b, float margin,
                         Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
@@ -169,7 +169,7 @@ void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, fl
     auto add = [&](int vertex) {
         const float separation = dot(normal, b.vertices[vertex]) + base;
         if (separation > margin) return;
-        const V2 anchor = b.vertices[vertex] - (b.radius + 0.5f * separation) * normal;
+        const Vec2 anchor = b.vertices[vertex] - (b.radius + 0.5f * separation) * normal;
         m.points[m.count++] = {anchor + center_b,        anchor, separation, 0.0f, 0.0f,
                                uint16_t(vertex & 0xffff)};
     };
@@ -180,8 +180,8 @@ void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, fl
     // The flatter of the two edges lies on the plane, not the one that ends lower: the ends of a
     // thin plank are lower than its other side, and if both points were at one end, the other end
     // would sink in.
-    const V2 edge = b.vertices[before] - b.vertices[deepest];
-    const V2 other_edge = b.vertices[after] - b.vertices[deepest];
+    const Vec2 edge = b.vertices[before] - b.vertices[deepest];
+    const Vec2 other_edge = b.vertices[after] - b.vertices[deepest];
     const float rise = dot(normal, edge), other_rise = dot(normal, other_edge);
     const float flat = rise * rise * length_squared(other_edge);
     const float other_flat = other_rise * other_rise * length_squared(edge);

@@ -7,28 +7,28 @@
 
 namespace fettle::physics::detail {
 
-V2 EllipseForm::support(V2 direction) const {
+Vec2 EllipseForm::support(Vec2 direction) const {
     // The gradient of the support function h(d) = √(a²(d·u)² + b²(d·v)²).
-    const V2 other = {-axis.y, axis.x};
+    const Vec2 other = {-axis.y, axis.x};
     const float along = first * dot(direction, axis), across = second * dot(direction, other);
     const float l = std::sqrt(along * along + across * across);
     if (!(l > 0.0f)) return center;
     return center + (first * along / l) * axis + (second * across / l) * other;
 }
 
-float EllipseForm::reach(V2 direction) const {
+float EllipseForm::reach(Vec2 direction) const {
     const float along = first * dot(direction, axis), across = second * cross(axis, direction);
     return std::sqrt(along * along + across * across);
 }
 
 void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool) {
     const Rotation q = rotation_of(ellipse.angle);
-    pool.local[begin] = to_v2(ellipse.center);
+    pool.local[begin] = ellipse.center;
     pool.normals[begin] = {q.c, q.s};
     pool.local[begin + 1] = pool.vertices[begin + 1] = {ellipse.radius_x, ellipse.radius_y};
 }
 
-V2 half_box(const EllipseForm& ellipse) {
+Vec2 half_box(const EllipseForm& ellipse) {
     return {ellipse.reach({1.0f, 0.0f}), ellipse.reach({0.0f, 1.0f})};
 }
 
@@ -36,8 +36,8 @@ AreaMoments moments_of(const Ellipse& ellipse) {
     const double a = ellipse.radius_x, b = ellipse.radius_y;
     AreaMoments moments;
     moments.area = 3.14159265358979323846 * a * b;
-    moments.center_x = ellipse.center.x();
-    moments.center_y = ellipse.center.y();
+    moments.center_x = ellipse.center.x;
+    moments.center_y = ellipse.center.y;
     moments.moment = 0.25 * moments.area * (a * a + b * b);
     return moments;
 }
@@ -77,9 +77,9 @@ Foot foot_point(double a, double b, double x, double y) {
 
 }  // namespace
 
-RimPoint nearest_on_rim(const EllipseForm& e, V2 p) {
-    const V2 other = {-e.axis.y, e.axis.x};
-    const V2 d = p - e.center;
+RimPoint nearest_on_rim(const EllipseForm& e, Vec2 p) {
+    const Vec2 other = {-e.axis.y, e.axis.x};
+    const Vec2 d = p - e.center;
     const double x = double(dot(d, e.axis)), y = double(dot(d, other));
     const double first = double(e.first), second = double(e.second);
     const bool swapped = second > first;
@@ -98,30 +98,30 @@ RimPoint nearest_on_rim(const EllipseForm& e, V2 p) {
 
 namespace {
 
-EllipseGap gap_at_vertex(const EllipseForm& ellipse, V2 vertex, int index) {
+EllipseGap gap_at_vertex(const EllipseForm& ellipse, Vec2 vertex, int index) {
     const RimPoint rim = nearest_on_rim(ellipse, vertex);
     return {rim.normal, rim.point, vertex, rim.distance, -1, index};
 }
 
 /// True if the direction is between the normals of the edges before and after a vertex.
-bool in_cone(V2 before, V2 direction, V2 after) {
+bool in_cone(Vec2 before, Vec2 direction, Vec2 after) {
     return cross(before, direction) >= -1e-6f && cross(direction, after) >= -1e-6f;
 }
 
 }  // namespace
 
-EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offset) {
+EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, Vec2 offset) {
     if (other.count == 1) return gap_at_vertex(ellipse, other.vertices[0] + offset, 0);
-    const V2 center = ellipse.center - offset;
-    const auto [edge, best] = deepest_edge(Facets(other), center,
-                                           [&](V2 n) { return dot(n, center) - ellipse.reach(n); });
+    const Vec2 center = ellipse.center - offset;
+    const auto [edge, best] = deepest_edge(
+        Facets(other), center, [&](Vec2 n) { return dot(n, center) - ellipse.reach(n); });
     // The separation along a direction is greatest at this normal, or in the cone of one of its two
     // vertices: the one beyond which the deepest point of the ellipse is.
     const int next = edge + 1 < other.count ? edge + 1 : 0;
-    const V2 n = other.normals[edge];
-    const V2 v1 = other.vertices[edge] + offset, v2 = other.vertices[next] + offset;
-    const V2 deepest = ellipse.support(-n);
-    const V2 along = v2 - v1;
+    const Vec2 n = other.normals[edge];
+    const Vec2 v1 = other.vertices[edge] + offset, v2 = other.vertices[next] + offset;
+    const Vec2 deepest = ellipse.support(-n);
+    const Vec2 along = v2 - v1;
     const bool before = dot(deepest - v1, along)<0.0f, after = dot(deepest - v2, along)> 0.0f;
     if (before || after) {
         const int vertex = before ? edge : next;
@@ -132,19 +132,19 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offse
     return {-n, deepest, deepest - best * n, best, edge, -1};
 }
 
-EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 offset) {
+EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, Vec2 offset) {
     // s(d) = d·c - h(d) - k(d) is the separation along a direction d. Its maximum over all
     // directions is the distance, or minus the depth. Its slope along the circle of directions is
     // d⊥·(the chord between the two support points). Directions that are evenly spaced on the rims
     // are dense where an ellipse is flat. The best of them and its neighbors enclose the maximum.
-    const V2 c = other.center + offset - ellipse.center;
-    const auto separation = [&](V2 d) { return dot(d, c) - ellipse.reach(d) - other.reach(d); };
+    const Vec2 c = other.center + offset - ellipse.center;
+    const auto separation = [&](Vec2 d) { return dot(d, c) - ellipse.reach(d) - other.reach(d); };
     constexpr int samples = 16;
     constexpr float cosines[samples / 4 + 1] = {1.0f, 0.92387953f, 0.70710678f, 0.38268343f, 0.0f};
-    std::array<V2, 2 * samples + 1> directions;
+    std::array<Vec2, 2 * samples + 1> directions;
     size_t count = 0;
     for (const EllipseForm* form : {&ellipse, &other}) {
-        const V2 across = {-form->axis.y, form->axis.x};
+        const Vec2 across = {-form->axis.y, form->axis.x};
         for (int i = 0; i < samples; ++i) {
             const int k = i % 4;
             float x = cosines[k], y = cosines[4 - k];
@@ -159,12 +159,12 @@ EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 
     }
     if (length_squared(c) > 0.0f) directions[count++] = normalized(c);
     // Increases with the angle, from 0 to 4 for a full turn.
-    const auto turned = [](V2 d) {
+    const auto turned = [](Vec2 d) {
         const float k = d.x / (std::fabs(d.x) + std::fabs(d.y));
         return d.y >= 0.0f ? 1.0f - k : 3.0f + k;
     };
     std::sort(directions.begin(), directions.begin() + std::ptrdiff_t(count),
-              [&](V2 a, V2 b) { return turned(a) < turned(b); });
+              [&](Vec2 a, Vec2 b) { return turned(a) < turned(b); });
     size_t best = 0;
     float greatest = -1e30f;
     for (size_t i = 0; i < count; ++i) {
@@ -174,14 +174,14 @@ EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 
             best = i;
         }
     }
-    V2 low = directions[(best + count - 1) % count], high = directions[(best + 1) % count];
-    V2 d = directions[best];
+    Vec2 low = directions[(best + count - 1) % count], high = directions[(best + 1) % count];
+    Vec2 d = directions[best];
     for (int round = 0; round < 32; ++round) {
-        const V2 chord =
+        const Vec2 chord =
             c + (other.support(-d) - other.center) - (ellipse.support(d) - ellipse.center);
         const float slope = cross(d, chord);
         (slope > 0.0f ? low : high) = d;
-        const V2 middle = normalized(low + high);
+        const Vec2 middle = normalized(low + high);
         if (cross(low, high) < 1e-7f || length_squared(middle) == 0.0f) break;
         d = middle;
     }

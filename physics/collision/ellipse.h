@@ -11,14 +11,14 @@ namespace fettle::physics::detail {
 
 /// An ellipse at its pose, relative to the center of mass of its body.
 struct EllipseForm {
-    V2 center;
-    V2 axis;  ///< unit vector along the first radius
+    Vec2 center;
+    Vec2 axis;  ///< unit vector along the first radius
     float first = 0.0f, second = 0.0f;
 
     /// The farthest point along a direction.
-    V2 support(V2 direction) const;
+    Vec2 support(Vec2 direction) const;
     /// Distance from the center to the farthest point along a unit vector.
-    float reach(V2 direction) const;
+    float reach(Vec2 direction) const;
 };
 
 // In the pool an ellipse uses two entries: the center, with the axis as its normal; the two radii.
@@ -27,28 +27,28 @@ inline EllipseForm ellipse_of(const Convex& form) {
     return {form.vertices[0], form.normals[0], form.vertices[1].x, form.vertices[1].y};
 }
 
-V2 half_box(const EllipseForm& ellipse);  ///< half the sides of its bounding box
+Vec2 half_box(const EllipseForm& ellipse);  ///< half the sides of its bounding box
 AreaMoments moments_of(const Ellipse& ellipse);
 
 /// The nearest point to `p` on the rim, and the outward normal there; `distance` is negative
 /// inside.
 struct RimPoint {
-    V2 point, normal;
+    Vec2 point, normal;
     float distance = 0.0f;
 };
-RimPoint nearest_on_rim(const EllipseForm& ellipse, V2 p);
+RimPoint nearest_on_rim(const EllipseForm& ellipse, Vec2 p);
 
 /// Gap between an ellipse and another shape, along the line of least distance or least overlap.
 struct EllipseGap {
-    V2 normal;  ///< from the ellipse to the other
-    V2 on_ellipse, on_other;
+    Vec2 normal;  ///< from the ellipse to the other
+    Vec2 on_ellipse, on_other;
     float separation = 0.0f;  ///< of the cores: without the radius of the other shape
     int edge = -1;            ///< of the other shape, if the normal is that of an edge
     int vertex = -1;          ///< of the other shape, if it is not
 };
 /// `offset` is the origin of the other shape minus that of the ellipse; the result is in the frame
 /// of the ellipse.
-EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, V2 offset);
-EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, V2 offset);
+EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, Vec2 offset);
+EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, Vec2 offset);
 
 }  // namespace fettle::physics::detail

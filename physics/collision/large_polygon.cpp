@@ -15,16 +15,16 @@ class TurnedFacets {
     int count() const { return form_.count; }
     float radius() const { return form_.radius; }
     float offset(int edge) const { return form_.offsets[edge]; }
-    V2 vertex(int i) const { return rotate(q_, form_.vertices[i]); }
-    V2 normal(int i) const { return rotate(q_, form_.normals[i]); }
+    Vec2 vertex(int i) const { return rotate(q_, form_.vertices[i]); }
+    Vec2 normal(int i) const { return rotate(q_, form_.normals[i]); }
     int next(int i) const { return i + 1 < form_.count ? i + 1 : 0; }
     int previous(int i) const { return i > 0 ? i - 1 : form_.count - 1; }
-    int farthest(V2 direction) const { return farthest_vertex(form_, unrotate(q_, direction)); }
-    V2 middle() const { return 0.5f * (vertex(0) + vertex(form_.count / 2)); }
+    int farthest(Vec2 direction) const { return farthest_vertex(form_, unrotate(q_, direction)); }
+    Vec2 middle() const { return 0.5f * (vertex(0) + vertex(form_.count / 2)); }
 
     /// One edge of the polygon, as a segment.
     struct Excerpt {
-        V2 vertices[2], normals[2];
+        Vec2 vertices[2], normals[2];
         float offsets[2];
         Convex form;
         Excerpt(const TurnedFacets& from, int edge)
@@ -41,30 +41,30 @@ class TurnedFacets {
     Rotation q_;
 };
 
-EdgeGap deepest_edge(const TurnedFacets& a, const TurnedFacets& b, V2 offset) {
+EdgeGap deepest_edge_between(const TurnedFacets& a, const TurnedFacets& b, Vec2 offset) {
     return deepest_edge(a, b.middle() + offset,
-                        [&](V2 n) { return dot(n, b.vertex(b.farthest(-n)) + offset); });
+                        [&](Vec2 n) { return dot(n, b.vertex(b.farthest(-n)) + offset); });
 }
 
-void tell(V2 p, V2 q, V2 normal, float distance, float radius_a, float radius_b, V2 offset,
+void tell(Vec2 p, Vec2 q, Vec2 normal, float distance, float radius_a, float radius_b, Vec2 offset,
           float margin, Manifold& m) {
     const float separation = distance - radius_a - radius_b;
     if (separation > margin) return;
     m.normal = normal;
-    const V2 middle = 0.5f * (p + radius_a * normal + q - radius_b * normal);
+    const Vec2 middle = 0.5f * (p + radius_a * normal + q - radius_b * normal);
     m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, 0};
     m.count = 1;
 }
 
-void collide_circle(const TurnedFacets& a, V2 center, float radius, V2 offset, float margin,
+void collide_circle(const TurnedFacets& a, Vec2 center, float radius, Vec2 offset, float margin,
                     Manifold& m) {
-    const EdgeGap axis = deepest_edge(a, center, [&](V2 n) { return dot(n, center); });
+    const EdgeGap axis = deepest_edge(a, center, [&](Vec2 n) { return dot(n, center); });
     if (axis.separation > a.radius() + radius + margin) return;
-    const V2 n = a.normal(axis.edge);
-    const V2 v1 = a.vertex(axis.edge), v2 = a.vertex(a.next(axis.edge));
+    const Vec2 n = a.normal(axis.edge);
+    const Vec2 v1 = a.vertex(axis.edge), v2 = a.vertex(a.next(axis.edge));
     const bool before = dot(center - v1, v2 - v1)<0.0f, after = dot(center - v2, v2 - v1)> 0.0f;
     if (axis.separation > 1e-7f && (before || after)) {
-        const V2 p = before ? v1 : v2;
+        const Vec2 p = before ? v1 : v2;
         const float distance = length(center - p);
         tell(p, center, (1.0f / distance) * (center - p), distance, a.radius(), radius, offset,
              margin, m);
@@ -75,16 +75,16 @@ void collide_circle(const TurnedFacets& a, V2 center, float radius, V2 offset, f
     }
 }
 
-void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, float margin,
+void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, Vec2 offset, float margin,
                       Manifold& m) {
     const float reach = a.radius() + b.radius() + margin;
-    const EdgeGap on_a = deepest_edge(a, b, offset);
+    const EdgeGap on_a = deepest_edge_between(a, b, offset);
     if (on_a.separation > reach) return;
-    const EdgeGap on_b = deepest_edge(b, a, -offset);
+    const EdgeGap on_b = deepest_edge_between(b, a, -offset);
     if (on_b.separation > reach) return;
     const bool flipped = on_b.separation > on_a.separation + face_preference;
     const TurnedFacets &reference = flipped ? b : a, &other = flipped ? a : b;
-    const V2 to_other = flipped ? -offset : offset;
+    const Vec2 to_other = flipped ? -offset : offset;
     const EdgeGap axis = flipped ? on_b : on_a;
     const TurnedFacets::Excerpt edge(reference, axis.edge);
     const TurnedFacets::Excerpt facing(other, incident_edge_of(other, edge.normals[0]));
@@ -92,8 +92,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
     if (axis.separation > face_preference &&
         nearest_ends(edge.vertices[0], edge.vertices[1], facing.vertices[0] + to_other,
                      facing.vertices[1] + to_other, s, t)) {
-        const V2 p = edge.vertices[s == 0.0f ? 0 : 1];
-        const V2 q = facing.vertices[t == 0.0f ? 0 : 1] + to_other;
+        const Vec2 p = edge.vertices[s == 0.0f ? 0 : 1];
+        const Vec2 q = facing.vertices[t == 0.0f ? 0 : 1] + to_other;
         const float distance = length(q - p);
         if (std::fabs(cross(edge.normals[0], q - p)) > 1e-3f * distance) {
             // Corners of thick shapes without rounding may still pass each other.
@@ -101,8 +101,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
             const float shorter = min(length_squared(edge.vertices[1] - edge.vertices[0]),
                                       length_squared(facing.vertices[1] - facing.vertices[0]));
             if (a.radius() + b.radius() == 0.0f && shorter > thin * thin) return;
-            const V2 normal = (1.0f / distance) * (q - p);
-            const V2 on_a_side = flipped ? q + offset : p, on_b_side = flipped ? p + offset : q;
+            const Vec2 normal = (1.0f / distance) * (q - p);
+            const Vec2 on_a_side = flipped ? q + offset : p, on_b_side = flipped ? p + offset : q;
             tell(on_a_side, on_b_side, flipped ? -normal : normal, distance, a.radius(), b.radius(),
                  offset, margin, m);
             m.corner = distance;
@@ -116,8 +116,8 @@ void collide_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset, f
 }
 
 /// Nearest points of two segments.
-Nearest between_edges(const TurnedFacets::Excerpt& e, const TurnedFacets::Excerpt& f, V2 offset) {
-    const V2 q1 = f.vertices[0] + offset, q2 = f.vertices[1] + offset;
+Nearest between_edges(const TurnedFacets::Excerpt& e, const TurnedFacets::Excerpt& f, Vec2 offset) {
+    const Vec2 q1 = f.vertices[0] + offset, q2 = f.vertices[1] + offset;
     float s, t;
     nearest_ends(e.vertices[0], e.vertices[1], q1, q2, s, t);
     Nearest found;
@@ -127,20 +127,21 @@ Nearest between_edges(const TurnedFacets::Excerpt& e, const TurnedFacets::Excerp
     return found;
 }
 
-Nearest to_point(const TurnedFacets& a, V2 point) {
-    const EdgeGap axis = deepest_edge(a, point, [&](V2 n) { return dot(n, point); });
+Nearest to_point(const TurnedFacets& a, Vec2 point) {
+    const EdgeGap axis = deepest_edge(a, point, [&](Vec2 n) { return dot(n, point); });
     Nearest found;
     found.on_a = found.on_b = point;
     if (axis.separation <= 0.0f) return found;
-    const V2 v1 = a.vertex(axis.edge), along = a.vertex(a.next(axis.edge)) - v1;
+    const Vec2 v1 = a.vertex(axis.edge), along = a.vertex(a.next(axis.edge)) - v1;
     const float t = clamp(dot(point - v1, along) / length_squared(along), 0.0f, 1.0f);
     found.on_a = v1 + t * along;
     found.distance = length(point - found.on_a);
     return found;
 }
 
-Nearest between_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset) {
-    const EdgeGap on_a = deepest_edge(a, b, offset), on_b = deepest_edge(b, a, -offset);
+Nearest between_polygons(const TurnedFacets& a, const TurnedFacets& b, Vec2 offset) {
+    const EdgeGap on_a = deepest_edge_between(a, b, offset),
+                  on_b = deepest_edge_between(b, a, -offset);
     Nearest best;
     if (max(on_a.separation, on_b.separation) <= 0.0f) {
         best.on_a = best.on_b =
@@ -163,7 +164,7 @@ Nearest between_polygons(const TurnedFacets& a, const TurnedFacets& b, V2 offset
 
 }  // namespace
 
-void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& m) {
+void collide_large(const Solid& a, const Solid& b, Vec2 offset, float margin, Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;
     const TurnedFacets form_a(a), form_b(b);
@@ -178,17 +179,17 @@ void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Mani
     }
 }
 
-void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
+void collide_large_half_plane(Vec2 normal, float depth, const Solid& b, Vec2 center_b, float margin,
                               Manifold& m) {
     const TurnedFacets form(b);
     const int deepest = form.farthest(-normal);
-    const V2 vertices[3] = {form.vertex(form.previous(deepest)), form.vertex(deepest),
-                            form.vertex(form.next(deepest))};
+    const Vec2 vertices[3] = {form.vertex(form.previous(deepest)), form.vertex(deepest),
+                              form.vertex(form.next(deepest))};
     collide_half_plane(normal, depth, {vertices, nullptr, nullptr, 3, form.radius()}, center_b,
                        margin, m);
 }
 
-Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset) {
+Nearest nearest_to_large(const Solid& a, const Solid& b, Vec2 offset) {
     const TurnedFacets form_a(a), form_b(b);
     Nearest found;
     if (b.form.count == 1) {

@@ -14,12 +14,12 @@
 namespace fettle::physics::detail {
 
 /// Contact points of two convex shapes; at least one is large. Like `collide`.
-void collide_large(const Solid& a, const Solid& b, V2 offset, float margin, Manifold& manifold);
-void collide_large_half_plane(V2 normal, float depth, const Solid& b, V2 center_b, float margin,
+void collide_large(const Solid& a, const Solid& b, Vec2 offset, float margin, Manifold& manifold);
+void collide_large_half_plane(Vec2 normal, float depth, const Solid& b, Vec2 center_b, float margin,
                               Manifold& manifold);
 
 /// Like the function for plain convex shapes. At least one is large, the other is large or plain.
-Nearest nearest_to_large(const Solid& a, const Solid& b, V2 offset);
+Nearest nearest_to_large(const Solid& a, const Solid& b, Vec2 offset);
 
 /// A large polygon with its vertices rotated, for code that reads all of them. Shapes of other
 /// kinds stay as they are.
@@ -32,7 +32,7 @@ class PlainCopy {
 
   private:
     Solid plain_;
-    std::vector<V2> vertices_, normals_;
+    std::vector<Vec2> vertices_, normals_;
 };
 
 }  // namespace fettle::physics::detail

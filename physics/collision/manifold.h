@@ -20,16 +20,16 @@ inline constexpr float seam = 0.005f;
 /// rotated data, and no precision is lost far from the origin. One vertex is a circle, two are a
 /// segment (its two sides are its two edges).
 struct Convex {
-    const V2* vertices;
-    const V2* normals;
+    const Vec2* vertices;
+    const Vec2* normals;
     const float* offsets;
     int count;
     float radius;
 };
 
 struct ManifoldPoint {
-    V2 anchor_a;  ///< from the center of mass of body a to the point, world axes
-    V2 anchor_b;
+    Vec2 anchor_a;  ///< from the center of mass of body a to the point, world axes
+    Vec2 anchor_b;
     float separation = 0.0f;
     float normal_impulse = 0.0f;
     float tangent_impulse = 0.0f;
@@ -37,7 +37,7 @@ struct ManifoldPoint {
 };
 
 struct Manifold {
-    V2 normal;  ///< from a to b
+    Vec2 normal;  ///< from a to b
     int count = 0;
     float corner = 0.0f;  ///< distance of the cores at a corner contact, m; else 0
     ManifoldPoint points[2];
@@ -49,11 +49,11 @@ static_assert(sizeof(ManifoldPoint) == 32 && sizeof(Manifold) == 80);
 
 /// Contact points of a and b that are closer than `margin` (m); `offset` is the center of mass of b
 /// minus that of a. Sets normal, count, anchors, separations and features; leaves impulses zero.
-void collide(const Convex& a, const Convex& b, V2 offset, float margin, Manifold& manifold);
+void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifold& manifold);
 
 /// Contact with the half-plane of the points p with normal·p <= depth, which is solid. `center_b`:
 /// center of mass of b in the same coordinates. The normal points out of the half-plane.
-void collide_half_plane(V2 normal, float depth, const Convex& b, V2 center_b, float margin,
+void collide_half_plane(Vec2 normal, float depth, const Convex& b, Vec2 center_b, float margin,
                         Manifold& manifold);
 
 }  // namespace fettle::physics::detail

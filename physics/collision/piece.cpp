@@ -13,18 +13,18 @@ constexpr float flat = 1e-3f;
 /// shape is in front of another piece.
 constexpr float beyond = 0.01f;
 
-float sign_of(V2 v) {
+float sign_of(Vec2 v) {
     return v.x != 0.0f || v.y != 0.0f ? 1.0f : 0.0f;
 }
 
 }  // namespace
 
-Piece::Verdict Piece::decide(int vertex, V2 direction) const {
-    const V2 d = unrotate(rotation_, direction);
-    const V2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
+Piece::Verdict Piece::decide(int vertex, Vec2 direction) const {
+    const Vec2 d = unrotate(rotation_, direction);
+    const Vec2 before = limits_[2 * vertex], after = limits_[2 * vertex + 1];
     // A free end of a chain pushes in all directions except backwards.
     if (sign_of(before) == 0.0f || sign_of(after) == 0.0f) {
-        const V2 front = sign_of(before) == 0.0f ? after : before;
+        const Vec2 front = sign_of(before) == 0.0f ? after : before;
         return dot(front, d) >= 0.0f ? Verdict::pushes : Verdict::leaves;
     }
     if (cross(before, after) <= flat &&
@@ -35,7 +35,7 @@ Piece::Verdict Piece::decide(int vertex, V2 direction) const {
     return is_inner(vertex) ? Verdict::leaves : Verdict::pushes;
 }
 
-int Piece::edge_at(int vertex, V2 direction) const {
+int Piece::edge_at(int vertex, Vec2 direction) const {
     const int previous = vertex > 0 ? vertex - 1 : form.count - 1;
     int best = -1;
     float most = -2.0f;
@@ -72,7 +72,7 @@ Axes axes_of(const Piece& piece, auto&& nearest) {
     return axes;
 }
 
-int support(const Convex& form, V2 direction) {
+int support(const Convex& form, Vec2 direction) {
     if (form.count > most_small_vertices) return farthest_vertex(form, direction);
     int best = 0;
     float most = dot(direction, form.vertices[0]);
@@ -86,23 +86,23 @@ int support(const Convex& form, V2 direction) {
     return best;
 }
 
-float lowest(const Convex& form, V2 normal) {
+float lowest(const Convex& form, Vec2 normal) {
     return dot(normal, form.vertices[support(form, -normal)]);
 }
 
-void one_point(V2 on_a, V2 normal, float gap, float radius_b, V2 offset, float margin,
+void one_point(Vec2 on_a, Vec2 normal, float gap, float radius_b, Vec2 offset, float margin,
                uint16_t feature, Manifold& m) {
     const float separation = gap - radius_b;
     if (separation > margin) return;
     m.normal = normal;
-    const V2 middle = on_a + (0.5f * separation) * normal;
+    const Vec2 middle = on_a + (0.5f * separation) * normal;
     m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, feature};
     m.count = 1;
 }
 
 /// Faces extend beyond their ends by this (m), so that rounding leaves no gap between two nearly
 /// equal faces.
-float overhang(float height, V2 where) {
+float overhang(float height, Vec2 where) {
     return 2.0f * flat * std::fabs(height) + 1e-6f * (std::fabs(where.x) + std::fabs(where.y));
 }
 
@@ -114,9 +114,9 @@ bool is_left_by_all(const Piece& piece, float least, float through_face) {
 }
 
 /// A circle: its center is a point, so the nearest feature of the piece decides.
-void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float margin, bool held,
+void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, float margin, bool held,
                     Manifold& m) {
-    const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center); });
+    const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
     if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
     // The circle is outside an inner edge, or nearer to it than to any other: it meets another
     // piece first.
@@ -125,8 +125,8 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
     const int edge = axes.outer.edge;
     if (edge < 0) return;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
-    const V2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
-    const V2 n = a.form.normals[edge], along = v2 - v1;
+    const Vec2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
+    const Vec2 n = a.form.normals[edge], along = v2 - v1;
     const float t1 = dot(center - v1, along), t2 = dot(v2 - center, along);
     const float over = overhang(axes.outer.separation, v1) * length(along);
     if (!hidden && t1 >= -over && t2 >= -over) {
@@ -145,27 +145,27 @@ void collide_circle(const Piece& a, V2 center, float radius, V2 offset, float ma
             vertex = i;
         }
     }
-    const V2 p = a.form.vertices[vertex];
+    const Vec2 p = a.form.vertices[vertex];
     const float distance = std::sqrt(least);
-    const V2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
+    const Vec2 direction = distance > 1e-9f ? (1.0f / distance) * (center - p) : n;
     if (a.decide(vertex, direction) != Piece::Verdict::pushes) return;
     if (axes.greatest() <= 0.0f) return;
     one_point(p, direction, distance, radius, offset, margin, feature_of(vertex, 255), m);
     m.corner = distance;
 }
 
-void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float margin, bool held,
+void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float margin, bool held,
                      Manifold& m) {
-    const V2 center = e.center + offset;
-    const Axes axes = axes_of(a, [&](V2 n) { return dot(n, center) - e.reach(n); });
+    const Vec2 center = e.center + offset;
+    const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
     const float depth = held ? e.reach(a.form.normals[0]) : 0.0f;
     if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
     if (axes.inner > axes.outer.separation + beyond) return;
     const int edge = axes.outer.edge;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
-    const V2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
-    const V2 n = a.form.normals[edge], along = v2 - v1;
-    const V2 deepest = e.support(-n) + offset;
+    const Vec2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
+    const Vec2 n = a.form.normals[edge], along = v2 - v1;
+    const Vec2 deepest = e.support(-n) + offset;
     const float over = overhang(axes.outer.separation, v1) * length(along);
     const bool before = dot(deepest - v1, along) < -over;
     const bool after = dot(deepest - v2, along) > over;
@@ -175,7 +175,7 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float marg
         return;
     }
     const int vertex = before ? edge : next;
-    const V2 p = before ? v1 : v2;
+    const Vec2 p = before ? v1 : v2;
     const RimPoint rim = nearest_on_rim(e, p - offset);
     if (a.decide(vertex, -rim.normal) != Piece::Verdict::pushes) {
         const float gap = axes.outer.separation;
@@ -189,15 +189,15 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, V2 offset, float marg
 /// A polygon, a capsule, or a piece of another outline.
 class PolygonOnPiece {
   public:
-    PolygonOnPiece(const Piece& a, const Convex& b, const Piece* piece_b, V2 offset, float margin,
+    PolygonOnPiece(const Piece& a, const Convex& b, const Piece* piece_b, Vec2 offset, float margin,
                    bool held, Manifold& m)
         : a_(a), b_(b), piece_b_(piece_b), offset_(offset), margin_(margin), held_(held), m_(m) {}
 
     void collide() {
         const float reach = b_.radius + margin_;
-        const Axes on_a = axes_of(a_, [&](V2 n) { return lowest(b_, n) + dot(n, offset_); });
+        const Axes on_a = axes_of(a_, [&](Vec2 n) { return lowest(b_, n) + dot(n, offset_); });
         if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
-        const auto lowest_of_a = [&](V2 n) { return lowest(a_.form, n) - dot(n, offset_); };
+        const auto lowest_of_a = [&](Vec2 n) { return lowest(a_.form, n) - dot(n, offset_); };
         Axes on_b;
         if (piece_b_ != nullptr)
             on_b = axes_of(*piece_b_, lowest_of_a);
@@ -219,9 +219,9 @@ class PolygonOnPiece {
 
   private:
     /// True if most of the other shape is in front of the plane of a one-sided segment.
-    bool in_front(const Piece& piece, const Convex& other, V2 to_other) const {
+    bool in_front(const Piece& piece, const Convex& other, Vec2 to_other) const {
         if (!piece.one_sided()) return true;
-        const V2 n = piece.form.normals[0];
+        const Vec2 n = piece.form.normals[0];
         const float low = lowest(other, n), high = -lowest(other, -n);
         const float counted = held_ ? high : 0.5f * (low + high);
         return counted + dot(n, to_other) >= piece.form.offsets[0];
@@ -232,7 +232,7 @@ class PolygonOnPiece {
     void push_alone(EdgeGap on_a, EdgeGap on_b) {
         push_with_a(on_a.edge, on_a.separation);
         if (m_.count > 0 || on_b.edge < 0) return;
-        const V2 outwards = -b_.normals[on_b.edge];
+        const Vec2 outwards = -b_.normals[on_b.edge];
         if (dot(outwards, a_.form.normals[on_a.edge]) < 0.7f) return;
         const int vertex = support(a_.form, outwards);
         one_point(a_.form.vertices[vertex], outwards, on_b.separation, b_.radius, offset_, margin_,
@@ -241,7 +241,7 @@ class PolygonOnPiece {
 
     /// Pushes along the normal of an edge of the piece.
     void push_with_a(int edge, float separation) {
-        const V2 n = a_.form.normals[edge];
+        const Vec2 n = a_.form.normals[edge];
         if (piece_b_ != nullptr) {
             const int vertex = support(b_, -n);
             if (piece_b_->decide(vertex, -n) == Piece::Verdict::leaves &&
@@ -258,7 +258,7 @@ class PolygonOnPiece {
 
     /// Pushes along the normal of an edge of the other shape: a corner of the outline is pushed.
     void push_with_b(EdgeGap axis) {
-        const V2 outwards = -b_.normals[axis.edge];
+        const Vec2 outwards = -b_.normals[axis.edge];
         const int vertex = support(a_.form, outwards);
         if (is_face(a_, vertex, outwards)) {
             push_with_a(a_.edge_at(vertex, outwards), axis.separation);
@@ -279,14 +279,14 @@ class PolygonOnPiece {
     }
 
     /// True if a direction is almost the normal of an edge of the outline at the vertex.
-    static bool is_face(const Piece& piece, int vertex, V2 direction) {
+    static bool is_face(const Piece& piece, int vertex, Vec2 direction) {
         const int edge = piece.edge_at(vertex, direction);
         return edge >= 0 && dot(piece.form.normals[edge], direction) > 1.0f - 1e-5f;
     }
 
     /// True if two corners are nearest to each other; adds the point if this piece reports it.
     bool corner_to_corner(const Convex& reference, int edge, const Convex& other, int incident,
-                          V2 to_other, bool flipped) {
+                          Vec2 to_other, bool flipped) {
         const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
         const int incident2 = incident + 1 < other.count ? incident + 1 : 0;
         float s, t;
@@ -295,11 +295,11 @@ class PolygonOnPiece {
                           s, t))
             return false;
         const int r = s == 0.0f ? edge : edge2, o = t == 0.0f ? incident : incident2;
-        const V2 d = other.vertices[o] + to_other - reference.vertices[r];
+        const Vec2 d = other.vertices[o] + to_other - reference.vertices[r];
         const float distance = length(d);
-        const V2 n = reference.normals[edge];
+        const Vec2 n = reference.normals[edge];
         if (!(std::fabs(cross(n, d)) > 1e-3f * distance)) return false;
-        const V2 direction = flipped ? (-1.0f / distance) * d : (1.0f / distance) * d;
+        const Vec2 direction = flipped ? (-1.0f / distance) * d : (1.0f / distance) * d;
         const int on_a = flipped ? o : r, on_b = flipped ? r : o;
         if (a_.decide(on_a, direction) != Piece::Verdict::pushes) return true;
         if (piece_b_ != nullptr && piece_b_->decide(on_b, -direction) != Piece::Verdict::pushes)
@@ -312,7 +312,7 @@ class PolygonOnPiece {
 
     /// Like the function for plain polygons, but points beyond the edge belong to the next piece.
     void clip_pieces(const Convex& reference, int edge, const Convex& other, int incident,
-                     V2 to_other, bool flipped) {
+                     Vec2 to_other, bool flipped) {
         const FacingEdges edges(reference, edge, other, incident, to_other);
         if (!edges.are_beside()) edges.clip(flipped, margin_, offset_, m_);
     }
@@ -320,7 +320,7 @@ class PolygonOnPiece {
     const Piece& a_;
     const Convex& b_;
     const Piece* piece_b_;
-    V2 offset_;
+    Vec2 offset_;
     float margin_;
     bool held_;
     Manifold& m_;
@@ -328,7 +328,7 @@ class PolygonOnPiece {
 
 }  // namespace
 
-void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
+void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin, bool held,
                    Manifold& m) {
     m.count = 0;
     m.corner = 0.0f;

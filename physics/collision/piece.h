@@ -27,7 +27,7 @@ class Piece {
     /// True for an edge that is not on the outline.
     bool is_inner(int edge) const {
         if (one_sided()) return edge == 1;
-        const V2 after = limits_[2 * edge + 1], own = normals_[edge];
+        const Vec2 after = limits_[2 * edge + 1], own = normals_[edge];
         return after.x != own.x || after.y != own.y;
     }
 
@@ -37,26 +37,26 @@ class Piece {
         flat     ///< no protruding corner: the edge beside it pushes
     };
     /// Decides whether a vertex pushes along `direction` (unit vector, outwards).
-    Verdict decide(int vertex, V2 direction) const;
+    Verdict decide(int vertex, Vec2 direction) const;
     /// The edge of the outline at a vertex with the normal nearest to `direction`; -1 if neither
     /// edge is on the outline.
-    int edge_at(int vertex, V2 direction) const;
+    int edge_at(int vertex, Vec2 direction) const;
     /// True if the point is in front of the plane of a one-sided segment, within `depth`, or if the
     /// piece is not one-sided.
-    bool faces(V2 point, float depth = 0.0f) const {
+    bool faces(Vec2 point, float depth = 0.0f) const {
         return !one_sided() || dot(form.normals[0], point) >= form.offsets[0] - depth;
     }
 
   private:
     Rotation rotation_;
-    const V2* limits_;
-    const V2* normals_;
+    const Vec2* limits_;
+    const Vec2* normals_;
 };
 
 /// Contact points of a piece and another shape, as `collide`; the normal points away from the
 /// piece. `held`: the shapes were already in contact, so at any depth the other shape did not come
 /// from behind.
-void collide_piece(const Solid& piece, const Solid& other, V2 offset, float margin, bool held,
+void collide_piece(const Solid& piece, const Solid& other, Vec2 offset, float margin, bool held,
                    Manifold& manifold);
 
 }  // namespace fettle::physics::detail

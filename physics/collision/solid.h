@@ -22,16 +22,16 @@ enum class FormKind : uint32_t {
 struct Solid {
     Convex form;
     FormKind kind = FormKind::convex;
-    Rotation rotation = {};       ///< of a large polygon or a piece
-    const V2* limits = nullptr;   ///< of a piece
-    const V2* normals = nullptr;  ///< of a piece: normals of its edges, body coordinates
+    Rotation rotation = {};         ///< of a large polygon or a piece
+    const Vec2* limits = nullptr;   ///< of a piece
+    const Vec2* normals = nullptr;  ///< of a piece: normals of its edges, body coordinates
 };
 
 /// The nearest points of two shapes, relative to the center of mass of a.
 struct Nearest {
     float distance = 0.0f;  ///< 0 when they overlap; then both points are equal
-    V2 on_a, on_b;
-    V2 normal;  ///< from a to b; zero when they overlap
+    Vec2 on_a, on_b;
+    Vec2 normal;  ///< from a to b; zero when they overlap
 };
 
 }  // namespace fettle::physics::detail

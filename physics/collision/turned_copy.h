@@ -27,7 +27,7 @@ class TurnedCopy {
 
     /// The shape after a rotation of the original. Valid until the next call.
     const Solid& by(Rotation q) {
-        const V2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
+        const Vec2 x = rotate(q, {from_.rotation.c, from_.rotation.s});
         turned_.rotation = {x.x, x.y};
         if (from_.kind == FormKind::large) return turned_;
         for (int i = 0; i < from_.form.count; ++i) {
@@ -43,10 +43,10 @@ class TurnedCopy {
   private:
     const Solid& from_;
     Solid turned_;
-    V2* vertices_ = nullptr;
-    V2* normals_ = nullptr;
-    V2 few_vertices_[most_small_vertices], few_normals_[most_small_vertices];
-    std::vector<V2> many_;
+    Vec2* vertices_ = nullptr;
+    Vec2* normals_ = nullptr;
+    Vec2 few_vertices_[most_small_vertices], few_normals_[most_small_vertices];
+    std::vector<Vec2> many_;
 };
 
 }  // namespace fettle::physics::detail

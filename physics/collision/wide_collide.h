@@ -14,7 +14,7 @@ struct WidePolygon {
 
 WidePolygon load_polygon(const ConvexArrays& from, const uint32_t* begin) {
     WidePolygon p;
-    const auto pair = [&](const V2* at, int first, Wide* x, Wide* y) {
+    const auto pair = [&](const Vec2* at, int first, Wide* x, Wide* y) {
         const Columns4 c = gather4([=](int lane) { return at + begin[lane] + first; });
         x[first] = c.a, y[first] = c.b, x[first + 1] = c.c, y[first + 1] = c.d;
     };

@@ -25,7 +25,7 @@ struct ConstraintPoint {
 
 struct ContactConstraint {
     uint32_t a, b;  ///< solver bodies
-    V2 normal;
+    Vec2 normal;
     float friction;
     uint32_t contact;       ///< record to store into
     uint32_t extra;         ///< index + 1 of the data of special contacts; 0: none
@@ -35,7 +35,7 @@ struct ContactConstraint {
     float coupling_normal;  ///< of point 2, for a unit impulse at point 1
     float coupling_tangent;
     Softness soft;
-    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
+    Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
     ConstraintPoint points[2];
 };
 
@@ -51,9 +51,9 @@ struct Corner {
 /// The difference between the actual gap around a corner and the gap along the normal: now, or
 /// after the time `ahead` (s). `along_normal`: increase of the separation of the cores by then, m.
 /// `motion` contains the velocities va, wa of a and vb, wb of b.
-float corner_gap(const Corner& corner, V2 n, const SolverBody& a, const SolverBody& b,
+float corner_gap(const Corner& corner, Vec2 n, const SolverBody& a, const SolverBody& b,
                  const auto& motion, float along_normal, float ahead) {
-    const V2 t = right_perp(n);
+    const Vec2 t = right_perp(n);
     const float moved =
         dot(t, b.shift - a.shift) + (corner.lever_b * b.turn - corner.lever_a * a.turn);
     const float velocity =

@@ -24,51 +24,51 @@ struct JointStep {
 /// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =
 /// tan(θ/2) ≈ θ/2·(1+θ²/12). The error is below θ⁵/240 for rotations within a step, and the result
 /// is a rotation for any angle.
-inline V2 turned(V2 v, float angle) {
+inline Vec2 turned(Vec2 v, float angle) {
     const float t = 0.5f * angle * (1.0f + angle * angle * (1.0f / 12.0f));
     const float scale = 1.0f / (1.0f + t * t);
     const float versine = 2.0f * t * t * scale, s = 2.0f * t * scale;
     return {v.x - versine * v.x - s * v.y, v.y - versine * v.y + s * v.x};
 }
 
-inline V2 scaled(V2 by, V2 v) {
+inline Vec2 scaled(Vec2 by, Vec2 v) {
     return {by.x * v.x, by.y * v.y};
 }
 
 /// The two bodies of a joint and its anchors.
 struct JointEnds {
-    uint32_t a = 0, b = 0;    ///< solver bodies
-    V2 start_a, start_b;      ///< from the centers of mass to the anchors at the start of the step
-    V2 lever_a, lever_b;      ///< current vectors from the centers of mass to the anchors
-    V2 apart;                 ///< center of mass of b minus that of a at the start of the step
-    float angle = 0.0f;       ///< of b relative to a at the start of the step
-    V2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
+    uint32_t a = 0, b = 0;  ///< solver bodies
+    Vec2 start_a, start_b;  ///< from the centers of mass to the anchors at the start of the step
+    Vec2 lever_a, lever_b;  ///< current vectors from the centers of mass to the anchors
+    Vec2 apart;             ///< center of mass of b minus that of a at the start of the step
+    float angle = 0.0f;     ///< of b relative to a at the start of the step
+    Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);
         lever_b = turned(start_b, body_b.turn);
     }
     /// Anchor b minus anchor a.
-    V2 gap(const SolverBody& body_a, const SolverBody& body_b) const {
+    Vec2 gap(const SolverBody& body_a, const SolverBody& body_b) const {
         return apart + (body_b.shift - body_a.shift) + (lever_b - lever_a);
     }
     float angle_now(const SolverBody& body_a, const SolverBody& body_b) const {
         return angle + (body_b.turn - body_a.turn);
     }
     /// Velocity of anchor b relative to anchor a.
-    V2 velocity(const SolverBody& body_a, const SolverBody& body_b) const {
+    Vec2 velocity(const SolverBody& body_a, const SolverBody& body_b) const {
         return (body_b.velocity + cross(body_b.angular_velocity, lever_b)) -
                (body_a.velocity + cross(body_a.angular_velocity, lever_a));
     }
     /// Applies an impulse at the anchors: `p` on b, its opposite on a.
-    void push(SolverBody& body_a, SolverBody& body_b, V2 p) const {
+    void push(SolverBody& body_a, SolverBody& body_b, Vec2 p) const {
         body_a.velocity = body_a.velocity - scaled(inverse_a, p);
         body_a.angular_velocity -= body_a.inverse_inertia * cross(lever_a, p);
         body_b.velocity = body_b.velocity + scaled(inverse_b, p);
         body_b.angular_velocity += body_b.inverse_inertia * cross(lever_b, p);
     }
     /// n·(M_a⁻¹ + M_b⁻¹)·n for a direction n.
-    float inverse_along(V2 n) const {
+    float inverse_along(Vec2 n) const {
         return n.x * n.x * (inverse_a.x + inverse_b.x) + n.y * n.y * (inverse_a.y + inverse_b.y);
     }
 };
@@ -77,8 +77,8 @@ struct JointEnds {
 /// of mass.
 struct JointFrame {
     Rotation a;
-    V2 center_a, center_b;
-    V2 anchor_a;  ///< in the coordinates of body a
+    Vec2 center_a, center_b;
+    Vec2 anchor_a;  ///< in the coordinates of body a
     double angle_a = 0.0, angle_b = 0.0;
 };
 

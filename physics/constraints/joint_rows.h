@@ -93,7 +93,7 @@ struct PointMass {
         const float inverse = inverse_or_zero(xx * yy - xy * xy);
         return {inverse * yy, -inverse * xy, inverse * xx};
     }
-    V2 operator*(V2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
+    Vec2 operator*(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
 };
 
 }  // namespace fettle::physics::detail

@@ -13,14 +13,14 @@ constexpr float face_bend = 1e6f;
 /// enough beyond.
 constexpr double greatest_angle = 0.5;
 
-float inverse_along(const ContactConstraint& c, V2 d) {
+float inverse_along(const ContactConstraint& c, Vec2 d) {
     return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
            d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
 }
 
 }  // namespace
 
-float bend_of(const Solid& shape, V2 normal) {
+float bend_of(const Solid& shape, Vec2 normal) {
     if (shape.kind == FormKind::border) return face_bend;
     if (shape.kind == FormKind::ellipse) {
         // ρ = a²b²/h³.
@@ -30,7 +30,7 @@ float bend_of(const Solid& shape, V2 normal) {
     }
     constexpr float along = 1.0f - 1e-5f;
     if (shape.kind == FormKind::large) {
-        const V2 d = unrotate(shape.rotation, normal);
+        const Vec2 d = unrotate(shape.rotation, normal);
         const int vertex = farthest_vertex(shape.form, d);
         const int before = vertex > 0 ? vertex - 1 : shape.form.count - 1;
         const bool face = dot(shape.form.normals[vertex], d) > along ||
@@ -57,8 +57,8 @@ RollingContact::RollingContact(const ContactConstraint& start, float bend_a, flo
 }
 
 void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
-    const V2 across = -right_perp(normal_);
-    V2 shift = b.shift - a.shift;
+    const Vec2 across = -right_perp(normal_);
+    Vec2 shift = b.shift - a.shift;
     double turn_a = double(a.turn), turn_b = double(b.turn);
     double phi = (double(dot(across, shift)) + second_a_ * turn_a + second_b_ * turn_b) / sum_;
     if (std::fabs(phi) > greatest_angle) {
@@ -77,7 +77,7 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
         0.5 * (sum_ * phi * phi - second_a_ * turn_a * turn_a - second_b_ * turn_b * turn_b);
     const auto angle = float(phi);
     c.normal = normalized(normal_ + angle * across);
-    const V2 tangent = right_perp(c.normal);
+    const Vec2 tangent = right_perp(c.normal);
     ConstraintPoint& p = c.points[0];
     p.normal_lever_a = float(double(start_.normal_lever_a) + second_a_ * (turn_a - phi));
     p.normal_lever_b = float(double(start_.normal_lever_b) - second_b_ * (turn_b - phi));

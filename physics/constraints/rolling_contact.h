@@ -7,7 +7,7 @@ namespace fettle::physics::detail {
 
 /// Radius of curvature (m) of the surface of a shape at the point with the outward normal `normal`:
 /// of the ellipse there, of the circle, or of the rounding of a corner; nearly infinite for a face.
-float bend_of(const Solid& shape, V2 normal);
+float bend_of(const Solid& shape, Vec2 normal);
 
 /// Change of a contact of curved surfaces while the bodies turn, to second order. Direction, levers
 /// and gap of a contact are computed at the beginning of the step, which is exact enough for faces
@@ -39,7 +39,7 @@ class RollingContact {
     bool acts() const { return sum_ > 0.0; }
 
   private:
-    V2 normal_;
+    Vec2 normal_;
     ConstraintPoint start_ = {};
     double second_a_ = 0.0, second_b_ = 0.0;  // h''
     double sum_ = 0.0;                        // s + ρ_a + ρ_b

@@ -11,10 +11,10 @@ namespace fettle::physics::detail {
 /// The part of a body that constraints read and write, 32 bytes. Index 0 is the fixed body, which
 /// represents every fixed or sleeping body.
 struct alignas(32) SolverBody {
-    V2 velocity;
+    Vec2 velocity;
     float angular_velocity = 0.0f;
     float inverse_mass = 0.0f;
-    V2 shift;           ///< of the center of mass since the start of the step, m
+    Vec2 shift;         ///< of the center of mass since the start of the step, m
     float turn = 0.0f;  ///< since the start of the step, rad
     float inverse_inertia = 0.0f;
 };
@@ -28,14 +28,14 @@ inline float gyration_of(const SolverBody& b) {
 
 /// The effect of gravity, forces and damping on a body in one sub-step: v ← (v + change) · keep.
 struct alignas(16) SolverForce {
-    V2 change;
+    Vec2 change;
     float turn_change = 0.0f;
     float no_change = 0.0f;  ///< always 0: fills the vector of velocities and mass
-    V2 keep = {1.0f, 1.0f};
+    Vec2 keep = {1.0f, 1.0f};
     float turn_keep = 1.0f;
     float keep_all = 1.0f;
     /// Velocity before the warm start of contacts, after that of joints.
-    V2 before;
+    Vec2 before;
     float turn_before = 0.0f;
     float unused = 0.0f;
 };

@@ -7,15 +7,15 @@ namespace fettle::physics::detail {
 
 /// A side of the bounds of a world, solid where normal·p <= depth.
 struct BorderPlane {
-    V2 normal;
+    Vec2 normal;
     float depth = 0.0f;
 };
 
 inline BorderPlane border_plane(const Aabb& bounds, uint32_t side) {
-    if (side == 0) return {{1.0f, 0.0f}, bounds.min.x()};
-    if (side == 1) return {{-1.0f, 0.0f}, -bounds.max.x()};
-    if (side == 2) return {{0.0f, 1.0f}, bounds.min.y()};
-    return {{0.0f, -1.0f}, -bounds.max.y()};
+    if (side == 0) return {{1.0f, 0.0f}, bounds.min.x};
+    if (side == 1) return {{-1.0f, 0.0f}, -bounds.max.x};
+    if (side == 2) return {{0.0f, 1.0f}, bounds.min.y};
+    return {{0.0f, -1.0f}, -bounds.max.y};
 }
 
 }  // namespace fettle::physics::detail

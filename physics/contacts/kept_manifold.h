@@ -48,9 +48,9 @@ inline bool follow_bodies(const ObjectState& objects, uint32_t slot, ContactReco
     Manifold& m = c.manifold;
     ManifoldPoint &p = m.points[0], &q = m.points[1];
     // The anchors are the same point, seen from both centers of mass as they were then.
-    const V2 shift = b.center - a.center - (p.anchor_a - p.anchor_b);
-    const V2 move_p = shift + cross(turn_b, p.anchor_b) - cross(turn_a, p.anchor_a);
-    const V2 move_q = shift + cross(turn_b, q.anchor_b) - cross(turn_a, q.anchor_a);
+    const Vec2 shift = b.center - a.center - (p.anchor_a - p.anchor_b);
+    const Vec2 move_p = shift + cross(turn_b, p.anchor_b) - cross(turn_a, p.anchor_a);
+    const Vec2 move_q = shift + cross(turn_b, q.anchor_b) - cross(turn_a, q.anchor_a);
     const float slip = max(std::fabs(cross(m.normal, move_p)), std::fabs(cross(m.normal, move_q)));
     const float along_p = dot(m.normal, move_p), along_q = dot(m.normal, move_q);
     const float along = max(std::fabs(along_p), std::fabs(along_q));

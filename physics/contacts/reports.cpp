@@ -21,12 +21,12 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
     const ContactRecord& record = objects.contacts[contact];
     if (!record.hit_events || !record.touching) return {};
     float speed = 0.0f;
-    V2 point;
+    Vec2 point;
     for (int k = 0; k < record.manifold.count; ++k) {
         const ManifoldPoint& p = record.manifold.points[k];
         const bool met = p.normal_impulse > 0.0f || p.separation <= touch_distance ||
                          (extra != nullptr && extra->greatest[k] > 0.0f);
-        const V2 here = objects.bodies[record.body_a].center + p.anchor_a;
+        const Vec2 here = objects.bodies[record.body_a].center + p.anchor_a;
         const float approach = met ? approach_speed(objects, columns, record, here) : 0.0f;
         if (approach <= speed) continue;
         speed = approach;
@@ -39,8 +39,8 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
                            shape_id(objects, columns, record.shape_b),
                            body_id(columns, record.body_a),
                            body_id(columns, record.body_b),
-                           to_vec2(point),
-                           to_vec2(record.manifold.normal),
+                           point,
+                           record.manifold.normal,
                            speed,
                            impulse,
                            record.friction,
@@ -79,15 +79,14 @@ void report_persisting(const ObjectState& objects, const Columns& columns,
             c.manifold.count == 0)
             continue;
         if (!reports_for_pair(objects, slot)) continue;
-        const V2 point = middle_of(objects, c);
+        const Vec2 point = middle_of(objects, c);
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)
             impulse += c.manifold.points[k].normal_impulse * float(substeps);
         events.contact_persist.push_back(
             {shape_id(objects, columns, c.shape_a), shape_id(objects, columns, c.shape_b),
-             body_id(columns, c.body_a), body_id(columns, c.body_b), to_vec2(point),
-             to_vec2(c.manifold.normal), approach_speed(objects, columns, c, point), impulse,
-             c.friction, c.restitution});
+             body_id(columns, c.body_a), body_id(columns, c.body_b), point, c.manifold.normal,
+             approach_speed(objects, columns, c, point), impulse, c.friction, c.restitution});
     }
 }
 
@@ -98,7 +97,7 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     contact.body_b = body_id(columns, c.body_b);
     contact.shape_a = shape_id(objects, columns, c.shape_a);
     contact.shape_b = shape_id(objects, columns, c.shape_b);
-    contact.normal = to_vec2(c.manifold.normal);
+    contact.normal = c.manifold.normal;
     contact.point_count = c.manifold.count;
     contact.friction = c.friction;
     contact.restitution = c.restitution;
@@ -109,32 +108,31 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;
     for (int k = 0; k < c.manifold.count; ++k) {
         const ManifoldPoint& p = c.manifold.points[k];
-        const V2 on_a = a.center + p.anchor_a, on_b = b.center + p.anchor_b;
-        contact.points[size_t(k)] = {to_vec2(on_b + share_a * (on_a - on_b)), p.separation,
-                                     p.normal_impulse, p.tangent_impulse, uint16_t(p.feature)};
+        const Vec2 on_a = a.center + p.anchor_a, on_b = b.center + p.anchor_b;
+        contact.points[size_t(k)] = {on_b + share_a * (on_a - on_b), p.separation, p.normal_impulse,
+                                     p.tangent_impulse, uint16_t(p.feature)};
         if (substep > 0.0f) contact.normal_force += p.normal_impulse / substep;
     }
     return contact;
 }
 
-V2 middle_of(const ObjectState& objects, const ContactRecord& c) {
+Vec2 middle_of(const ObjectState& objects, const ContactRecord& c) {
     const Manifold& m = c.manifold;
-    V2 middle = m.points[0].anchor_a;
+    Vec2 middle = m.points[0].anchor_a;
     if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
     return objects.bodies[c.body_a].center + middle;
 }
 
 float approach_speed(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
-                     V2 point) {
+                     Vec2 point) {
     const auto velocity_of = [&](uint32_t body) {
         const BodyState& state = columns.states[body];
-        return to_v2(state.velocity) +
-               cross(state.angular_velocity, point - objects.bodies[body].center);
+        return state.velocity + cross(state.angular_velocity, point - objects.bodies[body].center);
     };
     return max(0.0f, dot(c.manifold.normal, velocity_of(c.body_a) - velocity_of(c.body_b)));
 }
 
-float impact_mass(const ObjectState& objects, const ContactRecord& c, V2 point) {
+float impact_mass(const ObjectState& objects, const ContactRecord& c, Vec2 point) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     const float lever_a = cross(point - a.center, c.manifold.normal);
     const float lever_b = cross(point - b.center, c.manifold.normal);

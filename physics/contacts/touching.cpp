@@ -55,11 +55,11 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
         return;
     }
     if (begins) {
-        const V2 point = middle_of(objects, c);
+        const Vec2 point = middle_of(objects, c);
         const float speed = approach_speed(objects, columns, c, point);
-        events.contact_begin.push_back(
-            {a, b, body_a, body_b, to_vec2(point), to_vec2(c.manifold.normal), speed,
-             speed * impact_mass(objects, c, point), c.friction, c.restitution});
+        events.contact_begin.push_back({a, b, body_a, body_b, point, c.manifold.normal, speed,
+                                        speed * impact_mass(objects, c, point), c.friction,
+                                        c.restitution});
     } else {
         events.contact_end.push_back({a, b, body_a, body_b});
     }

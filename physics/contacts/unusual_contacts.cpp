@@ -22,20 +22,20 @@ void turn_round(Manifold& m) {
     }
 }
 
-void collide_ellipse_half_plane(const BorderPlane& plane, const EllipseForm& ellipse, V2 center,
+void collide_ellipse_half_plane(const BorderPlane& plane, const EllipseForm& ellipse, Vec2 center,
                                 float margin, Manifold& m) {
-    const V2 deepest = ellipse.support(-plane.normal);
+    const Vec2 deepest = ellipse.support(-plane.normal);
     const float separation = dot(plane.normal, deepest + center) - plane.depth;
     m.count = 0;
     m.corner = 0.0f;
     if (separation > margin) return;
     m.normal = plane.normal;
-    const V2 anchor = deepest - (0.5f * separation) * plane.normal;
+    const Vec2 anchor = deepest - (0.5f * separation) * plane.normal;
     m.points[0] = {anchor + center, anchor, separation, 0.0f, 0.0f, 0};
     m.count = 1;
 }
 
-void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float margin,
+void collide_ellipse(const Solid& ellipse, const Solid& other, Vec2 offset, float margin,
                      Manifold& m) {
     const EllipseForm form = ellipse_of(ellipse.form);
     const bool both = other.kind == FormKind::ellipse;
@@ -47,14 +47,14 @@ void collide_ellipse(const Solid& ellipse, const Solid& other, V2 offset, float 
     const float separation = gap.separation - radius;
     if (separation > margin) return;
     m.normal = gap.normal;
-    const V2 middle = gap.on_ellipse + (0.5f * separation) * gap.normal;
+    const Vec2 middle = gap.on_ellipse + (0.5f * separation) * gap.normal;
     const int feature = gap.edge >= 0 ? gap.edge : 128 + (gap.vertex & 127);
     m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, uint16_t(feature & 255)};
     m.count = 1;
 }
 
 /// Collides two shapes if one is an ellipse or a piece.
-void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
+void collide_mixed(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
                    Manifold& m) {
     if (a.kind == FormKind::piece) {
         collide_piece(a, b, offset, margin, held, m);
@@ -71,7 +71,7 @@ void collide_mixed(const Solid& a, const Solid& b, V2 offset, float margin, bool
 
 /// Like `collide_mixed`, but the other shape is a large polygon. Computed in the frame of its
 /// vertices.
-void collide_mixed_with_large(const Solid& a, const Solid& b, V2 offset, float margin, bool held,
+void collide_mixed_with_large(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
                               Manifold& m) {
     const bool large_a = a.kind == FormKind::large;
     const Solid& large = large_a ? a : b;
@@ -91,7 +91,7 @@ void collide_mixed_with_large(const Solid& a, const Solid& b, V2 offset, float m
 
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
                      const ContactRecord& c, float margin, bool held, Manifold& m) {
-    const V2 center_b = objects.bodies[c.body_b].center;
+    const Vec2 center_b = objects.bodies[c.body_b].center;
     const Solid b = solid_of(objects, columns, c.shape_b);
     if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
         const BorderPlane plane = border_plane(*settings.bounds, c.shape_a);
@@ -104,7 +104,7 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
         return;
     }
     const Solid a = solid_of(objects, columns, c.shape_a);
-    const V2 offset = center_b - objects.bodies[c.body_a].center;
+    const Vec2 offset = center_b - objects.bodies[c.body_a].center;
     const auto is_plain = [](const Solid& s) {
         return s.kind == FormKind::convex || s.kind == FormKind::large;
     };

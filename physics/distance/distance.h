@@ -8,18 +8,18 @@
 
 namespace fettle::physics::detail {
 
-Nearest nearest_points(const Convex& a, const Convex& b, V2 offset);
-Nearest nearest_points(const Solid& a, const Solid& b, V2 offset);
+Nearest nearest_points(const Convex& a, const Convex& b, Vec2 offset);
+Nearest nearest_points(const Solid& a, const Solid& b, Vec2 offset);
 
-inline float squared_distance_to_edge(V2 a, V2 b, V2 p) {
-    const V2 d = b - a;
+inline float squared_distance_to_edge(Vec2 a, Vec2 b, Vec2 p) {
+    const Vec2 d = b - a;
     const float l = length_squared(d);
     const float t = l > 0.0f ? clamp(dot(p - a, d) / l, 0.0f, 1.0f) : 0.0f;
     return length_squared(p - (a + t * d));
 }
 
 /// 0 when they overlap.
-float distance(const Convex& a, const Convex& b, V2 offset);
+float distance(const Convex& a, const Convex& b, Vec2 offset);
 
 /// A moving shape.
 struct Sweep {
@@ -32,37 +32,37 @@ struct Sweep {
 /// conservative advancement. 1 if they never come nearer, `start` if they are nearer then.
 float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start = 0.0f);
 /// The same for a half-plane that is solid where normal·p <= depth.
-float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap, float start = 0.0f);
+float time_of_impact(const Sweep& sweep, Vec2 normal, float depth, float gap, float start = 0.0f);
 
 /// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
 /// center of mass.
-float signed_distance(const Convex& shape, V2 p);
-float signed_distance(const Solid& shape, V2 p);
+float signed_distance(const Convex& shape, Vec2 p);
+float signed_distance(const Solid& shape, Vec2 p);
 
 /// Distance of the farthest point of a shape along a unit vector from the center of mass of its
 /// body.
-float reach(const Solid& shape, V2 direction);
+float reach(const Solid& shape, Vec2 direction);
 
 struct Probe {
     float fraction = 2.0f;  ///< more than 1: missed
-    V2 normal;
+    Vec2 normal;
 };
 
 /// The point where the segment from `p` along `d` enters the shape. Starting inside is a miss.
-Probe cast_segment(const Convex& shape, V2 p, V2 d);
+Probe cast_segment(const Convex& shape, Vec2 p, Vec2 d);
 /// A piece is entered only through its part of the outline, a segment of a chain only from its
 /// front.
-Probe cast_segment(const Solid& shape, V2 p, V2 d);
+Probe cast_segment(const Solid& shape, Vec2 p, Vec2 d);
 
 /// A part of a shape: its area (m²), and its centroid relative to the center of mass of the body.
 struct AreaPart {
     double area = 0.0;
-    V2 centroid;
+    Vec2 centroid;
 };
 
 /// The part of a shape with normal·p < depth; p is relative to the center of mass of its body.
 /// Exact also for circles, capsules and rounded polygons. `normal` is a unit vector.
-AreaPart part_below(const Convex& shape, V2 normal, double depth);
-AreaPart part_below(const Solid& shape, V2 normal, double depth);
+AreaPart part_below(const Convex& shape, Vec2 normal, double depth);
+AreaPart part_below(const Solid& shape, Vec2 normal, double depth);
 
 }  // namespace fettle::physics::detail

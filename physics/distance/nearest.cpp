@@ -11,10 +11,10 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Crossing segments may contain no vertex of each other; then their nearest point is the crossing.
-bool segments_cross(const Convex& a, const Convex& b, V2 offset, V2& at) {
+bool segments_cross(const Convex& a, const Convex& b, Vec2 offset, Vec2& at) {
     if (a.count != 2 || b.count != 2) return false;
-    const V2 p = a.vertices[0], d = a.vertices[1] - p;
-    const V2 q = b.vertices[0] + offset, e = b.vertices[1] - b.vertices[0];
+    const Vec2 p = a.vertices[0], d = a.vertices[1] - p;
+    const Vec2 q = b.vertices[0] + offset, e = b.vertices[1] - b.vertices[0];
     const float k = cross(d, e);
     if (k == 0.0f) return false;
     const float t = cross(q - p, e) / k, s = cross(q - p, d) / k;
@@ -24,20 +24,20 @@ bool segments_cross(const Convex& a, const Convex& b, V2 offset, V2& at) {
 
 struct Pair {
     float squared = 1e30f;
-    V2 vertex, edge;
+    Vec2 vertex, edge;
 };
 
 /// The nearest pair of a vertex of `points` and a point on an edge of `shape`. `to_shape`: position
 /// of `shape` relative to `points`.
-Pair vertex_and_edge(const Convex& points, const Convex& shape, V2 to_shape) {
+Pair vertex_and_edge(const Convex& points, const Convex& shape, Vec2 to_shape) {
     Pair best;
     for (int i = 0; i < points.count; ++i) {
         for (int k = 0; k < shape.count; ++k) {
-            const V2 a = shape.vertices[k] + to_shape;
-            const V2 d = shape.vertices[k + 1 < shape.count ? k + 1 : 0] + to_shape - a;
+            const Vec2 a = shape.vertices[k] + to_shape;
+            const Vec2 d = shape.vertices[k + 1 < shape.count ? k + 1 : 0] + to_shape - a;
             const float l = length_squared(d);
             const float t = l > 0.0f ? clamp(dot(points.vertices[i] - a, d) / l, 0.0f, 1.0f) : 0.0f;
-            const V2 on_edge = a + t * d;
+            const Vec2 on_edge = a + t * d;
             const float squared = length_squared(points.vertices[i] - on_edge);
             if (squared < best.squared) best = {squared, points.vertices[i], on_edge};
         }
@@ -47,7 +47,7 @@ Pair vertex_and_edge(const Convex& points, const Convex& shape, V2 to_shape) {
 
 }  // namespace
 
-Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
+Nearest nearest_points(const Convex& a, const Convex& b, Vec2 offset) {
     const Pair from_a = vertex_and_edge(a, b, offset), from_b = vertex_and_edge(b, a, -offset);
     Nearest found;
     if (from_a.squared <= from_b.squared) {
@@ -57,9 +57,9 @@ Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
         found.on_a = from_b.edge + offset;
         found.on_b = from_b.vertex + offset;
     }
-    const V2 gap = found.on_b - found.on_a;
+    const Vec2 gap = found.on_b - found.on_a;
     const float apart = length(gap) - a.radius - b.radius;
-    V2 crossing;
+    Vec2 crossing;
     if (segments_cross(a, b, offset, crossing)) {
         found.on_a = found.on_b = crossing;
         return found;
@@ -75,7 +75,7 @@ Nearest nearest_points(const Convex& a, const Convex& b, V2 offset) {
     return found;
 }
 
-Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
+Nearest nearest_points(const Solid& a, const Solid& b, Vec2 offset) {
     const bool round_a = a.kind == FormKind::ellipse, round_b = b.kind == FormKind::ellipse;
     if (!round_a && !round_b) {
         const bool many = a.form.count > most_small_vertices || b.form.count > most_small_vertices;
@@ -94,7 +94,7 @@ Nearest nearest_points(const Solid& a, const Solid& b, V2 offset) {
         const Rotation q = b.rotation;
         TurnedCopy turned(a);
         Nearest found = nearest_points(turned.by({q.c, -q.s}), {b.form}, unrotate(q, offset));
-        for (V2* v : {&found.on_a, &found.on_b, &found.normal}) *v = rotate(q, *v);
+        for (Vec2* v : {&found.on_a, &found.on_b, &found.normal}) *v = rotate(q, *v);
         return found;
     }
     const EllipseForm ellipse = ellipse_of(a.form);

@@ -8,14 +8,14 @@
 namespace fettle::physics::detail {
 namespace {
 
-float distance_to_edge(V2 a, V2 b, V2 p) {
+float distance_to_edge(Vec2 a, Vec2 b, Vec2 p) {
     return std::sqrt(squared_distance_to_edge(a, b, p));
 }
 
 /// True if a point on the line of an edge is on the edge itself. The rounding error is included,
 /// because a ray through a corner must not pass between two edges.
-bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
-    const V2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
+bool is_on_edge(const Convex& shape, int edge, Vec2 hit, Vec2 p, Vec2 d) {
+    const Vec2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
     const float size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(d.x) + std::fabs(d.y) +
                        std::fabs(a.x) + std::fabs(a.y);
     const float x = dot(hit - a, b - a), whole = length_squared(b - a);
@@ -23,15 +23,15 @@ bool is_on_edge(const Convex& shape, int edge, V2 hit, V2 p, V2 d) {
     return x >= -slack && x <= whole + slack;
 }
 
-void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
+void cast_circle(Vec2 center, float radius, Vec2 p, Vec2 d, Probe& best) {
     if (!(radius > 0.0f)) return;
     // |p + t·d - c|² = r². The parameter is measured from the point of the line nearest to the
     // center, which avoids cancellation at large distances.
     const float l = length(d);
     if (!(l > 0.0f)) return;
-    const V2 u = (1.0f / l) * d;
+    const Vec2 u = (1.0f / l) * d;
     const float along = dot(center - p, u);
-    const V2 nearest = p + along * u - center;
+    const Vec2 nearest = p + along * u - center;
     const float half = radius * radius - length_squared(nearest);
     if (half < 0.0f) return;
     const float t = (along - std::sqrt(half)) / l;
@@ -42,10 +42,11 @@ void cast_circle(V2 center, float radius, V2 p, V2 d, Probe& best) {
 
 }  // namespace
 
-float signed_distance(const Convex& shape, V2 p) {
+float signed_distance(const Convex& shape, Vec2 p) {
     if (shape.count == 1) return length(p - shape.vertices[0]) - shape.radius;
     if (shape.count > most_small_vertices) {
-        const auto [edge, apart] = deepest_edge(Facets(shape), p, [&](V2 n) { return dot(n, p); });
+        const auto [edge, apart] =
+            deepest_edge(Facets(shape), p, [&](Vec2 n) { return dot(n, p); });
         if (apart <= 0.0f) return apart - shape.radius;
         const int next = edge + 1 < shape.count ? edge + 1 : 0;
         return distance_to_edge(shape.vertices[edge], shape.vertices[next], p) - shape.radius;
@@ -68,8 +69,8 @@ namespace {
 /// Casts a ray through a polygon with many vertices. Seen along the ray, the near side of the
 /// outline extends from the leftmost vertex to the rightmost; bisection finds the edge that the
 /// line meets.
-Probe cast_large(const Convex& shape, V2 p, V2 d) {
-    const V2 left = {-d.y, d.x};
+Probe cast_large(const Convex& shape, Vec2 p, Vec2 d) {
+    const Vec2 left = {-d.y, d.x};
     const float line = dot(left, p);
     const int n = shape.count, leftmost = farthest_vertex(shape, left);
     const int edges = (farthest_vertex(shape, -left) - leftmost + n) % n;
@@ -84,7 +85,7 @@ Probe cast_large(const Convex& shape, V2 p, V2 d) {
             low = middle + 1;
     }
     Probe best;
-    const V2 v = vertex(low), outwards = normal(low);
+    const Vec2 v = vertex(low), outwards = normal(low);
     if (low == edges || line > dot(left, v + shape.radius * outwards)) {
         cast_circle(v, shape.radius, p, d, best);
         return best;
@@ -97,12 +98,12 @@ Probe cast_large(const Convex& shape, V2 p, V2 d) {
 
 }  // namespace
 
-Probe cast_segment(const Convex& shape, V2 p, V2 d) {
+Probe cast_segment(const Convex& shape, Vec2 p, Vec2 d) {
     Probe best;
     if ((shape.count > 2 || shape.radius > 0.0f) && signed_distance(shape, p) < 0.0f) return best;
     if (shape.count > most_small_vertices) return cast_large(shape, p, d);
     for (int i = 0; i < shape.count && shape.count > 1; ++i) {
-        const V2 n = shape.normals[i];
+        const Vec2 n = shape.normals[i];
         const float speed = dot(n, d);
         if (!(speed < 0.0f)) continue;
         const float t = (shape.offsets[i] + shape.radius - dot(n, p)) / speed;
@@ -116,28 +117,28 @@ Probe cast_segment(const Convex& shape, V2 p, V2 d) {
 namespace {
 
 /// The ellipse is transformed to a unit circle. Lines stay lines, and fractions do not change.
-Probe cast_ellipse(const EllipseForm& e, V2 p, V2 d) {
-    const V2 across = {-e.axis.y, e.axis.x};
-    const auto to_circle = [&](V2 v) {
-        return V2{dot(v, e.axis) / e.first, dot(v, across) / e.second};
+Probe cast_ellipse(const EllipseForm& e, Vec2 p, Vec2 d) {
+    const Vec2 across = {-e.axis.y, e.axis.x};
+    const auto to_circle = [&](Vec2 v) {
+        return Vec2{dot(v, e.axis) / e.first, dot(v, across) / e.second};
     };
-    const V2 start = to_circle(p - e.center);
+    const Vec2 start = to_circle(p - e.center);
     Probe best;
     if (length_squared(start) < 1.0f) return best;
     cast_circle({}, 1.0f, start, to_circle(d), best);
     if (best.fraction <= 1.0f) {
-        const V2 n = best.normal;
+        const Vec2 n = best.normal;
         best.normal = normalized((n.x / e.first) * e.axis + (n.y / e.second) * across);
     }
     return best;
 }
 
-Probe cast_piece(const Piece& piece, V2 p, V2 d) {
+Probe cast_piece(const Piece& piece, Vec2 p, Vec2 d) {
     const Convex& form = piece.form;
     Probe best;
     if (!piece.one_sided() && signed_distance(form, p) < 0.0f) return best;
     for (int i = 0; i < form.count; ++i) {
-        const V2 n = form.normals[i];
+        const Vec2 n = form.normals[i];
         const float speed = dot(n, d);
         if (piece.is_inner(i) || !(speed < 0.0f)) continue;
         const float t = (form.offsets[i] - dot(n, p)) / speed;
@@ -149,22 +150,22 @@ Probe cast_piece(const Piece& piece, V2 p, V2 d) {
 
 }  // namespace
 
-float reach(const Solid& shape, V2 direction) {
+float reach(const Solid& shape, Vec2 direction) {
     if (shape.kind == FormKind::ellipse) {
         const EllipseForm e = ellipse_of(shape.form);
         return dot(e.center, direction) + e.reach(direction);
     }
-    const V2 d = shape.kind == FormKind::large ? unrotate(shape.rotation, direction) : direction;
+    const Vec2 d = shape.kind == FormKind::large ? unrotate(shape.rotation, direction) : direction;
     return dot(shape.form.vertices[farthest_vertex(shape.form, d)], d) + shape.form.radius;
 }
 
-float signed_distance(const Solid& shape, V2 p) {
+float signed_distance(const Solid& shape, Vec2 p) {
     if (shape.kind == FormKind::large) p = unrotate(shape.rotation, p);
     return shape.kind == FormKind::ellipse ? nearest_on_rim(ellipse_of(shape.form), p).distance
                                            : signed_distance(shape.form, p);
 }
 
-Probe cast_segment(const Solid& shape, V2 p, V2 d) {
+Probe cast_segment(const Solid& shape, Vec2 p, Vec2 d) {
     if (shape.kind == FormKind::ellipse) return cast_ellipse(ellipse_of(shape.form), p, d);
     if (shape.kind == FormKind::piece) return cast_piece(Piece(shape), p, d);
     if (shape.kind == FormKind::large) {

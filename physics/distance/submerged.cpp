@@ -81,9 +81,9 @@ Integrals of_arc(Place center, double r, double from, double sweep) {
 
 }  // namespace
 
-AreaPart part_below(const Convex& shape, V2 normal, double depth) {
-    const V2 along = right_perp(normal);
-    const auto place = [&](V2 p) {
+AreaPart part_below(const Convex& shape, Vec2 normal, double depth) {
+    const Vec2 along = right_perp(normal);
+    const auto place = [&](Vec2 p) {
         return Place{double(dot(along, p)), double(dot(normal, p)) - depth};
     };
     constexpr double turn = 6.283185307179586;
@@ -92,7 +92,7 @@ AreaPart part_below(const Convex& shape, V2 normal, double depth) {
     if (shape.count == 1 && r > 0.0) sum = of_arc(place(shape.vertices[0]), r, 0.0, turn);
     for (int i = 0; shape.count > 1 && i < shape.count; ++i) {
         const int next = i + 1 < shape.count ? i + 1 : 0;
-        const V2 n = shape.normals[i], m = shape.normals[next];
+        const Vec2 n = shape.normals[i], m = shape.normals[next];
         sum.add(of_segment(place(shape.vertices[i] + shape.radius * n),
                            place(shape.vertices[next] + shape.radius * n)));
         if (!(r > 0.0)) continue;
@@ -110,11 +110,11 @@ namespace {
 
 /// The ellipse is transformed to a unit circle. Half-planes stay half-planes, and ratios of areas
 /// do not change.
-AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
+AreaPart part_of_ellipse(const EllipseForm& e, Vec2 normal, double depth) {
     const float reach = e.reach(normal);
-    const V2 across = {-e.axis.y, e.axis.x};
-    const V2 n = {e.first * dot(normal, e.axis) / reach, e.second * dot(normal, across) / reach};
-    const V2 origin;
+    const Vec2 across = {-e.axis.y, e.axis.x};
+    const Vec2 n = {e.first * dot(normal, e.axis) / reach, e.second * dot(normal, across) / reach};
+    const Vec2 origin;
     const Convex circle = {&origin, nullptr, nullptr, 1, 1.0f};
     const double height = (depth - double(dot(normal, e.center))) / double(reach);
     const AreaPart part = part_below(circle, n, height);
@@ -125,7 +125,7 @@ AreaPart part_of_ellipse(const EllipseForm& e, V2 normal, double depth) {
 
 }  // namespace
 
-AreaPart part_below(const Solid& shape, V2 normal, double depth) {
+AreaPart part_below(const Solid& shape, Vec2 normal, double depth) {
     if (shape.kind == FormKind::large) {
         AreaPart part = part_below(shape.form, unrotate(shape.rotation, normal), depth);
         part.centroid = rotate(shape.rotation, part.centroid);

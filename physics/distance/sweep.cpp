@@ -8,10 +8,10 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Smallest squared distance from the vertices of `points` to the edges of `shape`.
-float vertices_to_edges(const Convex& points, const Convex& shape, V2 to_shape) {
+float vertices_to_edges(const Convex& points, const Convex& shape, Vec2 to_shape) {
     float least = 1e30f;
     for (int i = 0; i < points.count; ++i) {
-        const V2 p = points.vertices[i] - to_shape;
+        const Vec2 p = points.vertices[i] - to_shape;
         for (int k = 0; k < shape.count; ++k) {
             const int next = k + 1 < shape.count ? k + 1 : 0;
             least =
@@ -22,7 +22,7 @@ float vertices_to_edges(const Convex& points, const Convex& shape, V2 to_shape) 
 }
 
 /// True if no edge normal of `a` separates b from it.
-bool no_axis_between(const Convex& a, const Convex& b, V2 offset) {
+bool no_axis_between(const Convex& a, const Convex& b, Vec2 offset) {
     for (int i = 0; i < a.count && a.count > 1; ++i) {
         float nearest = 1e30f;
         for (int k = 0; k < b.count; ++k)
@@ -34,7 +34,7 @@ bool no_axis_between(const Convex& a, const Convex& b, V2 offset) {
 
 }  // namespace
 
-float distance(const Convex& a, const Convex& b, V2 offset) {
+float distance(const Convex& a, const Convex& b, Vec2 offset) {
     // Fast bodies are rare: a loop over all vertices and edges is short and exact.
     const bool solid = a.count > 2 || b.count > 2;
     if (solid && no_axis_between(a, b, offset) && no_axis_between(b, a, -offset)) return 0.0f;
@@ -47,7 +47,7 @@ namespace {
 /// The distance of a shape from an obstacle, and the unit vector to it; zero if they overlap.
 struct Gap {
     float distance = 0.0f;
-    V2 direction;
+    Vec2 direction;
 };
 
 /// The shape of a sweep at any time.
@@ -76,7 +76,7 @@ float advance(const Sweep& a, const Sweep& b, float gap, float t, GapAt&& gap_at
     for (int round = 0; round < most_rounds; ++round) {
         const Gap found = gap_at(t);
         if (found.distance <= gap) return t;
-        V2 velocity;
+        Vec2 velocity;
         float spin = 0.0f, end = 1.0f;  // of both: until the first of them stops
         if (a.motion.moves_after(t)) {
             velocity = a.motion.velocity;
@@ -107,7 +107,7 @@ float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start) {
     });
 }
 
-float time_of_impact(const Sweep& sweep, V2 normal, float depth, float gap, float start) {
+float time_of_impact(const Sweep& sweep, Vec2 normal, float depth, float gap, float start) {
     Turning turning(sweep);
     const Sweep plane = {{}, standing({}), 0.0f};
     return advance(sweep, plane, gap, start, [&](float t) {

@@ -9,7 +9,7 @@ namespace fettle::physics::detail {
 void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
     for (const Strain& strain : scratch.strains) {
         const JointRecord& joint = e.objects.joints[strain.joint];
-        const V2 force = rate * strain.force;
+        const Vec2 force = rate * strain.force;
         const float torque = rate * strain.torque;
         if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
         const auto [a, b] = joint.bodies;
@@ -17,7 +17,7 @@ void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
             {{strain.joint, e.columns.joint_generations[strain.joint]},
              body_id(e.columns, a),
              body_id(e.columns, b),
-             to_vec2(force),
+             force,
              torque});
         set_joint_broken(e, strain.joint, true);
     }

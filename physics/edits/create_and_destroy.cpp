@@ -62,10 +62,10 @@ void apply_bounds(const Editing& e) {
         const float far = 2.0f * greatest_coordinate;
         const Aabb& b = *e.settings.bounds;
         Box4 box = {{-far, -far}, {far, far}};
-        if (side == 0) box.high.x = b.min.x();
-        if (side == 1) box.low.x = b.max.x();
-        if (side == 2) box.high.y = b.min.y();
-        if (side == 3) box.low.y = b.max.y();
+        if (side == 0) box.high.x = b.min.x;
+        if (side == 1) box.low.x = b.max.x;
+        if (side == 2) box.high.y = b.min.y;
+        if (side == 3) box.low.y = b.max.y;
         e.broad_phase.boxes[side] = e.broad_phase.fat_boxes[side] =
             e.broad_phase.paired_boxes[side] = box;
     }
@@ -88,7 +88,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     record.gravity_scale = def.gravity_scale;
     record.linear_damping = def.linear_damping;
     record.angular_damping = def.angular_damping;
-    record.force = to_v2(def.force);
+    record.force = def.force;
     record.torque = def.torque;
     record.locked_x = def.locked_x;
     record.locked_y = def.locked_y;
@@ -97,7 +97,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     record.bullet = def.bullet;
     record.given_mass = def.mass.value_or(not_given);
     record.given_inertia = def.inertia.value_or(not_given);
-    if (def.center) record.given_center = record.local_center = to_v2(*def.center);
+    if (def.center) record.given_center = record.local_center = *def.center;
     record.user_data = def.user_data;
 
     BodyState& state = e.columns.states[slot];
@@ -107,7 +107,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     state.cosine = q.c;
     state.sine = q.s;
     e.columns.previous[slot] = {def.position, def.angle};
-    record.center = to_v2(def.position) + rotate(q, record.local_center);
+    record.center = def.position + rotate(q, record.local_center);
     mark_mass(e.objects, e.active, slot);
     refresh_mass(e, slot);  // sets its mobility; the body has no shapes yet
     record.rebuilds = 0;
@@ -234,7 +234,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
     reserve_vertices(objects, slot, std::max(count, room));
     if (record.type == ShapeType::polygon) {
         for (uint32_t i = 0; i < count; ++i)
-            objects.pool.local[objects.forms[slot].begin + i] = to_v2(hull[i]);
+            objects.pool.local[objects.forms[slot].begin + i] = hull[i];
     }
     mark_geometry(objects, e.active, slot);
 }

@@ -25,21 +25,21 @@ float fitting_rounding(const Box& box) {
 }
 
 /// Corners of a box without its rounding. The core always has an area, so it stays a polygon.
-void box_corners(const Box& box, V2* out) {
+void box_corners(const Box& box, Vec2* out) {
     const float least = min(box.width, box.height) * 1e-3f;
     const float rounding = fitting_rounding(box);
     const float hx = 0.5f * max(box.width - 2.0f * rounding, least);
     const float hy = 0.5f * max(box.height - 2.0f * rounding, least);
     const Rotation q = rotation_of(box.angle);
-    const V2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
-    for (int i = 0; i < 4; ++i) out[i] = to_v2(box.center) + rotate(q, corners[i]);
+    const Vec2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
+    for (int i = 0; i < 4; ++i) out[i] = box.center + rotate(q, corners[i]);
 }
 
 /// Ends of a segment are set one after the other, too. While they are equal, the segment has a
 /// minimal length.
-V2 kept_apart(V2 to, V2 from) {
+Vec2 kept_apart(Vec2 to, Vec2 from) {
     const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
-    return length(to - from) >= least ? to : from + V2{least, 0.0f};
+    return length(to - from) >= least ? to : from + Vec2{least, 0.0f};
 }
 
 void list_body(ObjectState& objects, ActiveLists& active, uint32_t body) {
@@ -97,8 +97,8 @@ void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseSta
     // parts.
     const BodyState& state = columns.states[body];
     Box4 box = no_box;
-    for (const V2 point : objects.outline_of(shape)) {
-        const V2 place = to_v2(state.position) + rotate({state.cosine, state.sine}, point);
+    for (const Vec2 point : objects.outline_of(shape)) {
+        const Vec2 place = state.position + rotate({state.cosine, state.sine}, point);
         box = unite(box, {place, place});
     }
     moving_tree.query(grow(box, speculative_margin),
@@ -167,7 +167,7 @@ void update_mobility(const Editing& e, uint32_t body) {
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(e.objects, e.active, body);
-        e.columns.states[body].velocity.setZero();
+        e.columns.states[body].velocity = {};
         e.columns.states[body].angular_velocity = 0.0f;
         e.columns.previous[body] = {e.columns.states[body].position, e.columns.states[body].angle};
     } else if (record.solver_index == 0) {
@@ -185,7 +185,7 @@ void refresh_placement(const Editing& e, uint32_t body) {
     record.placement_dirty = false;
     const BodyState& state = e.columns.states[body];
     const Rotation q = {state.cosine, state.sine};
-    record.center = to_v2(state.position) + rotate(q, record.local_center);
+    record.center = state.position + rotate(q, record.local_center);
     for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
         if (!e.objects.is_solid(s)) continue;
         place_shape(e.objects, e.broad_phase.boxes, s, q, state.angle);
@@ -234,10 +234,10 @@ void refresh_shape(const Editing& e, uint32_t shape) {
     }
     ShapeForm& form = objects.forms[shape];
     const float radius_before = form.radius;
-    V2* local = &objects.pool.local[form.begin];
+    Vec2* local = &objects.pool.local[form.begin];
     switch (record.type) {
         case ShapeType::circle:
-            local[0] = to_v2(record.figure.as<Circle>().center);
+            local[0] = record.figure.as<Circle>().center;
             form.radius = record.figure.as<Circle>().radius;
             break;
         case ShapeType::box:
@@ -245,8 +245,8 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             form.radius = fitting_rounding(record.figure.as<Box>());
             break;
         case ShapeType::segment:
-            local[0] = to_v2(record.figure.as<Segment>().from);
-            local[1] = kept_apart(to_v2(record.figure.as<Segment>().to), local[0]);
+            local[0] = record.figure.as<Segment>().from;
+            local[1] = kept_apart(record.figure.as<Segment>().to, local[0]);
             form.radius = record.figure.as<Segment>().rounding;
             break;
         case ShapeType::ellipse:
@@ -309,7 +309,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         const ShapeForm& form = objects.forms[s];
         float inner = infinity;
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-            const V2 v = objects.pool.local[i] - V2{float(cx), float(cy)};
+            const Vec2 v = objects.pool.local[i] - Vec2{float(cx), float(cy)};
             extent = max(extent, length(v) + form.radius);
             if (form.count > 2)
                 inner = min(inner,
@@ -334,16 +334,16 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
 
     const BodyState& state = e.columns.states[body];
-    const V2 old_center = record.center, old_local_center = record.local_center;
+    const Vec2 old_center = record.center, old_local_center = record.local_center;
     record.mass = float(mass);
     record.inertia = float(inertia);
     record.extent = extent;
     record.thickness = thickness == infinity ? 0.0f : thickness;
     record.local_center = {float(cx), float(cy)};
-    record.center = to_v2(state.position) + rotate({state.cosine, state.sine}, record.local_center);
+    record.center = state.position + rotate({state.cosine, state.sine}, record.local_center);
     // The motion of the body does not change, but its velocity refers to another point now.
-    const V2 drift = cross(state.angular_velocity, record.center - old_center);
-    e.columns.states[body].velocity = to_vec2(bounded(to_v2(state.velocity) + drift, 1e30f));
+    const Vec2 drift = cross(state.angular_velocity, record.center - old_center);
+    e.columns.states[body].velocity = bounded(state.velocity + drift, 1e30f);
     if (!is_static || record.local_center.x != old_local_center.x ||
         record.local_center.y != old_local_center.y)
         mark_placement(objects, e.active, body);

@@ -16,21 +16,21 @@ namespace {
 
 /// The parts of an outline in sequence: vertices, then limits.
 struct Parts {
-    std::vector<V2> values;
+    std::vector<Vec2> values;
     std::vector<uint32_t> counts;  ///< number of vertices of each part
 };
 
-V2 normal_between(V2 from, V2 to) {
+Vec2 normal_between(Vec2 from, Vec2 to) {
     return normalized(right_perp(to - from));
 }
 
 /// A point nearer than this (m) to the previous one is ignored.
 constexpr float same_point = 1e-5f;
 
-std::vector<V2> distinct(std::span<const V2> points, bool closed) {
-    std::vector<V2> kept;
+std::vector<Vec2> distinct(std::span<const Vec2> points, bool closed) {
+    std::vector<Vec2> kept;
     kept.reserve(points.size());
-    for (V2 p : points) {
+    for (Vec2 p : points) {
         const float near = same_point + 1e-6f * max(std::fabs(p.x), std::fabs(p.y));
         if (kept.empty() || length(p - kept.back()) > near) kept.push_back(p);
     }
@@ -41,21 +41,21 @@ std::vector<V2> distinct(std::span<const V2> points, bool closed) {
 
 /// A chain is solid on its left side. Each segment becomes a piece with the direction opposite to
 /// the chain, so that its outward normal is the first.
-Parts chain_parts(std::span<const V2> points, bool closed) {
-    const std::vector<V2> p = distinct(points, closed);
+Parts chain_parts(std::span<const Vec2> points, bool closed) {
+    const std::vector<Vec2> p = distinct(points, closed);
     const size_t n = p.size();
     Parts parts;
     if (n < 2) return parts;
     closed = closed && n > 2;
     const size_t segments = closed ? n : n - 1;
-    std::vector<V2> normals(segments);
+    std::vector<Vec2> normals(segments);
     for (size_t i = 0; i < segments; ++i) normals[i] = normal_between(p[(i + 1) % n], p[i]);
     parts.values.reserve(6 * segments);
     parts.counts.assign(segments, 2);
     for (size_t i = 0; i < segments; ++i) {
-        const V2 before = i > 0 ? normals[i - 1] : (closed ? normals.back() : V2{});
-        const V2 after = i + 1 < segments ? normals[i + 1] : (closed ? normals.front() : V2{});
-        for (V2 v : {p[(i + 1) % n], p[i], after, normals[i], normals[i], before})
+        const Vec2 before = i > 0 ? normals[i - 1] : (closed ? normals.back() : Vec2{});
+        const Vec2 after = i + 1 < segments ? normals[i + 1] : (closed ? normals.front() : Vec2{});
+        for (Vec2 v : {p[(i + 1) % n], p[i], after, normals[i], normals[i], before})
             parts.values.push_back(v);
     }
     return parts;
@@ -63,12 +63,12 @@ Parts chain_parts(std::span<const V2> points, bool closed) {
 
 /// Removes vertices on the line between their neighbors, so that a piece has one edge where the
 /// outline has several collinear ones.
-std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std::vector<V2>& p) {
+std::vector<uint32_t> without_flat(const std::vector<uint32_t>& piece, const std::vector<Vec2>& p) {
     std::vector<uint32_t> kept = piece;
     for (size_t i = 0; i < kept.size() && kept.size() > 3;) {
         const size_t n = kept.size();
-        const V2 a = p[kept[(i + n - 1) % n]], b = p[kept[i]], c = p[kept[(i + 1) % n]];
-        const V2 chord = c - a;
+        const Vec2 a = p[kept[(i + n - 1) % n]], b = p[kept[i]], c = p[kept[(i + 1) % n]];
+        const Vec2 chord = c - a;
         if (std::fabs(cross(chord, b - a)) <= 1e-5f * length_squared(chord))
             kept.erase(kept.begin() + std::ptrdiff_t(i));
         else
@@ -110,13 +110,13 @@ bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, 
     return true;
 }
 
-Parts concave_parts(std::span<const V2> points) {
-    std::vector<V2> p = distinct(points, true);
+Parts concave_parts(std::span<const Vec2> points) {
+    std::vector<Vec2> p = distinct(points, true);
     Parts parts;
     if (p.size() < 3) return parts;
     if (signed_area(p) < 0.0) std::reverse(p.begin(), p.end());
     const auto n = uint32_t(p.size());
-    std::vector<V2> normals(n);
+    std::vector<Vec2> normals(n);
     for (uint32_t i = 0; i < n; ++i) normals[i] = normal_between(p[i], p[(i + 1) % n]);
     for (const std::vector<uint32_t>& whole : convex_pieces(p)) {
         const std::vector<uint32_t> piece = without_flat(whole, p);
@@ -129,12 +129,12 @@ Parts concave_parts(std::span<const V2> points) {
                 parts.values.push_back(normals[piece[k]]);
             }
             // An edge belongs to the outline if its normal is equal bit for bit.
-            V2* limits = &parts.values[begin + count];
+            Vec2* limits = &parts.values[begin + count];
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t here = part[i], there = part[(i + 1) % count];
                 const uint32_t from = piece[here], to = piece[there];
                 if (there != (here + 1) % piece.size() || !on_outline(whole, from, to, n)) continue;
-                const V2 own = normal_between(p[from], p[to]);
+                const Vec2 own = normal_between(p[from], p[to]);
                 limits[2 * i + 1] = own;
                 limits[2 * ((i + 1) % count)] = own;
             }
@@ -150,7 +150,7 @@ void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
     reserve_vertices(objects, shape, uint32_t(points.size()));
     objects.shapes[shape].outline = uint32_t(points.size());
     for (size_t i = 0; i < points.size(); ++i)
-        objects.pool.local[objects.forms[shape].begin + i] = to_v2(points[i]);
+        objects.pool.local[objects.forms[shape].begin + i] = points[i];
     mark_geometry(objects, active, shape);
 }
 
@@ -160,7 +160,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
     const Parts parts = chain ? chain_parts(objects.outline_of(shape), objects.shapes[shape].closed)
                               : concave_parts(objects.outline_of(shape));
     uint32_t last = none, part = objects.shapes[shape].first_part;
-    const V2* values = parts.values.data();
+    const Vec2* values = parts.values.data();
     for (const uint32_t count : parts.counts) {
         if (part == none) {
             part = new_shape(e);
@@ -173,7 +173,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
                 part;
             if (objects.forms[shape].body != none) attach_shape(e, part, objects.forms[shape].body);
         }
-        const size_t size = 3 * size_t{count} * sizeof(V2);
+        const size_t size = 3 * size_t{count} * sizeof(Vec2);
         // A part that the edit did not change keeps its contacts.
         if (objects.forms[part].count != count ||
             std::memcmp(&objects.pool.local[objects.forms[part].begin], values, size) != 0) {
@@ -193,7 +193,8 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
         record.set_moments(
             moments_of(objects.outline_of(shape).first(std::min(record.outline, 2u)), 0.0f));
     } else {
-        std::vector<V2> points(objects.outline_of(shape).begin(), objects.outline_of(shape).end());
+        std::vector<Vec2> points(objects.outline_of(shape).begin(),
+                                 objects.outline_of(shape).end());
         if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
         record.set_moments(moments_of(points, 0.0f));
     }

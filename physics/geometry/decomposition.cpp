@@ -16,9 +16,9 @@ using Indices = std::vector<uint32_t>;
 
 class Cutter {
   public:
-    explicit Cutter(std::span<const V2> points) : p_(points) {
+    explicit Cutter(std::span<const Vec2> points) : p_(points) {
         double extent = 0.0;
-        for (V2 p : points) extent = std::max(extent, double(length(p - points[0])));
+        for (Vec2 p : points) extent = std::max(extent, double(length(p - points[0])));
         tolerance_ = 1e-9 * extent * extent;
     }
 
@@ -83,7 +83,7 @@ class Cutter {
         for (size_t k : {(i + 1) % q.size(), (i + q.size() - 1) % q.size(), (j + 1) % q.size(),
                          (j + q.size() - 1) % q.size()}) {
             if (k == i || k == j || turn(a, b, q[k]) != 0.0) continue;
-            const V2 u = p_[b] - p_[a], v = p_[q[k]] - p_[a];
+            const Vec2 u = p_[b] - p_[a], v = p_[q[k]] - p_[a];
             if (dot(u, v) > 0.0f && dot(v, v) < dot(u, u)) return false;
         }
         return true;
@@ -172,14 +172,14 @@ class Cutter {
         }
     }
 
-    std::span<const V2> p_;
+    std::span<const Vec2> p_;
     double tolerance_ = 0.0;
     std::vector<Indices> pieces_;
 };
 
 }  // namespace
 
-std::vector<std::vector<uint32_t>> convex_pieces(std::span<const V2> outline) {
+std::vector<std::vector<uint32_t>> convex_pieces(std::span<const Vec2> outline) {
     if (outline.size() < 3) return {};
     return Cutter(outline).cut();
 }

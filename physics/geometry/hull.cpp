@@ -81,8 +81,8 @@ HullStatus convex_hull(std::span<const Vec2> points, std::vector<Vec2>& hull) {
     std::vector<Point> sorted;
     sorted.reserve(points.size());
     for (const Vec2& p : points) {
-        if (!std::isfinite(p.x()) || !std::isfinite(p.y())) return HullStatus::not_finite;
-        sorted.push_back({p.x(), p.y()});
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return HullStatus::not_finite;
+        sorted.push_back({p.x, p.y});
     }
     std::sort(sorted.begin(), sorted.end(),
               [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });

@@ -38,7 +38,7 @@ void add_sector(Sum& sum, double x, double y, double ux, double uy, double alpha
             0.25 * r * r * r * r * alpha - area * lever * lever);
 }
 
-void add_rounding(Sum& sum, std::span<const V2> v, V2 origin, double r) {
+void add_rounding(Sum& sum, std::span<const Vec2> v, Vec2 origin, double r) {
     constexpr double full_turn = 6.28318530717958647692;
     const size_t n = v.size();
     auto edge_normal = [&](size_t i, double& nx, double& ny, double& edge) {
@@ -71,20 +71,20 @@ void add_rounding(Sum& sum, std::span<const V2> v, V2 origin, double r) {
 
 }  // namespace
 
-AreaMoments moments_of(std::span<const V2> vertices, float radius) {
+AreaMoments moments_of(std::span<const Vec2> vertices, float radius) {
     if (vertices.empty()) return {};
     // A point near the shape, so that nothing cancels when the shape is far from the body's origin.
-    const V2 origin = vertices[0];
+    const Vec2 origin = vertices[0];
     Sum sum;
     for (size_t i = 1; i + 1 < vertices.size(); ++i) {
-        const V2 a = vertices[i] - origin, b = vertices[i + 1] - origin;
+        const Vec2 a = vertices[i] - origin, b = vertices[i + 1] - origin;
         add_triangle(sum, a.x, a.y, b.x, b.y);
     }
     if (radius > 0.0f) add_rounding(sum, vertices, origin, radius);
     AreaMoments moments;
     if (!(sum.area > 0.0)) {
         // A line has no area; its middle is the center.
-        for (V2 v : vertices) {
+        for (Vec2 v : vertices) {
             moments.center_x += double(v.x) / double(vertices.size());
             moments.center_y += double(v.y) / double(vertices.size());
         }

@@ -18,6 +18,6 @@ struct AreaMoments {
 /// Moments of a convex counter-clockwise polygon that is enlarged by `radius` on all sides. One
 /// vertex with a radius is a circle, two are a capsule. The result is exact: polygon + a rectangle
 /// on each edge + a sector at each corner.
-AreaMoments moments_of(std::span<const V2> vertices, float radius);
+AreaMoments moments_of(std::span<const Vec2> vertices, float radius);
 
 }  // namespace fettle::physics::detail

@@ -7,21 +7,21 @@ namespace fettle::physics::detail {
 /// The motion of a body in a step, which lasts from 0 to 1. The body moves uniformly between
 /// `since` and `until`, and stands before and after.
 struct Motion {
-    V2 from;      ///< center of mass at `since`
-    V2 velocity;  ///< m per step
+    Vec2 from;      ///< center of mass at `since`
+    Vec2 velocity;  ///< m per step
     /// Rotation at `since`, relative to the pose in which the vertices of its shapes are, rad.
     float angle = 0.0f;
     float turn = 0.0f;  ///< rad per step
     float since = 0.0f, until = 1.0f;
 
     float passed(float t) const { return clamp(t, since, until) - since; }
-    V2 center(float t) const { return from + passed(t) * velocity; }
+    Vec2 center(float t) const { return from + passed(t) * velocity; }
     /// Relative to the pose of the vertices.
     double rotation(float t) const { return double(angle) + double(turn) * double(passed(t)); }
     bool moves_after(float t) const { return t < until; }
 };
 
-inline Motion standing(V2 center, float angle = 0.0f) {
+inline Motion standing(Vec2 center, float angle = 0.0f) {
     Motion motion;
     motion.from = center;
     motion.angle = angle;

@@ -11,25 +11,25 @@ namespace {
 
 /// Twice the signed area of a triangle. Differences of floats are exact in double precision unless
 /// their magnitudes differ strongly, so the sign is correct except very near 0.
-double turn(V2 o, V2 a, V2 b) {
+double turn(Vec2 o, Vec2 a, Vec2 b) {
     const double ax = double(a.x) - double(o.x), ay = double(a.y) - double(o.y);
     const double bx = double(b.x) - double(o.x), by = double(b.y) - double(o.y);
     return ax * by - ay * bx;
 }
 
-bool same(V2 a, V2 b) {
+bool same(Vec2 a, Vec2 b) {
     return a.x == b.x && a.y == b.y;
 }
 
 /// Whether `p` is between a and b. It must be on their line.
-bool between(V2 p, V2 a, V2 b) {
+bool between(Vec2 p, Vec2 a, Vec2 b) {
     return min(a.x, b.x) <= p.x && p.x <= max(a.x, b.x) && min(a.y, b.y) <= p.y &&
            p.y <= max(a.y, b.y);
 }
 
 struct Edge {
     uint32_t from, to;  // vertices
-    V2 a, b;
+    Vec2 a, b;
     bool next_to(const Edge& o) const {
         return to == o.from || from == o.to || same(b, o.a) || same(a, o.b);
     }
@@ -43,13 +43,13 @@ std::string name(const Edge& e) {
     return "the edge from vertex " + number(e.from) + " to " + number(e.to);
 }
 
-std::string name(V2 p) {
+std::string name(Vec2 p) {
     char text[48];
     std::snprintf(text, sizeof text, "(%g, %g)", double(p.x), double(p.y));
     return text;
 }
 
-V2 crossing(const Edge& e, const Edge& f) {
+Vec2 crossing(const Edge& e, const Edge& f) {
     const double d = turn(e.a, e.b, f.b) - turn(e.a, e.b, f.a);
     const double t = d != 0.0 ? -turn(e.a, e.b, f.a) / d : 0.0;
     return {float(double(f.a.x) + t * (double(f.b.x) - double(f.a.x))),
@@ -66,8 +66,8 @@ std::optional<std::string> meeting(const Edge& e, const Edge& f) {
     const bool on_line = ea == 0.0 && eb == 0.0;
     if (e.next_to(f)) {
         // Neighbors share a vertex; they must not overlap.
-        const V2 shared = same(e.b, f.a) ? e.b : e.a;
-        const V2 p = same(e.b, f.a) ? e.a : e.b, q = same(e.b, f.a) ? f.b : f.a;
+        const Vec2 shared = same(e.b, f.a) ? e.b : e.a;
+        const Vec2 p = same(e.b, f.a) ? e.a : e.b, q = same(e.b, f.a) ? f.b : f.a;
         const bool back = on_line && (between(p, shared, q) || between(q, shared, p));
         if (!back) return {};
         return name(f) + " runs back over " + name(e) + no_hole;
@@ -91,14 +91,14 @@ std::optional<std::string> meeting(const Edge& e, const Edge& f) {
 
 }  // namespace
 
-double signed_area(std::span<const V2> outline) {
+double signed_area(std::span<const Vec2> outline) {
     double twice = 0.0;
     for (size_t i = 1; i + 1 < outline.size(); ++i)
         twice += turn(outline[0], outline[i], outline[i + 1]);
     return 0.5 * twice;
 }
 
-std::optional<std::string> outline_problem(std::span<const V2> outline) {
+std::optional<std::string> outline_problem(std::span<const Vec2> outline) {
     std::vector<Edge> edges;
     const auto n = uint32_t(outline.size());
     for (uint32_t i = 0; i < n; ++i) {
@@ -127,7 +127,7 @@ std::optional<std::string> outline_problem(std::span<const V2> outline) {
         open.push_back(e);
     }
     double extent = 0.0;
-    for (V2 p : outline) extent = std::max(extent, double(length(p - outline[0])));
+    for (Vec2 p : outline) extent = std::max(extent, double(length(p - outline[0])));
     if (!(std::fabs(signed_area(outline)) > 1e-7 * extent * extent))
         return "the vertices of the polygon lie on one line";
     return {};

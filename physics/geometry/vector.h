@@ -4,60 +4,35 @@
 
 #include <cmath>
 
-// A step uses these plain structs instead of Eigen: they are trivially copyable members of
-// frequently used records, and all operations are explicit, so no compiler reorders them.
+// Functions of vectors, rotations and boxes as equations write them: `dot(a, b)` is `a.dot(b)`.
 
 namespace fettle::physics::detail {
 
-struct V2 {
-    float x = 0.0f;
-    float y = 0.0f;
-};
-
-inline V2 to_v2(const Vec2& v) {
-    return {v.x(), v.y()};
+inline float dot(Vec2 a, Vec2 b) {
+    return a.dot(b);
 }
-inline Vec2 to_vec2(V2 v) {
-    return {v.x, v.y};
-}
-
-inline V2 operator+(V2 a, V2 b) {
-    return {a.x + b.x, a.y + b.y};
-}
-inline V2 operator-(V2 a, V2 b) {
-    return {a.x - b.x, a.y - b.y};
-}
-inline V2 operator-(V2 a) {
-    return {-a.x, -a.y};
-}
-inline V2 operator*(float s, V2 a) {
-    return {s * a.x, s * a.y};
-}
-inline float dot(V2 a, V2 b) {
-    return a.x * b.x + a.y * b.y;
-}
-inline float cross(V2 a, V2 b) {
-    return a.x * b.y - a.y * b.x;
+inline float cross(Vec2 a, Vec2 b) {
+    return a.cross(b);
 }
 /// ω × r in the plane.
-inline V2 cross(float w, V2 r) {
+inline Vec2 cross(float w, Vec2 r) {
     return {-w * r.y, w * r.x};
 }
 /// A quarter turn clockwise: the outward normal of a counter-clockwise edge, the tangent of a
 /// normal.
-inline V2 right_perp(V2 a) {
+inline Vec2 right_perp(Vec2 a) {
     return {a.y, -a.x};
 }
-inline float length_squared(V2 a) {
-    return a.x * a.x + a.y * a.y;
+inline float length_squared(Vec2 a) {
+    return a.length_squared();
 }
-inline float length(V2 a) {
-    return std::sqrt(length_squared(a));
+inline float length(Vec2 a) {
+    return a.length();
 }
 /// The unit vector; the zero vector has no direction and is returned unchanged.
-inline V2 normalized(V2 a) {
+inline Vec2 normalized(Vec2 a) {
     const float l = length(a);
-    return l > 1e-20f ? (1.0f / l) * a : V2{};
+    return l > 1e-20f ? (1.0f / l) * a : Vec2{};
 }
 inline float min(float a, float b) {
     return a < b ? a : b;
@@ -75,7 +50,7 @@ inline float bounded(float v, float limit) {
     if (v < -limit) return -limit;
     return v == v ? v : 0.0f;
 }
-inline V2 bounded(V2 v, float limit) {
+inline Vec2 bounded(Vec2 v, float limit) {
     return {bounded(v.x, limit), bounded(v.y, limit)};
 }
 
@@ -84,17 +59,17 @@ struct Rotation {
     float c = 1.0f;
     float s = 0.0f;
 };
-inline V2 rotate(Rotation q, V2 v) {
+inline Vec2 rotate(Rotation q, Vec2 v) {
     return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
 }
-inline V2 unrotate(Rotation q, V2 v) {
+inline Vec2 unrotate(Rotation q, Vec2 v) {
     return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x};
 }
 
 /// An axis-aligned box of plain floats.
 struct Box4 {
-    V2 low;
-    V2 high;
+    Vec2 low;
+    Vec2 high;
 };
 /// A box that overlaps no box.
 inline constexpr Box4 no_box = {{1e38f, 1e38f}, {-1e38f, -1e38f}};

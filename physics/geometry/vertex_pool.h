@@ -14,11 +14,11 @@ namespace fettle::physics::detail {
 /// and which are reused. A shape stores the beginning of its block. The arrays contain body
 /// coordinates, and the same coordinates rotated about the body's center of mass.
 struct VertexPool {
-    std::vector<V2> local;       ///< body coordinates
-    std::vector<V2> normals;     ///< outward normal of the edge from i to i+1, body coordinates
-    std::vector<V2> vertices;    ///< rotated, relative to the center of mass
-    std::vector<V2> directions;  ///< rotated normals
-    std::vector<float> offsets;  ///< directions·vertices: does not change with rotation
+    std::vector<Vec2> local;       ///< body coordinates
+    std::vector<Vec2> normals;     ///< outward normal of the edge from i to i+1, body coordinates
+    std::vector<Vec2> vertices;    ///< rotated, relative to the center of mass
+    std::vector<Vec2> directions;  ///< rotated normals
+    std::vector<float> offsets;    ///< directions·vertices: does not change with rotation
 
     static uint32_t capacity_for(uint32_t count) { return std::bit_ceil(count < 1 ? 1u : count); }
 

@@ -12,11 +12,11 @@ namespace fettle::physics::detail {
 
 /// A row along a direction that rotates with a body, or with a line between two bodies.
 struct Line {
-    V2 direction;
+    Vec2 direction;
     float lever_a = 0.0f, lever_b = 0.0f, mass = 0.0f;
 
     /// `arm_a`: from the center of mass of a to the point where the row pushes.
-    void aim(const JointEnds& ends, V2 towards, V2 arm_a, const SolverBody& a,
+    void aim(const JointEnds& ends, Vec2 towards, Vec2 arm_a, const SolverBody& a,
              const SolverBody& b) {
         direction = towards;
         lever_a = cross(arm_a, towards);

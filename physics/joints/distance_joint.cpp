@@ -67,9 +67,9 @@ struct DistanceConstraint {
     /// Rotates the levers and the axis with the bodies; returns the distance.
     float follow(const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
-        const V2 d = ends.gap(a, b);
+        const Vec2 d = ends.gap(a, b);
         const float distance = detail::length(d);
-        V2 axis = line.direction;
+        Vec2 axis = line.direction;
         // If the anchors coincide, the axis keeps its direction, or is arbitrary at first.
         if (distance > 1e-9f) axis = (1.0f / distance) * d;
         if (axis.x == 0.0f && axis.y == 0.0f) axis = {0.0f, 1.0f};
@@ -134,7 +134,7 @@ FETTLE_JOINT_NUMBER(Distance, hertz, stiffness.hertz)
 FETTLE_JOINT_NUMBER(Distance, damping_ratio, stiffness.damping_ratio)
 
 float DistanceJoint::distance() const {
-    return gap_between(*this).norm();
+    return gap_between(*this).length();
 }
 
 FETTLE_CREATE_JOINT(Distance, create_distance_joint, joint.set_length(joint.distance()))

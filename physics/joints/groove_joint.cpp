@@ -9,9 +9,9 @@ namespace detail {
 
 struct GrooveSettings {
     static constexpr JointType type = JointType::groove;
-    V2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; the groove begins at the anchor
+    Vec2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; the groove begins at the anchor
 
-    void check() const { check_coordinates("end", to_vec2(end)); }
+    void check() const { check_coordinates("end", end); }
 };
 
 struct GrooveConstraint : SlotConstraint {
@@ -19,7 +19,7 @@ struct GrooveConstraint : SlotConstraint {
 
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
-        const V2 run = settings.end - frame.anchor_a;
+        const Vec2 run = settings.end - frame.anchor_a;
         RailSettings slot;
         slot.along.limits = {0.0f, length(run)};
         // If both ends are at the same point, the pin is held there, and the direction does not

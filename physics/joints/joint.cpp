@@ -56,8 +56,8 @@ JointRecord checked(const World& world, JointType type, const JointDef& def) {
     if (def.body_a != BodyId()) record.bodies[0] = slot_of(world, "body_a", def.body_a);
     if (def.body_b != BodyId()) record.bodies[1] = slot_of(world, "body_b", def.body_b);
     if (record.bodies[0] == record.bodies[1]) throw std::invalid_argument(two_bodies);
-    record.anchors[0] = to_v2(check_coordinates("anchor_a", def.anchor_a));
-    record.anchors[1] = to_v2(check_coordinates("anchor_b", def.anchor_b));
+    record.anchors[0] = check_coordinates("anchor_a", def.anchor_a);
+    record.anchors[1] = check_coordinates("anchor_b", def.anchor_b);
     record.collide = def.collide;
     record.enabled = def.enabled;
     record.user_data = def.user_data;
@@ -74,9 +74,9 @@ Vec2 gap_between(const Joint& joint) {
 }
 
 float translation_along(const Joint& joint, const Vec2& direction) {
-    const V2 axis = normalized(to_v2(direction));
+    const Vec2 axis = normalized(direction);
     const Body a = joint.body_a();
-    const Vec2 turned = a ? a.world_vector(to_vec2(axis)) : to_vec2(axis);
+    const Vec2 turned = a ? a.world_vector(axis) : axis;
     return turned.dot(gap_between(joint));
 }
 
@@ -168,27 +168,26 @@ FETTLE_JOINT_READ(float, torque)
 FETTLE_JOINT_READ(uint64_t, user_data)
 
 // Defines the properties of a joint for one of its two bodies.
-#define FETTLE_JOINT_SIDE(letter, side)                                        \
-    Body Joint::body_##letter() const {                                        \
-        const WorldData& data = live();                                        \
-        const uint32_t body = data.joints[id_.index].bodies[side];             \
-        return body == 0 ? Body() : Body(link_->world, data.body_id(body));    \
-    }                                                                          \
-    void Joint::set_body_##letter(const Body& body) {                          \
-        set_body(side, body, __func__);                                        \
-    }                                                                          \
-    Vec2 Joint::anchor_##letter() const {                                      \
-        return to_vec2(live().joints[id_.index].anchors[side]);                \
-    }                                                                          \
-    void Joint::set_anchor_##letter(const Vec2& anchor) {                      \
-        WorldData& data = edited(__func__);                                    \
-        data.joints[id_.index].anchors[side] =                                 \
-            to_v2(check_coordinates("anchor_" #letter, anchor));               \
-        wake_joint(data.activity(), id_.index);                                \
-    }                                                                          \
-    Vec2 Joint::world_anchor_##letter() const {                                \
-        const Body body = body_##letter();                                     \
-        return body ? body.world_point(anchor_##letter()) : anchor_##letter(); \
+#define FETTLE_JOINT_SIDE(letter, side)                                                      \
+    Body Joint::body_##letter() const {                                                      \
+        const WorldData& data = live();                                                      \
+        const uint32_t body = data.joints[id_.index].bodies[side];                           \
+        return body == 0 ? Body() : Body(link_->world, data.body_id(body));                  \
+    }                                                                                        \
+    void Joint::set_body_##letter(const Body& body) {                                        \
+        set_body(side, body, __func__);                                                      \
+    }                                                                                        \
+    Vec2 Joint::anchor_##letter() const {                                                    \
+        return live().joints[id_.index].anchors[side];                                       \
+    }                                                                                        \
+    void Joint::set_anchor_##letter(const Vec2& anchor) {                                    \
+        WorldData& data = edited(__func__);                                                  \
+        data.joints[id_.index].anchors[side] = check_coordinates("anchor_" #letter, anchor); \
+        wake_joint(data.activity(), id_.index);                                              \
+    }                                                                                        \
+    Vec2 Joint::world_anchor_##letter() const {                                              \
+        const Body body = body_##letter();                                                   \
+        return body ? body.world_point(anchor_##letter()) : anchor_##letter();               \
     }
 FETTLE_JOINT_SIDE(a, 0)
 FETTLE_JOINT_SIDE(b, 1)
@@ -221,7 +220,7 @@ float Joint::per_substep(float impulse) const {
 }
 
 Vec2 Joint::force() const {
-    return to_vec2(live().joints[id_.index].force);
+    return live().joints[id_.index].force;
 }
 void Joint::set_user_data(uint64_t value) {
     WorldData& data = live();

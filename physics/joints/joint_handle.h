@@ -56,20 +56,19 @@ Settings& Joint::edit(const char* of, const char* function) const {
 
 // Defines a property that is a member of the settings. `Of`: beginning of the name of the joint's
 // type.
-#define FETTLE_JOINT_PROPERTY(Of, Value, Argument, name, member, inside, outside) \
-    Value Of##Joint::name() const {                                               \
-        return outside(own<detail::Of##Settings>().member);                       \
-    }                                                                             \
-    void Of##Joint::set_##name(Argument value) {                                  \
-        auto wanted = own<detail::Of##Settings>();                                \
-        wanted.member = inside(value);                                            \
-        wanted.check();                                                           \
-        edit<detail::Of##Settings>(#Of "Joint", __func__) = wanted;               \
+#define FETTLE_JOINT_PROPERTY(Of, Value, Argument, name, member)    \
+    Value Of##Joint::name() const {                                 \
+        return own<detail::Of##Settings>().member;                  \
+    }                                                               \
+    void Of##Joint::set_##name(Argument value) {                    \
+        auto wanted = own<detail::Of##Settings>();                  \
+        wanted.member = value;                                      \
+        wanted.check();                                             \
+        edit<detail::Of##Settings>(#Of "Joint", __func__) = wanted; \
     }
-#define FETTLE_JOINT_NUMBER(Of, name, member) \
-    FETTLE_JOINT_PROPERTY(Of, float, float, name, member, float, float)
+#define FETTLE_JOINT_NUMBER(Of, name, member) FETTLE_JOINT_PROPERTY(Of, float, float, name, member)
 #define FETTLE_JOINT_VECTOR(Of, name, member) \
-    FETTLE_JOINT_PROPERTY(Of, Vec2, const Vec2&, name, member, detail::to_v2, detail::to_vec2)
+    FETTLE_JOINT_PROPERTY(Of, Vec2, const Vec2&, name, member)
 // Defines a force or a torque of the last step, from a member of the impulses.
 #define FETTLE_JOINT_FORCE(Of, name, member)                                                  \
     float Of##Joint::name() const {                                                           \

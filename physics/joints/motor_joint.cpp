@@ -18,19 +18,19 @@ namespace detail {
 
 struct MotorSettings {
     static constexpr JointType type = JointType::motor;
-    V2 linear_velocity;  ///< of anchor b relative to anchor a, in the coordinates of body a
+    Vec2 linear_velocity;  ///< of anchor b relative to anchor a, in the coordinates of body a
     float angular_velocity = 0.0f;
     float max_force = 0.0f, max_torque = 0.0f;
-    V2 linear_offset;  ///< of anchor b from anchor a, in the coordinates of body a
+    Vec2 linear_offset;  ///< of anchor b from anchor a, in the coordinates of body a
     float angular_offset = 0.0f;
     Stiffness stiffness = {0.0f, 1.0f};
 
     void check() const {
-        check_finite("linear_velocity", to_vec2(linear_velocity));
+        check_finite("linear_velocity", linear_velocity);
         check_finite("angular_velocity", angular_velocity);
         check_strength("max_force", max_force);
         check_strength("max_torque", max_torque);
-        check_coordinates("linear_offset", to_vec2(linear_offset));
+        check_coordinates("linear_offset", linear_offset);
         check_finite("angular_offset", angular_offset);
         stiffness.check();
     }
@@ -39,14 +39,14 @@ struct MotorSettings {
 struct MotorConstraint {
     using Settings = MotorSettings;
     struct Impulses {
-        V2 force;
+        Vec2 force;
         float torque = 0.0f;
         void scale(float s) { force = s * force, torque *= s; }
     };
 
     JointEnds ends;
     Impulses impulses;
-    V2 speed, offset;  ///< at the start of the step, world axes
+    Vec2 speed, offset;  ///< at the start of the step, world axes
     float turn_speed = 0.0f, angle = 0.0f, angular_mass = 0.0f;
     float greatest_force = 0.0f, greatest_torque = 0.0f;
     bool springy = false;
@@ -67,9 +67,9 @@ struct MotorConstraint {
         follow(a, b);
     }
     /// Rotates the levers with the bodies; returns the vector from anchor a to anchor b.
-    V2 follow(const SolverBody& a, const SolverBody& b) {
+    Vec2 follow(const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
-        const V2 gap = ends.gap(a, b);
+        const Vec2 gap = ends.gap(a, b);
         ends.lever_a = ends.lever_a + gap;
         return gap;
     }
@@ -82,8 +82,8 @@ struct MotorConstraint {
         if (!springy) drive(a, b, false);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        const V2 gap = follow(a, b);
-        const V2 velocity = turned(speed, a.turn);
+        const Vec2 gap = follow(a, b);
+        const Vec2 velocity = turned(speed, a.turn);
         const Jacobian turning = Jacobian::turning(ends);
         if (!springy) {
             rows.motor(turning, turn_speed, greatest_torque, impulses.torque);
@@ -101,13 +101,14 @@ struct MotorConstraint {
             torque.low = -double(greatest_torque);
             torque.high = double(greatest_torque);
         }
-        const V2 error = gap - turned(offset, a.turn) - V2{ahead(velocity.x), ahead(velocity.y)};
+        const Vec2 error =
+            gap - turned(offset, a.turn) - Vec2{ahead(velocity.x), ahead(velocity.y)};
         rows.springs(ends, spring, PointMass::make(ends, a, b), error, greatest_force,
                      impulses.force);
     }
     JointLoad load() const { return {impulses.force, impulses.torque}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
-        const V2 wanted = turned(speed, a.turn);
+        const Vec2 wanted = turned(speed, a.turn);
         return (greatest_force > 0.0f &&
                 follows(dot(wanted, ends.velocity(a, b)), dot(wanted, wanted))) ||
                (greatest_torque > 0.0f &&
@@ -116,7 +117,7 @@ struct MotorConstraint {
 
   private:
     void drive(SolverBody& a, SolverBody& b, bool springs) {
-        const V2 gap = follow(a, b);
+        const Vec2 gap = follow(a, b);
         const float turning = b.angular_velocity - a.angular_velocity - turn_speed;
         float torque = -angular_mass * turning;
         if (springs) {
@@ -127,11 +128,11 @@ struct MotorConstraint {
         detail::twist(a, b, turned_by - impulses.torque);
         impulses.torque = turned_by;
 
-        const V2 moving = ends.velocity(a, b) - turned(speed, a.turn);
+        const Vec2 moving = ends.velocity(a, b) - turned(speed, a.turn);
         const PointMass mass = PointMass::make(ends, a, b);
-        V2 total = impulses.force - mass * moving;
+        Vec2 total = impulses.force - mass * moving;
         if (springs) {
-            const V2 error = gap - turned(offset, a.turn);
+            const Vec2 error = gap - turned(offset, a.turn);
             total = (1.0f - spring.impulse_scale) * impulses.force -
                     mass * (spring.mass_scale * moving + spring.push * error);
         }

@@ -25,7 +25,7 @@ struct MouseSettings {
 struct MouseConstraint {
     using Settings = MouseSettings;
     struct Impulses {
-        V2 pull;
+        Vec2 pull;
         void scale(float s) { pull = s * pull; }
     };
 
@@ -45,9 +45,9 @@ struct MouseConstraint {
     }
     void warm_start(SolverBody& a, SolverBody& b) const { ends.push(a, b, impulses.pull); }
     void solve(SolverBody& a, SolverBody& b, const JointStep&) {
-        const V2 velocity = ends.velocity(a, b) + softness.bias_rate * gap(a, b);
-        const V2 wanted = -softness.mass_scale * (mass * velocity);
-        V2 total = impulses.pull + (wanted - softness.impulse_scale * impulses.pull);
+        const Vec2 velocity = ends.velocity(a, b) + softness.bias_rate * gap(a, b);
+        const Vec2 wanted = -softness.mass_scale * (mass * velocity);
+        Vec2 total = impulses.pull + (wanted - softness.impulse_scale * impulses.pull);
         const float size = length(total);
         if (size > greatest) total = (greatest / size) * total;
         ends.push(a, b, total - impulses.pull);
@@ -66,7 +66,7 @@ struct MouseConstraint {
     JointLoad load() const { return {impulses.pull, 0.0f}; }
 
   private:
-    V2 gap(const SolverBody& a, const SolverBody& b) const {
+    Vec2 gap(const SolverBody& a, const SolverBody& b) const {
         return ends.gap(a, b) + cross(b.turn, ends.lever_b);
     }
 };
@@ -101,12 +101,12 @@ MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     if (record.bodies[1] == 0)
         throw std::invalid_argument(
             "body: a mouse joint drags a body, not the bounds of the world");
-    record.anchors[0] = to_v2(check_coordinates("target", def.target));
+    record.anchors[0] = check_coordinates("target", def.target);
     // The target may be at one end of the world and the body at the other. Their distance may
     // exceed the greatest coordinate of an anchor, so it is limited.
-    record.anchors[1] =
-        def.anchor ? to_v2(check_coordinates("anchor", *def.anchor))
-                   : bounded(to_v2(body(def.body).local_point(def.target)), greatest_coordinate);
+    record.anchors[1] = def.anchor
+                            ? check_coordinates("anchor", *def.anchor)
+                            : bounded(body(def.body).local_point(def.target), greatest_coordinate);
     record.enabled = def.enabled;
     record.user_data = def.user_data;
     const MouseSettings settings = {{def.hertz, def.damping_ratio}, def.max_force};

@@ -17,13 +17,13 @@ namespace detail {
 
 struct PulleySettings {
     static constexpr JointType type = JointType::pulley;
-    V2 ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
+    Vec2 ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
     float ratio = 1.0f;
     float length = 2.0f;  ///< of a's part plus ratio times b's part
 
     void check() const {
-        check_coordinates("ground_a", to_vec2(ground_a));
-        check_coordinates("ground_b", to_vec2(ground_b));
+        check_coordinates("ground_a", ground_a);
+        check_coordinates("ground_b", ground_b);
         check_range("ratio", ratio, 1e-3f, 1e3f);
         check_not_negative("length", length);
     }
@@ -39,22 +39,22 @@ struct PulleyConstraint {
 
     /// One side of the rope: from a wheel to a body.
     struct Side {
-        V2 start;  ///< from the wheel to the center of mass at the start of the step
-        V2 direction;
+        Vec2 start;  ///< from the wheel to the center of mass at the start of the step
+        Vec2 direction;
         float lever = 0.0f, length = 0.0f;
 
-        void follow(V2 anchor_lever, const SolverBody& body) {
-            const V2 rope = start + body.shift + anchor_lever;
+        void follow(Vec2 anchor_lever, const SolverBody& body) {
+            const Vec2 rope = start + body.shift + anchor_lever;
             length = detail::length(rope);
             // If the anchor is at its wheel, the direction is the old one, or there is no pull.
             if (length > 1e-6f) direction = (1.0f / length) * rope;
             lever = cross(anchor_lever, direction);
         }
-        float inverse(V2 inverse_mass, const SolverBody& body) const {
+        float inverse(Vec2 inverse_mass, const SolverBody& body) const {
             return dot(direction, scaled(inverse_mass, direction)) +
                    body.inverse_inertia * lever * lever;
         }
-        void pull(V2 inverse_mass, SolverBody& body, float p) const {
+        void pull(Vec2 inverse_mass, SolverBody& body, float p) const {
             body.velocity = body.velocity - p * scaled(inverse_mass, direction);
             body.angular_velocity -= body.inverse_inertia * lever * p;
         }
@@ -125,10 +125,10 @@ FETTLE_JOINT_NUMBER(Pulley, length, length)
 FETTLE_JOINT_FORCE(Pulley, tension, tension)
 
 float PulleyJoint::length_a() const {
-    return (world_anchor_a() - ground_a()).norm();
+    return (world_anchor_a() - ground_a()).length();
 }
 float PulleyJoint::length_b() const {
-    return (world_anchor_b() - ground_b()).norm();
+    return (world_anchor_b() - ground_b()).length();
 }
 float PulleyJoint::length_now() const {
     return length_a() + ratio() * length_b();

@@ -17,11 +17,11 @@
 namespace fettle::physics::detail {
 
 struct RailSettings {
-    V2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, with any length except 0
+    Vec2 axis = {1.0f, 0.0f};  ///< in the coordinates of body a, with any length except 0
     CoordinateSettings along;
 
     void check() const {
-        check_direction("axis", to_vec2(axis));
+        check_direction("axis", axis);
         along.check(CoordinateSettings::of_translation);
     }
 };
@@ -33,7 +33,7 @@ struct RailImpulses {
 };
 
 struct Rail {
-    V2 start_axis;
+    Vec2 start_axis;
     Line along, across;
     float translation = 0.0f;  ///< of b along the axis
     float offset = 0.0f;       ///< of b across the axis: held at 0
@@ -49,8 +49,8 @@ struct Rail {
     /// Rotates levers and directions with the bodies.
     void follow(JointEnds& ends, const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
-        const V2 axis = turned(start_axis, a.turn), normal = {-axis.y, axis.x};
-        const V2 gap = ends.gap(a, b);
+        const Vec2 axis = turned(start_axis, a.turn), normal = {-axis.y, axis.x};
+        const Vec2 gap = ends.gap(a, b);
         translation = dot(axis, gap);
         offset = dot(normal, gap);
         along.aim(ends, axis, ends.lever_a + gap, a, b);
@@ -83,7 +83,7 @@ struct Rail {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return coordinate.moves_bodies(along.velocity(a, b));
     }
-    V2 force(const RailImpulses& impulses) const {
+    Vec2 force(const RailImpulses& impulses) const {
         return impulses.along.sum() * along.direction + impulses.across * across.direction;
     }
 };

@@ -31,7 +31,7 @@ struct RevoluteSettings {
 };
 
 struct RevoluteImpulses {
-    V2 point;
+    Vec2 point;
     CoordinateImpulses angle;
     void scale(float s) { point = s * point, angle.scale(s); }
 };
@@ -60,7 +60,7 @@ struct RevoluteConstraint {
         if (angle.acts_biased()) solve_angle<true>(a, b, step);
         // The bodies have not moved since the last relax pass, or since the start of the step.
         const Softness& soft = step.rigid;
-        const V2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
+        const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.gap(a, b);
         push_point(a, b,
                    -soft.mass_scale * (mass * velocity) - soft.impulse_scale * impulses.point);
     }
@@ -89,7 +89,7 @@ struct RevoluteConstraint {
             [&] { return b.angular_velocity - a.angular_velocity; },
             [&](float p) { detail::twist(a, b, p); });
     }
-    void push_point(SolverBody& a, SolverBody& b, V2 change) {
+    void push_point(SolverBody& a, SolverBody& b, Vec2 change) {
         impulses.point = impulses.point + change;
         ends.push(a, b, change);
     }

@@ -36,7 +36,7 @@ struct WeldSettings {
 struct WeldConstraint {
     using Settings = WeldSettings;
     struct Impulses {
-        V2 point;
+        Vec2 point;
         float angle = 0.0f;
         void scale(float s) { point = s * point, angle *= s; }
     };
@@ -79,7 +79,7 @@ struct WeldConstraint {
         ends.follow(a, b);
         const Jacobian turning = Jacobian::turning(ends);
         const float angle = ends.angle_now(a, b) - reference;
-        const V2 gap = ends.gap(a, b);
+        const Vec2 gap = ends.gap(a, b);
         if (rigid_angle)
             rows.hold(turning, angle, impulses.angle);
         else if (springy_angle)
@@ -95,7 +95,7 @@ struct WeldConstraint {
   private:
     template <bool biased>
     void solve_rigid(SolverBody& a, SolverBody& b, const JointStep& step) {
-        V2 v = ends.velocity(a, b);
+        Vec2 v = ends.velocity(a, b);
         float w = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
@@ -110,16 +110,16 @@ struct WeldConstraint {
             return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
         }
         if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
-        const V2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
-        const V2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
+        const Vec2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
+        const Vec2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
         const float shared = ia * ib * angular_mass;
         const float xx = ends.inverse_a.x + ends.inverse_b.x + shared * between.x * between.x;
         const float yy = ends.inverse_a.y + ends.inverse_b.y + shared * between.y * between.y;
         const float xy = shared * between.x * between.y;
         const float inverse = inverse_or_zero(xx * yy - xy * xy);
-        const V2 free = v - (w * angular_mass) * k;  // for an angle at rest
-        const V2 point = {-inverse * (yy * free.x - xy * free.y),
-                          -inverse * (xx * free.y - xy * free.x)};
+        const Vec2 free = v - (w * angular_mass) * k;  // for an angle at rest
+        const Vec2 point = {-inverse * (yy * free.x - xy * free.y),
+                            -inverse * (xx * free.y - xy * free.x)};
         const float angle = -angular_mass * (w + dot(k, point));
         apply(a, b, scale * point - rest * impulses.point, scale * angle - rest * impulses.angle);
     }
@@ -132,12 +132,12 @@ struct WeldConstraint {
         }
         if (springy_point) {
             const PointMass mass = PointMass::make(ends, a, b);
-            const V2 wanted =
+            const Vec2 wanted =
                 point_spring.mass_scale * ends.velocity(a, b) + point_spring.push * ends.gap(a, b);
             apply(a, b, -(mass * wanted) - point_spring.impulse_scale * impulses.point, 0.0f);
         }
     }
-    void apply(SolverBody& a, SolverBody& b, V2 point, float angle) {
+    void apply(SolverBody& a, SolverBody& b, Vec2 point, float angle) {
         impulses.point = impulses.point + point;
         impulses.angle += angle;
         ends.push(a, b, point);

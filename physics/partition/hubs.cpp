@@ -65,7 +65,7 @@ void Hubs::hand_out(const StripNodes& nodes, std::span<SolverBody> bodies) const
 
 void Hubs::take_back(std::span<SolverBody> bodies) const {
     for (const Hub& hub : hubs_) {
-        V2 velocity;
+        Vec2 velocity;
         float angular_velocity = 0.0f;
         for (uint32_t leaf = 0; leaf < strips_; ++leaf) {
             const auto all = bodies.subspan(first_of(hub, leaf), copies + 1);

@@ -30,7 +30,7 @@ class JointShare {
 
   private:
     struct Velocity {
-        V2 linear;
+        Vec2 linear;
         float angular = 0.0f;
     };
     void remember(const StripNodes& nodes, std::span<const SolverBody> bodies);

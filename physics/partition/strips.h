@@ -56,7 +56,7 @@ class NodeRanges {
 
 /// Position of a sampled body, and the cost of its constraints.
 struct StripSample {
-    V2 place;
+    Vec2 place;
     float work = 0.0f;
 };
 
@@ -71,7 +71,7 @@ class Strips {
     uint32_t count() const { return count_; }
     StripNodes all_nodes() const { return {1, 2 * count_}; }
     StripNode first_leaf() const { return StripNode(count_); }
-    StripNode leaf_at(V2 place) const {
+    StripNode leaf_at(Vec2 place) const {
         const float along = upright_ != 0 ? place.y : place.x;
         uint32_t node = 1;
         while (node < count_) node = 2 * node + (along >= limits_[node]);

@@ -27,7 +27,7 @@ bool is_accepted(const WorldData& data, const QueryFilter& filter, uint32_t shap
 
 /// A point as a shape.
 struct PointForm {
-    V2 zero;
+    Vec2 zero;
     Solid form() const { return {{&zero, nullptr, nullptr, 1, 0.0f}}; }
 };
 

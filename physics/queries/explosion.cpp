@@ -18,20 +18,20 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     struct Hit {
         uint32_t body;
         float distance;
-        V2 at;
+        Vec2 at;
     };
-    const V2 p = to_v2(point);
+    const Vec2 p = point;
     const PointForm asks;
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
         const uint32_t body = data.forms[shape].body;
         if (data.bodies[body].mobility != Mobility::dynamic || !is_accepted(data, filter, shape))
             return;
-        const V2 offset = data.bodies[body].center - p;
+        const Vec2 offset = data.bodies[body].center - p;
         const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
         if (near.distance >= radius) return;
         // If the point is inside a shape, the push acts at the center of mass.
-        const V2 at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
+        const Vec2 at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
         for (Hit& hit : hits) {
             if (hit.body != body) continue;
             if (near.distance < hit.distance) hit = {body, near.distance, at};
@@ -43,10 +43,10 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     data.moving_tree.query({{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}}, visit);
     asking.finish();
     for (const Hit& hit : hits) {
-        V2 direction = normalized(hit.at - p);
+        Vec2 direction = normalized(hit.at - p);
         if (length(direction) == 0.0f) direction = {0.0f, 1.0f};
         const float strength = impulse * (1.0f - hit.distance / radius);
-        body(data.body_id(hit.body)).apply_impulse(to_vec2(strength * direction), to_vec2(hit.at));
+        body(data.body_id(hit.body)).apply_impulse(strength * direction, hit.at);
     }
 }
 

@@ -14,7 +14,7 @@ using namespace detail;
 
 namespace {
 
-bool shape_contains(const WorldData& data, uint32_t shape, V2 point) {
+bool shape_contains(const WorldData& data, uint32_t shape, Vec2 point) {
     const uint32_t body = data.forms[shape].body;
     return signed_distance(data.solid(shape),
                            body == none ? point : point - data.bodies[body].center) <= 0.0f;
@@ -27,13 +27,13 @@ void add_once(std::vector<Shape>& found, const Shape& shape) {
         found.push_back(shape);
 }
 
-Probe ray_on_shape(const WorldData& data, uint32_t shape, V2 from, V2 d) {
-    const V2 center = data.bodies[data.forms[shape].body].center;
+Probe ray_on_shape(const WorldData& data, uint32_t shape, Vec2 from, Vec2 d) {
+    const Vec2 center = data.bodies[data.forms[shape].body].center;
     return cast_segment(data.solid(shape), from - center, d);
 }
 
 /// The border is solid outside: a ray that leaves the bounds ends there.
-Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
+Probe cast_border(const BorderPlane& plane, Vec2 from, Vec2 d) {
     const float distance = dot(plane.normal, from) - plane.depth;
     const float speed = dot(plane.normal, d);
     if (distance < 0.0f || !(speed < 0.0f) || -distance / speed > 1.0f) return {};
@@ -42,8 +42,8 @@ Probe cast_border(const BorderPlane& plane, V2 from, V2 d) {
 
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
 /// of the ray.
-void cast_all(const WorldData& data, V2 from, V2 to, const QueryFilter& filter, auto&& hit) {
-    const V2 d = to - from;
+void cast_all(const WorldData& data, Vec2 from, Vec2 to, const QueryFilter& filter, auto&& hit) {
+    const Vec2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
         if (!is_accepted(data, filter, shape)) return far;
@@ -66,7 +66,7 @@ bool Shape::contains(const Vec2& world_point) const {
     if (record.type == ShapeType::border) return false;
     bool inside = false;
     data.for_each_solid(id_.index,
-                        [&](uint32_t s) { inside |= shape_contains(data, s, to_v2(world_point)); });
+                        [&](uint32_t s) { inside |= shape_contains(data, s, world_point); });
     return inside;
 }
 
@@ -76,7 +76,7 @@ std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filt
     data.read_all();
     Asking asking(data, filter);
     std::vector<Shape> found;
-    const V2 p = to_v2(point);
+    const Vec2 p = point;
     auto visit = [&](uint32_t shape) {
         if (is_accepted(data, filter, shape) && shape_contains(data, shape, p)) {
             add_once(found, Shape(self(), data.shape_id(shape)));
@@ -95,17 +95,17 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     data.read_all();
     Asking asking(data, filter);
     std::vector<Shape> found;
-    const Box4 area = {{min(box.min.x(), box.max.x()), min(box.min.y(), box.max.y())},
-                       {max(box.min.x(), box.max.x()), max(box.min.y(), box.max.y())}};
-    const V2 center = 0.5f * (area.low + area.high), half = area.high - center;
-    const V2 corners[4] = {
+    const Box4 area = {{min(box.min.x, box.max.x), min(box.min.y, box.max.y)},
+                       {max(box.min.x, box.max.x), max(box.min.y, box.max.y)}};
+    const Vec2 center = 0.5f * (area.low + area.high), half = area.high - center;
+    const Vec2 corners[4] = {
         {-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
-    const V2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
+    const Vec2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
     const float offsets[4] = {half.y, half.x, half.y, half.x};
     const Convex probe = {corners, normals, offsets, 4, 0.0f};
     auto visit = [&](uint32_t shape) {
         if (!is_accepted(data, filter, shape) || !overlap(data.boxes[shape], area)) return;
-        const V2 offset = data.bodies[data.forms[shape].body].center - center;
+        const Vec2 offset = data.bodies[data.forms[shape].body].center - center;
         if (nearest_points({probe}, data.solid(shape), offset).distance <= 0.0f)
             add_once(found, Shape(self(), data.shape_id(shape)));
     };
@@ -125,13 +125,11 @@ void cast(WorldData& data, const Vec2& from, const Vec2& to, const QueryFilter& 
     check_coordinates("to", to);
     data.read_all();
     Asking asking(data, filter);
-    cast_all(
-        data, to_v2(from), to_v2(to), filter, [&](uint32_t shape, const Probe& probe, float far) {
-            return add(
-                RayHit{Shape(data.self.link->world, data.shape_id(shape)),
-                       from + probe.fraction * (to - from), to_vec2(probe.normal), probe.fraction},
-                far);
-        });
+    cast_all(data, from, to, filter, [&](uint32_t shape, const Probe& probe, float far) {
+        return add(RayHit{Shape(data.self.link->world, data.shape_id(shape)),
+                          from + probe.fraction * (to - from), probe.normal, probe.fraction},
+                   far);
+    });
     asking.finish();
 }
 

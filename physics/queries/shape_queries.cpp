@@ -19,7 +19,7 @@ namespace {
 /// A solid shape at its position.
 struct Placed {
     Solid form;
-    V2 center;
+    Vec2 center;
     Box4 box;
 };
 
@@ -29,7 +29,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
-    const V2 center = body == none ? V2{} : data.bodies[body].center;
+    const Vec2 center = body == none ? Vec2{} : data.bodies[body].center;
     std::vector<Placed> all;
     data.for_each_solid(shape, [&](uint32_t solid) {
         all.push_back({data.solid(solid), center, data.boxes[solid]});
@@ -71,7 +71,7 @@ Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
 }
 
 /// The fraction of its motion after which a moving shape meets the border.
-float meets_border(const Placed& probe, V2 motion, const BorderPlane& plane) {
+float meets_border(const Placed& probe, Vec2 motion, const BorderPlane& plane) {
     const float before =
         dot(plane.normal, probe.center) - reach(probe.form, -plane.normal) - plane.depth;
     const float speed = dot(plane.normal, motion);
@@ -110,8 +110,8 @@ Separation distance(const Shape& a, const Shape& b) {
         for (const Placed& pb : parts_b) {
             const Nearest found = nearest_points(pa.form, pb.form, pb.center - pa.center);
             if (found.distance >= nearest.distance) continue;
-            nearest = {found.distance, to_vec2(pa.center + found.on_a),
-                       to_vec2(pa.center + found.on_b), to_vec2(found.normal)};
+            nearest = {found.distance, pa.center + found.on_a, pa.center + found.on_b,
+                       found.normal};
         }
     }
     return nearest;
@@ -128,7 +128,7 @@ std::vector<Shape> World::query_overlap(const Shape& shape, const QueryFilter& f
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
             if (owner == body || !is_accepted(data, filter, other)) return;
-            const V2 offset = data.bodies[owner].center - probe.center;
+            const Vec2 offset = data.bodies[owner].center - probe.center;
             if (nearest_points(probe.form, data.solid(other), offset).distance <= 0.0f)
                 add_new(found, Shape(self(), data.shape_id(other)));
         };
@@ -154,7 +154,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
     const std::vector<Placed> probes = probes_for(data, from, shape.index());
     const uint32_t body = &from == &data ? data.forms[shape.index()].body : none;
     Asking asking(data, filter), asking_for(from, filter);  // the query shape is in its own world
-    const V2 d = to_v2(motion);
+    const Vec2 d = motion;
     std::optional<RayHit> first;
     float nearest = 1.0f;
     for (const Placed& probe : probes) {
@@ -162,7 +162,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
             if (owner == body || !is_accepted(data, filter, other)) return;
-            const V2 center = data.bodies[owner].center;
+            const Vec2 center = data.bodies[owner].center;
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
             const Sweep sweep = {probe.form, {.from = probe.center, .velocity = d}};
@@ -171,9 +171,9 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             nearest = t;
             const Nearest touch =
                 nearest_points(probe.form, obstacle, center - (probe.center + t * d));
-            const V2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
-            first = RayHit{Shape(self(), data.shape_id(other)),
-                           to_vec2(probe.center + t * d + touch.on_b), to_vec2(normal), t};
+            const Vec2 normal = length(touch.normal) > 0.0f ? -touch.normal : -normalized(d);
+            first = RayHit{Shape(self(), data.shape_id(other)), probe.center + t * d + touch.on_b,
+                           normal, t};
         };
         data.fixed_tree.query(swept, visit);
         data.moving_tree.query(swept, visit);
@@ -182,10 +182,9 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const float t = meets_border(probe, d, plane);
             if (t >= nearest || !is_accepted(data, filter, side)) continue;
             nearest = t;
-            const V2 center = probe.center + t * d;
-            const V2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
-            first = RayHit{Shape(self(), data.shape_id(side)), to_vec2(point),
-                           to_vec2(plane.normal), t};
+            const Vec2 center = probe.center + t * d;
+            const Vec2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
+            first = RayHit{Shape(self(), data.shape_id(side)), point, plane.normal, t};
         }
     }
     asking_for.finish();
@@ -206,7 +205,7 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     WorldData& data = *data_;
     data.read_all();
     Asking asking(data, filter);
-    const V2 p = to_v2(point);
+    const Vec2 p = point;
     const PointForm asks;
     std::optional<PointHit> best;
     // Searches in growing boxes until no shape outside the box can be nearer.
@@ -214,12 +213,12 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
     for (float half = min(1.0f, farthest);; half = min(4.0f * half, farthest)) {
         auto visit = [&](uint32_t shape) {
             if (!is_accepted(data, filter, shape)) return;
-            const V2 offset = data.bodies[data.forms[shape].body].center - p;
+            const Vec2 offset = data.bodies[data.forms[shape].body].center - p;
             const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
-            const V2 place = near.distance > 0.0f ? p + near.on_b : p;
-            best = PointHit{Shape(self(), data.shape_id(shape)), to_vec2(place),
-                            to_vec2(-near.normal), near.distance};
+            const Vec2 place = near.distance > 0.0f ? p + near.on_b : p;
+            best =
+                PointHit{Shape(self(), data.shape_id(shape)), place, -near.normal, near.distance};
         };
         const Box4 box = {{p.x - half, p.y - half}, {p.x + half, p.y + half}};
         data.fixed_tree.query(box, visit);

@@ -18,11 +18,9 @@
 
 namespace fettle::physics::detail {
 
-/// True for types that may be copied byte by byte. The condition is not `is_trivially_copyable`,
-/// because Eigen's vectors are not; a type that owns memory is excluded by its non-trivial
-/// destructor.
+/// True for types that may be copied byte by byte.
 template <class T>
-inline constexpr bool bytewise = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
+inline constexpr bool bytewise = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
 
 /// Writes the data, or only counts their bytes (`ArchiveSize`).
 template <class Sink>

@@ -17,7 +17,7 @@ template <class... Number>
 bool are_finite(Number... numbers) {
     return (std::isfinite(numbers) && ...);
 }
-bool is_finite(V2 v) {
+bool is_finite(Vec2 v) {
     return are_finite(v.x, v.y);
 }
 bool is_finite(const Box4& box) {
@@ -66,7 +66,7 @@ void check(const BodyState& state, const Pose& previous, size_t slot) {
     check_range("angle", state.angle, -greatest_coordinate, greatest_coordinate);
     check_range("angle", previous.angle, -greatest_coordinate, greatest_coordinate);
     const float length = state.cosine * state.cosine + state.sine * state.sine;
-    require(is_finite(to_v2(state.velocity)) && are_finite(state.angular_velocity) &&
+    require(is_finite(state.velocity) && are_finite(state.angular_velocity) &&
                 std::fabs(length - 1.0f) < off_unit,
             "the state of body", slot);
 }
@@ -74,7 +74,7 @@ void check(const BodyState& state, const Pose& previous, size_t slot) {
 // --- Shapes
 
 std::span<const Vec2> points_of(const WorldState& w, size_t shape, size_t count) {
-    static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
+    static_assert(sizeof(Vec2) == sizeof(Vec2) && alignof(Vec2) <= alignof(Vec2));
     return {reinterpret_cast<const Vec2*>(&w.pool.local[w.forms[shape].begin]), count};
 }
 
@@ -85,7 +85,7 @@ void check_polygon(const WorldState& w, size_t shape) {
     const HullStatus status = convex_hull(points, hull);
     if (status != HullStatus::ok || hull.size() != points.size())
         refuse("vertices: not those of a convex polygon");
-    for (const Vec2& v : points) check_range("vertices", v.lpNorm<Eigen::Infinity>(), 0.0f, 1e6f);
+    for (const Vec2& v : points) check_range("vertices", v.abs().largest(), 0.0f, 1e6f);
 }
 
 void check_figure(const WorldState& w, size_t shape) {
@@ -151,9 +151,9 @@ void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) 
 // --- Joints: the checks of their setters
 
 void check(const JointRecord& joint, size_t slot) {
-    check_coordinates("anchor_a", to_vec2(joint.anchors[0]));
-    check_coordinates("anchor_b", to_vec2(joint.anchors[1]));
-    check_finite("force", to_vec2(joint.force));
+    check_coordinates("anchor_a", joint.anchors[0]);
+    check_coordinates("anchor_b", joint.anchors[1]);
+    check_finite("force", joint.force);
     check_finite("torque", joint.torque);
     check_strength("break_force", joint.break_force);
     check_strength("break_torque", joint.break_torque);

@@ -267,7 +267,7 @@ struct Coloring {
 /// True if some point of the contact approaches faster than `threshold`.
 bool approaches(const ContactRecord& record, const SolverBody& a, const SolverBody& b,
                 float threshold) {
-    const V2 n = record.manifold.normal;
+    const Vec2 n = record.manifold.normal;
     for (int k = 0; k < record.manifold.count; ++k) {
         const ManifoldPoint& point = record.manifold.points[k];
         const float velocity = dot(n, b.velocity - a.velocity) +

@@ -12,7 +12,7 @@ constexpr float negligible_bend = 5e-5f;
 Corner corner_of(const ObjectState& objects, const ContactRecord& record) {
     const Manifold& m = record.manifold;
     const ManifoldPoint& point = m.points[0];
-    const V2 t = right_perp(m.normal);
+    const Vec2 t = right_perp(m.normal);
     const float half_gap = 0.5f * point.separation;
     return {m.corner, cross(point.anchor_a, t) + objects.forms[record.shape_a].radius + half_gap,
             cross(point.anchor_b, t) - objects.forms[record.shape_b].radius - half_gap};

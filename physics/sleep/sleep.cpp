@@ -19,8 +19,7 @@ bool in_motion(const ObjectState& objects, const Columns& columns, uint32_t body
     if (record.solver_index == 0) return false;
     if (record.mobility == Mobility::dynamic) return true;
     const BodyState& state = columns.states[body];
-    return state.velocity.x() != 0.0f || state.velocity.y() != 0.0f ||
-           state.angular_velocity != 0.0f;
+    return state.velocity.x != 0.0f || state.velocity.y != 0.0f || state.angular_velocity != 0.0f;
 }
 
 void leave_island(ObjectState& objects, uint32_t body) {
@@ -132,7 +131,7 @@ void put_to_sleep(const Activity& activity, std::span<const uint32_t> group) {
         record.sleep_time = 0.0f;
         record.step_force = {};
         record.step_torque = 0.0f;
-        columns.states[body].velocity.setZero();
+        columns.states[body].velocity = {};
         columns.states[body].angular_velocity = 0.0f;
         columns.previous[body] = {columns.states[body].position, columns.states[body].angle};
         activity.events.slept.push_back(body_id(columns, body));
@@ -218,12 +217,12 @@ namespace {
 bool carried_by_belt(const ObjectState& objects, const Columns& columns,
                      const ContactRecord& contact) {
     if (contact.surface_speed == 0.0f) return false;
-    const V2 t = right_perp(contact.manifold.normal);
+    const Vec2 t = right_perp(contact.manifold.normal);
     const ManifoldPoint& point = contact.manifold.points[0];
-    const auto along = [&](uint32_t body, V2 anchor) {
+    const auto along = [&](uint32_t body, Vec2 anchor) {
         if (objects.bodies[body].solver_index == 0) return 0.0f;
         const BodyState& state = columns.states[body];
-        return dot(t, to_v2(state.velocity) + cross(state.angular_velocity, anchor));
+        return dot(t, state.velocity + cross(state.angular_velocity, anchor));
     };
     const float slip = along(contact.body_b, point.anchor_b) -
                        along(contact.body_a, point.anchor_a) + contact.surface_speed;

@@ -14,9 +14,9 @@ namespace {
 
 /// Velocities of the two bodies of a contact; they stay in registers while it is solved.
 struct SolvedPair {
-    V2 va, vb;
+    Vec2 va, vb;
     float wa, wb;
-    V2 ma, mb;
+    Vec2 ma, mb;
     float ia, ib;
 
     SolvedPair(const ContactConstraint& c, const SolverBody& a, const SolverBody& b)
@@ -30,7 +30,7 @@ struct SolvedPair {
           ib(b.inverse_inertia) {}
 
     /// Applies impulse `p` along `direction`, with the angular impulses of the lever arms.
-    void apply(V2 direction, float p, float angular_a, float angular_b) {
+    void apply(Vec2 direction, float p, float angular_a, float angular_b) {
         va.x -= ma.x * p * direction.x;
         va.y -= ma.y * p * direction.y;
         wa -= ia * angular_a;
@@ -76,7 +76,7 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
                           SolvedPair& pair, const Corner* corner, float inverse_h,
                           float push_speed) {
     const Softness& soft = c.soft;
-    const V2 n = c.normal;
+    const Vec2 n = c.normal;
     const float approach = dot(n, pair.vb - pair.va);
     const float shift = dot(n, b.shift - a.shift);
     ConstraintPoint& p = c.points[0];
@@ -123,7 +123,7 @@ inline float tangent_impulse(ConstraintPoint& p, float velocity, float friction)
 }
 
 inline void solve_friction(ContactConstraint& c, SolvedPair& pair, float surface_speed) {
-    const V2 t = right_perp(c.normal);
+    const Vec2 t = right_perp(c.normal);
     const float slip = dot(t, pair.vb - pair.va) + surface_speed;
     ConstraintPoint& p = c.points[0];
     const float v1 = slip + (p.tangent_lever_b * pair.wb - p.tangent_lever_a * pair.wa);
@@ -166,7 +166,7 @@ void ContactSolver::warm_start() {
         SolverBody& b = bodies[c.b];
         follow(c, a, b);
         SolvedPair pair(c, a, b);
-        const V2 t = right_perp(c.normal);
+        const Vec2 t = right_perp(c.normal);
         const ConstraintPoint& p = c.points[0];
         float pn = p.normal_impulse, pt = p.tangent_impulse;
         float angular_a = p.normal_lever_a * pn + p.tangent_lever_a * pt;
@@ -184,7 +184,7 @@ void ContactSolver::warm_start() {
             angular_a += extras[c.extra - 1].rolling_impulse;
             angular_b += extras[c.extra - 1].rolling_impulse;
         }
-        const V2 impulse = {c.normal.x * pn + t.x * pt, c.normal.y * pn + t.y * pt};
+        const Vec2 impulse = {c.normal.x * pn + t.x * pt, c.normal.y * pn + t.y * pt};
         pair.apply(impulse, 1.0f, angular_a, angular_b);
         pair.store(a, b);
     }

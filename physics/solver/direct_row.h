@@ -25,15 +25,15 @@ struct Jacobian {
     double on_a[3] = {}, on_b[3] = {};
 
     /// Acts with `direction` on b and its opposite on a, with the lever arms r×direction.
-    static Jacobian along(const JointEnds& ends, V2 direction, float lever_a, float lever_b) {
+    static Jacobian along(const JointEnds& ends, Vec2 direction, float lever_a, float lever_b) {
         return along(ends.a, ends.b, direction, lever_a, lever_b);
     }
-    static Jacobian along(uint32_t a, uint32_t b, V2 direction, float lever_a, float lever_b) {
+    static Jacobian along(uint32_t a, uint32_t b, Vec2 direction, float lever_a, float lever_b) {
         const double x = double(direction.x), y = double(direction.y);
         return {a, b, {-x, -y, -double(lever_a)}, {x, y, double(lever_b)}};
     }
     /// Jacobian at the anchors of a joint.
-    static Jacobian at_anchors(const JointEnds& ends, V2 direction) {
+    static Jacobian at_anchors(const JointEnds& ends, Vec2 direction) {
         return along(ends, direction, cross(ends.lever_a, direction),
                      cross(ends.lever_b, direction));
     }
@@ -66,16 +66,16 @@ struct DirectRow {
     int circle = 0;  ///< 1: the first of the two rows, -1: the second
     double greatest = no_limit;
 
-    float* kept = nullptr;     ///< place of the impulse in the constraint
-    V2* kept_along = nullptr;  ///< or the vector that the impulse is a part of, along `axis`
-    V2 axis;
+    float* kept = nullptr;       ///< place of the impulse in the constraint
+    Vec2* kept_along = nullptr;  ///< or the vector that the impulse is a part of, along `axis`
+    Vec2 axis;
 
     /// Writes the impulse back to the constraint. The first part of a vector resets the vector.
     void keep() const {
         const float value = bounded(float(impulse), 1e30f);
         if (kept != nullptr) *kept = value;
         if (kept_along == nullptr) return;
-        *kept_along = value * axis + (circle == 1 ? V2{} : *kept_along);
+        *kept_along = value * axis + (circle == 1 ? Vec2{} : *kept_along);
     }
 };
 
@@ -105,7 +105,7 @@ class RowWriter {
                      impulse);
     }
     /// Keeps the gap between the anchors at 0.
-    void hold_point(const JointEnds& ends, V2 gap, V2& impulse) {
+    void hold_point(const JointEnds& ends, Vec2 gap, Vec2& impulse) {
         hold(Jacobian::at_anchors(ends, {1.0f, 0.0f}), gap.x, impulse.x);
         hold(Jacobian::at_anchors(ends, {0.0f, 1.0f}), gap.y, impulse.y);
     }
@@ -133,10 +133,10 @@ class RowWriter {
         return row;
     }
     /// Two springs that are the components of a vector with a maximum length.
-    void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, V2 error,
-                 float greatest, V2& impulse);
+    void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, Vec2 error,
+                 float greatest, Vec2& impulse);
     /// Two rows that drive the velocity of the anchors.
-    void motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse);
+    void motors(const JointEnds& ends, Vec2 speed, float greatest, Vec2& impulse);
 
     /// A row with the greatest rigidity that the arithmetic allows: it yields by 10⁻⁷ of the effect
     /// of the impulse on the two bodies alone.
@@ -190,7 +190,7 @@ class RowWriter {
         row.low = row.high = row.impulse;
         row.greatest = DirectRow::no_limit;
     }
-    void pair_up(DirectRow& row, int circle, V2 axis, float greatest, V2& vector) {
+    void pair_up(DirectRow& row, int circle, Vec2 axis, float greatest, Vec2& vector) {
         row.kept_along = &vector;
         row.axis = axis;
         row.circle = circle;
@@ -209,7 +209,7 @@ class RowWriter {
 /// The axes along which a spring at a point oscillates independently: eigenvectors of the inverse
 /// mass at the point.
 struct PointAxes {
-    V2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
+    Vec2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
     float first_mass = 0.0f, second_mass = 0.0f;
 
     static PointAxes of(const PointMass& m) {
@@ -228,9 +228,9 @@ struct PointAxes {
 };
 
 inline void RowWriter::springs(const JointEnds& ends, const Spring& spring, const PointMass& mass,
-                               V2 error, float greatest, V2& impulse) {
+                               Vec2 error, float greatest, Vec2& impulse) {
     const PointAxes axes = PointAxes::of(mass);
-    const auto add = [&](V2 axis, float along, int circle) {
+    const auto add = [&](Vec2 axis, float along, int circle) {
         DirectRow& row = elastic(Jacobian::at_anchors(ends, axis), spring, along, dot(axis, error));
         pair_up(row, circle, axis, greatest, impulse);
         hold_still(row);
@@ -239,8 +239,8 @@ inline void RowWriter::springs(const JointEnds& ends, const Spring& spring, cons
     add(axes.second, axes.second_mass, -1);
 }
 
-inline void RowWriter::motors(const JointEnds& ends, V2 speed, float greatest, V2& impulse) {
-    const auto add = [&](V2 axis, int circle) {
+inline void RowWriter::motors(const JointEnds& ends, Vec2 speed, float greatest, Vec2& impulse) {
+    const auto add = [&](Vec2 axis, int circle) {
         float unused = 0.0f;
         DirectRow& row = rigid(Jacobian::at_anchors(ends, axis), -double(dot(axis, speed)), unused);
         row.kept = nullptr;

@@ -6,7 +6,7 @@ namespace fettle::physics::detail {
 namespace {
 
 struct Motion {
-    V2 va, vb;
+    Vec2 va, vb;
     float wa, wb;
 };
 
@@ -61,7 +61,7 @@ void write_rows(RowWriter& rows, ContactConstraint& c, ContactExtra* extra, cons
         bear(rows.rigid(turning, 0.0, extra->rolling_impulse), first, c.count,
              extra->rolling_resistance);
     }
-    const V2 t = right_perp(c.normal);
+    const Vec2 t = right_perp(c.normal);
     const double surface_speed = extra != nullptr ? double(extra->surface_speed) : 0.0;
     for (int k = 0; k < c.count; ++k) {
         ConstraintPoint& p = c.points[k];

@@ -19,7 +19,7 @@ struct OverlapLimits {
     const SolverInput& input;
     const Columns& columns;
 
-    static float speed_of(V2 velocity, float angular_velocity, const BodyRecord& record) {
+    static float speed_of(Vec2 velocity, float angular_velocity, const BodyRecord& record) {
         return length(velocity) + std::fabs(angular_velocity) * record.extent;
     }
     /// True if the body overlaps so many others by more than a quarter of its thickness.
@@ -46,8 +46,8 @@ struct OverlapLimits {
         const SolverForce& force = input.bodies.solver_forces[record.solver_index];
         const float substeps = float(input.settings.substeps);
         if (record.solver_index == 0)
-            return speed_of(to_v2(state.velocity), state.angular_velocity, record);
-        return speed_of(to_v2(state.velocity) + substeps * force.change,
+            return speed_of(state.velocity, state.angular_velocity, record);
+        return speed_of(state.velocity + substeps * force.change,
                         state.angular_velocity + substeps * force.turn_change, record);
     }
 

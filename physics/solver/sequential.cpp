@@ -39,7 +39,7 @@ struct Turn {
 };
 
 struct PairMotion {
-    V2 va, vb;
+    Vec2 va, vb;
     float wa, wb;
 };
 
@@ -107,13 +107,13 @@ class SequentialPass {
         return {p.separation + opened + gap, velocity + (later - gap) / h_};
     }
 
-    void apply(const ContactConstraint& c, V2 direction, float impulse, float lever_a,
+    void apply(const ContactConstraint& c, Vec2 direction, float impulse, float lever_a,
                float lever_b) {
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
-        const V2 p = impulse * direction;
-        a.velocity = a.velocity - V2{c.inverse_a.x * p.x, c.inverse_a.y * p.y};
+        const Vec2 p = impulse * direction;
+        a.velocity = a.velocity - Vec2{c.inverse_a.x * p.x, c.inverse_a.y * p.y};
         a.angular_velocity -= a.inverse_inertia * lever_a * impulse;
-        b.velocity = b.velocity + V2{c.inverse_b.x * p.x, c.inverse_b.y * p.y};
+        b.velocity = b.velocity + Vec2{c.inverse_b.x * p.x, c.inverse_b.y * p.y};
         b.angular_velocity += b.inverse_inertia * lever_b * impulse;
     }
 
@@ -138,7 +138,7 @@ class SequentialPass {
     /// Applies friction after the normal impulse, which has changed the rotation, too.
     void apply_friction(const ContactConstraint& c, ConstraintPoint& p, float surface_speed) {
         const SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
-        const V2 t = right_perp(c.normal);
+        const Vec2 t = right_perp(c.normal);
         const float slip =
             dot(t, b.velocity - a.velocity) + surface_speed +
             (p.tangent_lever_b * b.angular_velocity - p.tangent_lever_a * a.angular_velocity);
@@ -163,14 +163,14 @@ class SequentialPass {
         const ContactConstraint& c = constraints_[turn.constraint];
         const float depth = -gap_of(turn).separation;
         if (!(depth > 0.0f)) return;
-        const V2 n = c.normal;
+        const Vec2 n = c.normal;
         const float inverse = n.x * n.x * (c.inverse_a.x + c.inverse_b.x) +
                               n.y * n.y * (c.inverse_a.y + c.inverse_b.y);
         if (!(inverse > 0.0f)) return;
         const float way = min(part * depth, h_ * input_.settings.push_speed) / inverse;
         SolverBody &a = bodies_[c.a], &b = bodies_[c.b];
-        a.shift = a.shift - way * V2{c.inverse_a.x * n.x, c.inverse_a.y * n.y};
-        b.shift = b.shift + way * V2{c.inverse_b.x * n.x, c.inverse_b.y * n.y};
+        a.shift = a.shift - way * Vec2{c.inverse_a.x * n.x, c.inverse_a.y * n.y};
+        b.shift = b.shift + way * Vec2{c.inverse_b.x * n.x, c.inverse_b.y * n.y};
     }
 
     const SolverInput& input_;

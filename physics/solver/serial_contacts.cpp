@@ -16,15 +16,15 @@ enum PreparedNote : uint8_t { needs_extra = 1, passes = 2, rolls = 4 };
 enum StoredNote : uint8_t { touches = 1, is_news = 2, may_hit = 4 };
 
 /// d·(M_a⁻¹ + M_b⁻¹)·d; along a locked axis a body is infinitely heavy.
-float inverse_along(const ContactConstraint& c, V2 d, const SolverBody& a, const SolverBody& b) {
+float inverse_along(const ContactConstraint& c, Vec2 d, const SolverBody& a, const SolverBody& b) {
     if (!c.anisotropic) return a.inverse_mass + b.inverse_mass;
     return d.x * d.x * (c.inverse_a.x + c.inverse_b.x) +
            d.y * d.y * (c.inverse_a.y + c.inverse_b.y);
 }
 
-void prepare_point(const ManifoldPoint& m, const ContactConstraint& c, V2 t, const SolverBody& a,
+void prepare_point(const ManifoldPoint& m, const ContactConstraint& c, Vec2 t, const SolverBody& a,
                    const SolverBody& b, float impulse_ratio, ConstraintPoint& p) {
-    const V2 n = c.normal;
+    const Vec2 n = c.normal;
     p.normal_lever_a = cross(m.anchor_a, n);
     p.normal_lever_b = cross(m.anchor_b, n);
     p.tangent_lever_a = cross(m.anchor_a, t);
@@ -63,7 +63,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
     c.count = uint16_t(m.count);
     c.fixed = uint16_t(a.inverse_mass == 0.0f || b.inverse_mass == 0.0f);
     c.extra = 0;
-    const V2 t = right_perp(m.normal);
+    const Vec2 t = right_perp(m.normal);
     for (int k = 0; k < m.count; ++k) {
         prepare_point(m.points[k], c, t, a, b, impulse_ratio, c.points[k]);
     }
@@ -82,7 +82,7 @@ void prepare_constraint(const ContactRecord& record, const SolverBody& a, const 
                          b.inverse_inertia * p.tangent_lever_b * q.tangent_lever_b;
 }
 
-V2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
+Vec2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
     return {record.locked_x ? 0.0f : body.inverse_mass, record.locked_y ? 0.0f : body.inverse_mass};
 }
 
@@ -109,7 +109,7 @@ void prepare_extra_of(size_t serial, const ObjectState& objects, const Columns& 
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
     if ((scratch.serial_notes[serial] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
-    const auto bend = [&](uint32_t shape, V2 normal) {
+    const auto bend = [&](uint32_t shape, Vec2 normal) {
         return bend_of(solid_of(objects, columns, shape), normal);
     };
     scratch.rolling_contacts[extra.rolling - 1] = {c, bend(record.shape_a, c.normal),

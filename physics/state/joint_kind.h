@@ -19,7 +19,7 @@ struct JointRange {
 
 /// The load that a joint puts on body b in a sub-step, as impulses.
 struct JointLoad {
-    V2 push;
+    Vec2 push;
     float twist = 0.0f;
 };
 

@@ -11,11 +11,11 @@ namespace {
 /// In the pool, the vertices of a large polygon are relative to the body's center of mass but not
 /// rotated. Only an edit changes them; a step computes just a bounding box. Not inlined, because
 /// that would take registers from the loop over the vertices of all other shapes.
-[[gnu::noinline]] Box4 place_large(ObjectState& objects, uint32_t shape, V2 local_center,
+[[gnu::noinline]] Box4 place_large(ObjectState& objects, uint32_t shape, Vec2 local_center,
                                    Rotation q) {
     const ShapeForm& form = objects.forms[shape];
     VertexPool& pool = objects.pool;
-    const V2 first = pool.local[form.begin] - local_center;
+    const Vec2 first = pool.local[form.begin] - local_center;
     if (pool.vertices[form.begin].x != first.x || pool.vertices[form.begin].y != first.y) {
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
             pool.vertices[i] = pool.local[i] - local_center;
@@ -24,8 +24,8 @@ namespace {
         }
     }
     const Convex polygon = objects.convex(shape);
-    const auto reach = [&](V2 direction) {
-        const V2 d = unrotate(q, direction);
+    const auto reach = [&](Vec2 direction) {
+        const Vec2 d = unrotate(q, direction);
         return dot(d, polygon.vertices[farthest_vertex(polygon, d)]);
     };
     return {{-reach({-1.0f, 0.0f}), -reach({0.0f, -1.0f})},
@@ -35,16 +35,16 @@ namespace {
 /// Two vectors: one operation computes with both.
 using V2Pair = float __attribute__((vector_size(4 * sizeof(float))));
 
-V2Pair pair_of(const V2& first, const V2& second) {
+V2Pair pair_of(const Vec2& first, const Vec2& second) {
     const V2Pair v = {first.x, first.y, second.x, second.y};
     return v;
 }
-V2Pair load_pair(const V2* from) {
+V2Pair load_pair(const Vec2* from) {
     V2Pair v;
     std::memcpy(&v, from, sizeof v);
     return v;
 }
-void store_pair(V2* to, V2Pair v) {
+void store_pair(Vec2* to, V2Pair v) {
     to[0] = {v[0], v[1]};
     to[1] = {v[2], v[3]};
 }
@@ -56,11 +56,11 @@ V2Pair rotated(V2Pair v, V2Pair cosine, V2Pair sine) {
 /// Rotates the vertices and normals of a shape with three or more vertices; returns the box of the
 /// vertices. After an odd number of vertices the first one is repeated, which code that processes
 /// four at a time needs for triangles; the block has room for an even number.
-Box4 rotate_vertices(VertexPool& pool, const ShapeForm& form, V2 local_center, Rotation q) {
-    const V2* const local = &pool.local[form.begin];
-    const V2* const normals = &pool.normals[form.begin];
-    V2* const vertices = &pool.vertices[form.begin];
-    V2* const directions = &pool.directions[form.begin];
+Box4 rotate_vertices(VertexPool& pool, const ShapeForm& form, Vec2 local_center, Rotation q) {
+    const Vec2* const local = &pool.local[form.begin];
+    const Vec2* const normals = &pool.normals[form.begin];
+    Vec2* const vertices = &pool.vertices[form.begin];
+    Vec2* const directions = &pool.directions[form.begin];
     const V2Pair center = pair_of(local_center, local_center);
     const V2Pair cosine = {q.c, q.c, q.c, q.c}, sine = {-q.s, q.s, -q.s, q.s};
     const uint32_t count = form.count;
@@ -86,7 +86,7 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
                  float angle) {
     const ShapeForm& form = objects.forms[shape];
     VertexPool& pool = objects.pool;
-    const V2 local_center = form.body != none ? objects.bodies[form.body].local_center : V2{};
+    const Vec2 local_center = form.body != none ? objects.bodies[form.body].local_center : Vec2{};
     for (uint32_t i = form.begin; i < form.begin + form.count; ++i)
         pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
     move_shape(objects, boxes, shape, q, angle);
@@ -100,7 +100,7 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
     if (form.count == 0) return;
     form.turn = angle - form.angle;
     form.angle = angle;
-    V2 center, local_center;
+    Vec2 center, local_center;
     if (form.body != none) {
         center = objects.bodies[form.body].center;
         local_center = objects.bodies[form.body].local_center;
@@ -116,7 +116,7 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
         box = rotate_vertices(pool, form, local_center, q);
     } else {
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-            const V2 v = rotate(q, pool.local[i] - local_center);
+            const Vec2 v = rotate(q, pool.local[i] - local_center);
             pool.vertices[i] = v;
             pool.directions[i] = rotate(q, pool.normals[i]);
             box = i == form.begin ? Box4{v, v} : unite(box, {v, v});
@@ -124,7 +124,7 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
     }
     form.center = center;
     if (form.kind == FormKind::ellipse) {
-        const V2 half = half_box(ellipse_of(objects.convex(shape)));
+        const Vec2 half = half_box(ellipse_of(objects.convex(shape)));
         box = {box.low - half, box.high + half};
     }
     boxes[shape] = grow({center + box.low, center + box.high}, form.radius);

@@ -59,16 +59,16 @@ inline bool is_given(float value) {
 
 struct BodyRecord {
     // Data that the step gathers from an awake body.
-    V2 center;        ///< center of mass, world
-    V2 local_center;  ///< center of mass, body coordinates
+    Vec2 center;        ///< center of mass, world
+    Vec2 local_center;  ///< center of mass, body coordinates
     float inverse_mass = 0.0f;
     float inverse_inertia = 0.0f;
     float gravity_scale = 1.0f;
     float linear_damping = 0.0f;
     float angular_damping = 0.0f;
-    V2 force;
+    Vec2 force;
     float torque = 0.0f;
-    V2 step_force;  ///< for the next step only
+    Vec2 step_force;  ///< for the next step only
     float step_torque = 0.0f;
     float angle_rest = 0.0f;    ///< part of the angle below the resolution of `angle`
     float extent = 0.0f;        ///< farthest point of the shapes from the center of mass, m
@@ -98,7 +98,7 @@ struct BodyRecord {
 
     float mass = 0.0f, inertia = 0.0f;
     float given_mass = not_given, given_inertia = not_given;
-    V2 given_center = {not_given, not_given};
+    Vec2 given_center = {not_given, not_given};
     uint32_t rebuilds = 0;
     uint64_t user_data = 0;
 
@@ -113,7 +113,7 @@ struct BodyRecord {
 
 /// Where a body was when it came to rest: step/rest.h.
 struct RestPose {
-    V2 center;
+    Vec2 center;
     float angle = 0.0f;
 };
 
@@ -124,7 +124,7 @@ struct ShapeForm {
     FormKind kind : 8 = FormKind::convex;
     float radius = 0.0f;
     uint32_t body = none;
-    V2 center;  ///< center of mass of the body in the world: the vertices are relative to it
+    Vec2 center;  ///< center of mass of the body in the world: the vertices are relative to it
     float angle = 0.0f;  ///< of the body, rad
     float turn = 0.0f;   ///< in the last step, rad
 
@@ -185,7 +185,7 @@ struct ShapeRecord {
     uint32_t touching = 0;
     uint32_t rebuilds = 0;
     float area = 0.0f, moment = 0.0f;  ///< m², m⁴ about the centroid
-    V2 centroid;
+    Vec2 centroid;
 
     uint32_t& next_free() { return next; }
     void set_moments(const AreaMoments& m) {
@@ -251,9 +251,9 @@ struct JointRecord {
     bool broken = false;          ///< it does not act until it is repaired
     uint32_t awake_index = none;  ///< place in the list of awake joints of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
-    V2 anchors[2];                ///< body coordinates
+    Vec2 anchors[2];              ///< body coordinates
     ListEdge edges[2];            ///< in the lists of a and b, or next free slot
-    V2 force;                     ///< of the last step, on body b
+    Vec2 force;                   ///< of the last step, on body b
     float torque = 0.0f;
     float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
     PlainValue<44> settings;                                ///< `Settings` of its type

@@ -75,7 +75,7 @@ struct Strain {
     uint32_t joint = none;
     uint32_t array = 0;  ///< index of its array
     uint32_t index = 0;  ///< place in the constraints of that array
-    V2 force;
+    Vec2 force;
     float torque = 0.0f;
 };
 

@@ -78,7 +78,7 @@ struct ObjectState {
         return {&pool.vertices[form.begin], &pool.directions[form.begin], &pool.offsets[form.begin],
                 int(form.count), form.radius};
     }
-    std::span<const V2> outline_of(uint32_t shape) const {
+    std::span<const Vec2> outline_of(uint32_t shape) const {
         return {&pool.local[forms[shape].begin], shapes[shape].outline};
     }
     /// Visits the shape itself, or its parts.

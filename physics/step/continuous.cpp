@@ -17,8 +17,8 @@ constexpr uint32_t boxes_of_group = 8;
 /// contact of a thin body that turns fast cannot stop it, because the part that touches moves away.
 void slide_along(Impact impact, Motion& motion, Vec2& velocity) {
     motion.velocity = motion.velocity + impact.back;
-    const V2 normal = normalized(impact.back);
-    velocity = to_vec2(to_v2(velocity) - min(dot(to_v2(velocity), normal), 0.0f) * normal);
+    const Vec2 normal = normalized(impact.back);
+    velocity = velocity - min(dot(velocity, normal), 0.0f) * normal;
 }
 
 /// Puts the body back to where a fixed shape stopped it. It keeps its velocity, and the next step
@@ -41,8 +41,8 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
 bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion& motion,
                     const Box4& path, const DrivenBody& driven) {
     if (!overlap(path, driven.box)) return false;
-    const V2 apart = body.center - driven.motion.center(1.0f);
-    const V2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
+    const Vec2 apart = body.center - driven.motion.center(1.0f);
+    const Vec2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
     const float way = length(shift) +
                       std::fabs(motion.turn - driven.motion.turn) * (body.extent - body.thickness);
     if (!(way > near_motion(body))) return false;
@@ -58,7 +58,7 @@ bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion&
 
 void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b) {
     const BodyRecord& record = in.objects.bodies[body];
-    const V2 shift = shift_of(b);
+    const Vec2 shift = shift_of(b);
     const float turn = turn_of(b);
     const float chord = min(std::fabs(turn), 2.0f) * record.extent;
     DrivenBody driven;
@@ -84,8 +84,8 @@ void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b)
 }
 
 /// A box around the body on its way. It is larger than those of its shapes, but computed faster.
-Box4 path_of(const BodyRecord& body, V2 shift) {
-    const V2 start = body.center - shift, end = body.center;
+Box4 path_of(const BodyRecord& body, Vec2 shift) {
+    const Vec2 start = body.center - shift, end = body.center;
     return grow(unite({start, start}, {end, end}), body.extent + speculative_margin);
 }
 
@@ -110,7 +110,7 @@ bool may_meet_moving(const FinishInput& in, const BodyRecord& record, const Moti
 
 }  // namespace
 
-void stop_or_list(const FinishInput& in, uint32_t body, V2 shift, float turn,
+void stop_or_list(const FinishInput& in, uint32_t body, Vec2 shift, float turn,
                   FinishedPiece& piece) {
     const BodyRecord& record = in.objects.bodies[body];
     const Box4 path = path_of(record, shift);

@@ -13,34 +13,34 @@ namespace {
 
 /// Effect of the fields on one body.
 struct Push {
-    V2 force;
+    Vec2 force;
     float torque = 0.0f;
 
-    void at(V2 arm, V2 f) {
+    void at(Vec2 arm, Vec2 f) {
         force = force + f;
         torque += cross(arm, f);
     }
 };
 
-bool inside(const std::optional<Aabb>& region, V2 p) {
-    return !region || (p.x >= region->min.x() && p.x <= region->max.x() && p.y >= region->min.y() &&
-                       p.y <= region->max.y());
+bool inside(const std::optional<Aabb>& region, Vec2 p) {
+    return !region || (p.x >= region->min.x && p.x <= region->max.x && p.y >= region->min.y &&
+                       p.y <= region->max.y);
 }
 
 bool reaches(const std::optional<Aabb>& region, const Box4& box) {
-    return !region || overlap(box, Box4{to_v2(region->min), to_v2(region->max)});
+    return !region || overlap(box, Box4{region->min, region->max});
 }
 
 class FieldOnBody {
   public:
-    FieldOnBody(const ObjectState& objects, const Columns& columns, V2 gravity, uint32_t body,
+    FieldOnBody(const ObjectState& objects, const Columns& columns, Vec2 gravity, uint32_t body,
                 uint64_t mask, float dt, Push& push)
         : objects_(objects),
           columns_(columns),
           gravity_(gravity),
           dt_(dt),
           body_(objects.bodies[body]),
-          velocity_(to_v2(columns.states[body].velocity)),
+          velocity_(columns.states[body].velocity),
           spin_(columns.states[body].angular_velocity),
           mask_(mask),
           push_(push) {}
@@ -59,15 +59,15 @@ class FieldOnBody {
     void operator()(const DragField& drag) {
         each_shape([&](uint32_t shape) {
             const ShapeRecord& m = objects_.shapes[shape];
-            const V2 arm = centroid_of(shape);
-            const V2 u = to_v2(drag.flow) - velocity_at(arm);
+            const Vec2 arm = centroid_of(shape);
+            const Vec2 u = drag.flow - velocity_at(arm);
             push_.at(arm, (m.area * (drag.linear + drag.quadratic * length(u))) * u);
             push_.torque -= m.moment * drag.linear * spin_;
         });
     }
 
     void operator()(const BuoyancyField& liquid) {
-        const V2 normal = normalized(to_v2(liquid.normal));
+        const Vec2 normal = normalized(liquid.normal);
         each_shape([&](uint32_t shape) {
             const double depth = double(liquid.level) - (double(normal.x) * double(body_.center.x) +
                                                          double(normal.y) * double(body_.center.y));
@@ -75,7 +75,7 @@ class FieldOnBody {
             if (!(part.area > 0.0)) return;
             const float mass = liquid.density * float(part.area);
             push_.at(part.centroid, -(mass * gravity_));
-            const V2 u = to_v2(liquid.flow) - velocity_at(part.centroid);
+            const Vec2 u = liquid.flow - velocity_at(part.centroid);
             push_.at(part.centroid, (liquid.drag * mass) * u);
             const ShapeRecord& m = objects_.shapes[shape];
             const float share = m.area > 0.0f ? float(part.area / double(m.area)) : 0.0f;
@@ -86,7 +86,7 @@ class FieldOnBody {
     void operator()(const AttractorField& attractor) {
         // Uses the position of the body in the middle of the step: a leapfrog method, which keeps
         // orbits closed.
-        const V2 d = to_v2(attractor.center) - (body_.center + (0.5f * dt_) * velocity_);
+        const Vec2 d = attractor.center - (body_.center + (0.5f * dt_) * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);
         float acceleration = attractor.strength;
@@ -103,53 +103,53 @@ class FieldOnBody {
             if ((surface.category & mask_) != 0 && !surface.sensor) visit(s);
         }
     }
-    V2 blow(const WindField& wind, V2 arm) const { return to_v2(wind.velocity) - velocity_at(arm); }
-    void blow_on_edge(const WindField& wind, V2 arm, V2 n, float length) {
+    Vec2 blow(const WindField& wind, Vec2 arm) const { return wind.velocity - velocity_at(arm); }
+    void blow_on_edge(const WindField& wind, Vec2 arm, Vec2 n, float length) {
         const float speed = dot(blow(wind, arm), n);
         if (speed >= 0.0f) return;  // on the side away from the wind
         push_.at(arm, (-0.5f * wind.density * speed * speed * length) * n);
     }
     void blow_on_polygon(const WindField& wind, const Solid& solid) {
         const Convex& form = solid.form;
-        V2 middle;
+        Vec2 middle;
         for (int i = 0; i < form.count; ++i) {
-            const V2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
+            const Vec2 v = form.vertices[i], next = form.vertices[(i + 1) % form.count];
             middle = middle + (1.0f / float(form.count)) * v;
             if (form.count == 1) break;
             if (solid.kind == FormKind::piece && Piece(solid).is_inner(i)) continue;
-            const V2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
+            const Vec2 n = form.normals[i], arm = 0.5f * (v + next) + form.radius * n;
             blow_on_edge(wind, arm, n, length(next - v));
         }
         // The round corners together form a circle: ∫ cos³θ r dθ over its windward half.
-        const V2 u = blow(wind, middle);
+        const Vec2 u = blow(wind, middle);
         push_.at(middle, (0.5f * wind.density * (4.0f / 3.0f) * form.radius * length(u)) * u);
     }
     /// The same integral over the rim, by the midpoint rule.
     void blow_on_ellipse(const WindField& wind, const EllipseForm& e) {
         constexpr int parts = 64;
-        const V2 across = {-e.axis.y, e.axis.x};
+        const Vec2 across = {-e.axis.y, e.axis.x};
         const Rotation step = rotation_of(2.0 * double(pi) / parts);
         Rotation q = rotation_of(double(pi) / parts);
         for (int i = 0; i < parts; ++i) {
-            const V2 arm = e.center + (e.first * q.c) * e.axis + (e.second * q.s) * across;
-            const V2 outwards = (e.second * q.c) * e.axis + (e.first * q.s) * across;
+            const Vec2 arm = e.center + (e.first * q.c) * e.axis + (e.second * q.s) * across;
+            const Vec2 outwards = (e.second * q.c) * e.axis + (e.first * q.s) * across;
             blow_on_edge(wind, arm, normalized(outwards), 2.0f * pi / parts * length(outwards));
             q = {q.c * step.c - q.s * step.s, q.s * step.c + q.c * step.s};
         }
     }
-    V2 velocity_at(V2 arm) const { return velocity_ + cross(spin_, arm); }
-    V2 centroid_of(uint32_t shape) const {
-        const V2 local = objects_.shapes[shape].centroid - body_.local_center;
+    Vec2 velocity_at(Vec2 arm) const { return velocity_ + cross(spin_, arm); }
+    Vec2 centroid_of(uint32_t shape) const {
+        const Vec2 local = objects_.shapes[shape].centroid - body_.local_center;
         const BodyState& state = columns_.states[objects_.forms[shape].body];
         return rotate({state.cosine, state.sine}, local);
     }
 
     const ObjectState& objects_;
     const Columns& columns_;
-    V2 gravity_;
+    Vec2 gravity_;
     float dt_;
     const BodyRecord& body_;
-    V2 velocity_;
+    Vec2 velocity_;
     float spin_;
     uint64_t mask_;
     Push& push_;
@@ -169,7 +169,7 @@ bool concerns(const ObjectState& objects, std::span<const Box4> boxes, uint32_t 
 }
 
 /// A resistance removes at most the velocity of the body relative to its surroundings.
-V2 limited(V2 force, float mass, float dt, V2 against) {
+Vec2 limited(Vec2 force, float mass, float dt, Vec2 against) {
     const float most = mass * length(against) / dt, size = length(force);
     return size > most && size > 0.0f ? (most / size) * force : force;
 }
@@ -177,7 +177,7 @@ V2 limited(V2 force, float mass, float dt, V2 against) {
 }  // namespace
 
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
-                  std::span<const uint32_t> awake, V2 gravity, float h, float dt,
+                  std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
                   std::span<SolverForce> forces) {
     if (objects.field_slots.count == 0) return;
     for (size_t i = 0; i < awake.size(); ++i) {
@@ -192,11 +192,11 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
             Push push;
             std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, dt, push),
                        field.def.force);
-            const V2 velocity = to_v2(columns.states[body].velocity);
+            const Vec2 velocity = columns.states[body].velocity;
             if (const auto* wind = std::get_if<WindField>(&field.def.force))
-                push.force = limited(push.force, record.mass, dt, to_v2(wind->velocity) - velocity);
+                push.force = limited(push.force, record.mass, dt, wind->velocity - velocity);
             if (const auto* drag = std::get_if<DragField>(&field.def.force))
-                push.force = limited(push.force, record.mass, dt, to_v2(drag->flow) - velocity);
+                push.force = limited(push.force, record.mass, dt, drag->flow - velocity);
             if (std::get_if<AttractorField>(&field.def.force) == nullptr)
                 push.torque =
                     clamp(push.torque, -record.inertia * 10.0f / dt, record.inertia * 10.0f / dt);

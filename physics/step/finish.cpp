@@ -30,7 +30,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     record.step_force = {};
     record.step_torque = 0.0f;
 
-    const V2 shift = shift_of(b);
+    const Vec2 shift = shift_of(b);
     const float turn = turn_of(b);
     record.center = record.center + shift;
     record.center = {bounded(record.center.x, greatest_coordinate),
@@ -46,8 +46,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
         state.sine = q.s;
     }
     const Rotation q = {state.cosine, state.sine};
-    state.position =
-        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
+    state.position = bounded(record.center - rotate(q, record.local_center), greatest_coordinate);
     // A platform may stand still for long and have many shapes. In the first step, they must get to
     // know that they stand.
     const bool stands =
@@ -60,7 +59,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     }
 
     const float speed =
-        max(length(to_v2(state.velocity)), std::fabs(state.angular_velocity) * record.extent);
+        max(length(state.velocity), std::fabs(state.angular_velocity) * record.extent);
     count_rest(settings, record, in.objects.rest_poses[slot], state.angle, speed, dt);
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }

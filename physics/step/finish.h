@@ -37,14 +37,14 @@ uint32_t finish_bodies(const FinishInput& input, float dt);
 // Parts of `finish_bodies`.
 
 /// The motion of a body of the solver in this step.
-inline V2 shift_of(const SolverBody& b) {
+inline Vec2 shift_of(const SolverBody& b) {
     return {bounded(b.shift.x, 1e6f), bounded(b.shift.y, 1e6f)};
 }
 inline float turn_of(const SolverBody& b) {
     return bounded(b.turn, 1e3f);
 }
 /// A motion through the whole step, to a center of mass and the pose of the vertices.
-inline Motion motion_to(V2 center, V2 shift, float turn) {
+inline Motion motion_to(Vec2 center, Vec2 shift, float turn) {
     return {.from = center - shift, .velocity = shift, .angle = -turn, .turn = turn};
 }
 /// A body that moves less cannot move past the range of a speculative contact, nor with more than
@@ -65,7 +65,7 @@ void list_driven_bodies(const FinishInput& input);
 /// Processes a body that moved far compared with its thickness. Any thread may stop it at fixed
 /// shapes. It waits if it may meet moving bodies or sensors, or if the user's filter must be
 /// called.
-void stop_or_list(const FinishInput& input, uint32_t body, V2 shift, float turn,
+void stop_or_list(const FinishInput& input, uint32_t body, Vec2 shift, float turn,
                   FinishedPiece& piece);
 /// Processes the bodies that had to wait until the others are finished.
 void stop_fast_bodies(const FinishInput& input);

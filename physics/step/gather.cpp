@@ -19,9 +19,9 @@ enum Gathered : uint8_t {
     some_bullet = 16
 };
 
-uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity, float h,
+uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravity, float h,
                     SolverBody& b, SolverForce& f) {
-    b.velocity = to_v2(state.velocity);
+    b.velocity = state.velocity;
     b.angular_velocity = state.angular_velocity;
     b.inverse_mass = record.inverse_mass;
     b.inverse_inertia = record.inverse_inertia;
@@ -29,7 +29,7 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, V2 gravity
     b.turn = 0.0f;
     f = {};
     if (record.mobility != Mobility::dynamic) return some_driven;
-    const V2 force = record.force + record.step_force;
+    const Vec2 force = record.force + record.step_force;
     const float torque = record.torque + record.step_torque;
     f.change = {bounded(h * (record.gravity_scale * gravity.x + record.inverse_mass * force.x),
                         2 * greatest_speed),
@@ -52,7 +52,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
                    Hubs& hubs, ThreadPool* threads) {
     const std::vector<uint32_t>& awake = active.awake_bodies;
     const std::vector<BodyRecord>& records = objects.bodies;
-    const V2 gravity = to_v2(settings.gravity);
+    const Vec2 gravity = settings.gravity;
     const size_t count = awake.size();
     bodies.solver_bodies.resize(count + 1);
     bodies.solver_forces.resize(count + 1);

@@ -24,7 +24,7 @@ void forget_ends(const ActiveLists& active, BodyScratch& bodies);
 /// Adds the fields to the forces of a sub-step of length `h`; the step has length `dt`. `boxes`:
 /// the boxes of the shapes, by slot.
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
-                  std::span<const uint32_t> awake, V2 gravity, float h, float dt,
+                  std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
                   std::span<SolverForce> forces);
 
 }  // namespace fettle::physics::detail

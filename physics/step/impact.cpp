@@ -43,15 +43,15 @@ class Obstacle {
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
     /// The same for a point that moves from `start` to `end`.
-    Impact of_point(V2 start, V2 end) const {
+    Impact of_point(Vec2 start, Vec2 end) const {
         Probe hit;
-        V2 way = end - start;
+        Vec2 way = end - start;
         if (is_border_) {
             const float before = dot(plane_.normal, start) - plane_.depth;
             const float after = dot(plane_.normal, end) - plane_.depth;
             if (before > 0.0f && after < 0.0f) hit = {before / (before - after), plane_.normal};
         } else {
-            const V2 from = from_obstacle(start, now_);
+            const Vec2 from = from_obstacle(start, now_);
             way = from_obstacle(end, 1.0f) - from;
             hit = cast_segment(obstacle_.shape, from, way);
         }
@@ -62,15 +62,15 @@ class Obstacle {
         return {now_ + fraction * (1.0f - now_), {}};
     }
     /// A segment of a chain stops nothing that comes from behind it.
-    bool is_from_behind(V2 start) const {
+    bool is_from_behind(Vec2 start) const {
         return !is_border_ && obstacle_.shape.kind == FormKind::piece &&
                !Piece(obstacle_.shape).faces(from_obstacle(start, now_));
     }
 
   private:
     /// A place at a time, in the frame of the obstacle.
-    V2 from_obstacle(V2 place, float t) const {
-        const V2 d = place - obstacle_.motion.center(t);
+    Vec2 from_obstacle(Vec2 place, float t) const {
+        const Vec2 d = place - obstacle_.motion.center(t);
         return unrotate(rotation_of(obstacle_.motion.rotation(t)), d);
     }
 
@@ -86,7 +86,7 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
                       const Motion& other_motion, float now) {
     const BodyRecord& body = in.objects.bodies[in.objects.forms[s].body];
     const BodyState& state = in.columns.states[in.objects.forms[s].body];
-    const V2 centroid =
+    const Vec2 centroid =
         rotate({state.cosine, state.sine}, in.objects.shapes[s].centroid - body.local_center);
     const auto place = [&](float t) {
         return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid);
@@ -127,7 +127,7 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now) {
     const BodyRecord& body = in.objects.bodies[in.objects.forms[shape].body];
     const Box4& box = in.boxes.boxes[shape];
-    const V2 start = motion.center(now) - body.center, end = motion.center(1.0f) - body.center;
+    const Vec2 start = motion.center(now) - body.center, end = motion.center(1.0f) - body.center;
     const Box4 path = unite({box.low + start, box.high + start}, {box.low + end, box.high + end});
     // No point is farther than the chord from where it would be without the rotation.
     const float rotation = max(std::fabs(motion.angle + motion.turn * motion.passed(now)),
@@ -144,7 +144,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
         const Box4 swept = swept_box(in, s, motion, now);
         const auto meet = [&](uint32_t other) {
             if (!may_meet(in, s, other)) return;
-            const V2 center = in.objects.bodies[in.objects.forms[other].body].center;
+            const Vec2 center = in.objects.bodies[in.objects.forms[other].body].center;
             const Impact impact = time_of_impact(in, s, motion, other, standing(center), now);
             if (impact.time < first.time) first = impact;
         };
@@ -164,8 +164,7 @@ void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
     const Rotation q = rotation_of(double(state.angle) + double(record.angle_rest));
     state.cosine = q.c;
     state.sine = q.s;
-    state.position =
-        to_vec2(bounded(record.center - rotate(q, record.local_center), greatest_coordinate));
+    state.position = bounded(record.center - rotate(q, record.local_center), greatest_coordinate);
     finish_shapes(in, body, q, piece);
 }
 

@@ -15,7 +15,7 @@ struct Impact {
     float time = 1.0f;  ///< from now to 1; 1: it meets nothing
     /// If the centroid of the shape is at the obstacle already: the displacement that keeps it from
     /// going farther. Zero otherwise.
-    V2 back;
+    Vec2 back;
 };
 
 /// How far `shape` may follow its motion from `now` without passing through `obstacle`.

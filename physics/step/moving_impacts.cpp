@@ -220,7 +220,7 @@ class MovingImpacts {
         motion.from = before.center(now);
         motion.angle = float(before.rotation(now));
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
-        const V2 end =
+        const Vec2 end =
             driver.center(1.0f) + rotate(rotation_of(turn), motion.from - driver.center(now));
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;

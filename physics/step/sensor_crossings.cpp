@@ -81,7 +81,7 @@ class Search {
         const ObjectState& objects = in_.objects;
         const uint32_t body = objects.forms[s].body, other_body = objects.forms[other].body;
         if (shape.kind != FormKind::piece && other_shape.kind != FormKind::piece) {
-            const V2 apart = objects.bodies[other_body].center - objects.bodies[body].center;
+            const Vec2 apart = objects.bodies[other_body].center - objects.bodies[body].center;
             return nearest_points(shape, other_shape, apart).distance <= gap;
         }
         ContactRecord contact;

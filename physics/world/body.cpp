@@ -33,18 +33,17 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
         data.bodies[body].angle_rest = 0.0f;
     }
     data.previous[body] = {position, angle};
-    data.bodies[body].center =
-        to_v2(position) + rotate(rotation(state), data.bodies[body].local_center);
+    data.bodies[body].center = position + rotate(rotation(state), data.bodies[body].local_center);
     mark_placement(data, data, body);
 }
 
 /// Applies an impulse at the center of mass and an angular impulse. No effect on a body that does
 /// not move.
-void kick(const BodyRecord& record, BodyState& state, V2 impulse, float angular_impulse) {
+void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angular_impulse) {
     if (record.mobility != Mobility::dynamic) return;
-    const V2 velocity = to_v2(state.velocity) + record.inverse_mass * impulse;
+    const Vec2 velocity = state.velocity + record.inverse_mass * impulse;
     const float angular = state.angular_velocity + record.inverse_inertia * angular_impulse;
-    state.velocity = to_vec2(bounded(velocity, 1e30f));
+    state.velocity = bounded(velocity, 1e30f);
     state.angular_velocity = bounded(angular, 1e30f);
 }
 
@@ -77,8 +76,8 @@ FETTLE_BODY_READ(float, angle, state.angle)
 FETTLE_BODY_READ(Pose, previous_pose, data.previous[id_.index])
 FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // an edited center of mass changes it
 FETTLE_BODY_READ(float, angular_velocity, state.angular_velocity)
-FETTLE_BODY_READ(Vec2, force, to_vec2(record.force))
-FETTLE_BODY_READ(Vec2, applied_force, to_vec2(record.step_force))
+FETTLE_BODY_READ(Vec2, force, record.force)
+FETTLE_BODY_READ(Vec2, applied_force, record.step_force)
 FETTLE_BODY_READ(float, applied_torque, record.step_torque)
 FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // falls asleep with an infinite mass
 FETTLE_BODY_READ(bool, can_sleep, record.can_sleep)
@@ -160,7 +159,7 @@ void Body::set_angular_velocity(float angular_velocity) {
 
 void Body::set_force(const Vec2& force) {
     FETTLE_EDIT_BODY
-    record.force = to_v2(check_finite("force", force));
+    record.force = check_finite("force", force);
     wake_body(data.activity(), id_.index);
 }
 
@@ -171,7 +170,7 @@ constexpr float greatest_force = std::numeric_limits<float>::max();
 
 /// Adds a force for the next step, and wakes the body. A force on a body that it cannot move is
 /// dropped; otherwise it would act later, when the body can move.
-void push(WorldData& data, uint32_t body, V2 force, float torque) {
+void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
     wake_body(data.activity(), body);
@@ -185,7 +184,7 @@ void Body::apply_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
     data.read_mass(id_.index);
-    push(data, id_.index, to_v2(force), 0.0f);
+    push(data, id_.index, force, 0.0f);
 }
 
 void Body::apply_force(const Vec2& force, const Vec2& world_point) {
@@ -193,7 +192,7 @@ void Body::apply_force(const Vec2& force, const Vec2& world_point) {
     check_finite("force", force);
     check_finite("world_point", world_point);
     data.read_mass(id_.index);
-    push(data, id_.index, to_v2(force), cross(to_v2(world_point) - record.center, to_v2(force)));
+    push(data, id_.index, force, cross(world_point - record.center, force));
 }
 
 void Body::apply_torque(float torque) {
@@ -208,7 +207,7 @@ void Body::apply_impulse(const Vec2& impulse) {
     check_finite("impulse", impulse);
     data.read_mass(id_.index);
     wake_body(data.activity(), id_.index);
-    kick(record, state, to_v2(impulse), 0.0f);
+    kick(record, state, impulse, 0.0f);
 }
 
 void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
@@ -217,7 +216,7 @@ void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
     check_finite("world_point", world_point);
     data.read_mass(id_.index);
     wake_body(data.activity(), id_.index);
-    kick(record, state, to_v2(impulse), cross(to_v2(world_point) - record.center, to_v2(impulse)));
+    kick(record, state, impulse, cross(world_point - record.center, impulse));
 }
 
 void Body::apply_angular_impulse(float impulse) {
@@ -258,36 +257,35 @@ Pose Body::interpolated(float fraction) const {
 
 Vec2 Body::world_point(const Vec2& local) const {
     FETTLE_LIVE_BODY
-    return state.position + to_vec2(rotate(rotation(state), to_v2(local)));
+    return state.position + rotate(rotation(state), local);
 }
 
 Vec2 Body::local_point(const Vec2& world) const {
     FETTLE_LIVE_BODY
-    return to_vec2(unrotate(rotation(state), to_v2(world) - to_v2(state.position)));
+    return unrotate(rotation(state), world - state.position);
 }
 
 Vec2 Body::world_vector(const Vec2& local) const {
     FETTLE_LIVE_BODY
-    return to_vec2(rotate(rotation(state), to_v2(local)));
+    return rotate(rotation(state), local);
 }
 
 Vec2 Body::local_vector(const Vec2& world) const {
     FETTLE_LIVE_BODY
-    return to_vec2(unrotate(rotation(state), to_v2(world)));
+    return unrotate(rotation(state), world);
 }
 
 Vec2 Body::velocity_at(const Vec2& world_point) const {
     FETTLE_LIVE_BODY
     data.read_mass(id_.index);
-    return state.velocity +
-           to_vec2(cross(state.angular_velocity, to_v2(world_point) - record.center));
+    return state.velocity + cross(state.angular_velocity, world_point - record.center);
 }
 
 float Body::kinetic_energy() const {
     FETTLE_LIVE_BODY
     data.read_mass(id_.index);
     if (record.mobility != Mobility::dynamic) return 0.0f;
-    float energy = 0.5f * record.mass * state.velocity.squaredNorm();
+    float energy = 0.5f * record.mass * state.velocity.length_squared();
     if (record.inverse_inertia > 0.0f) {
         energy += 0.5f * record.inertia * state.angular_velocity * state.angular_velocity;
     }

@@ -16,8 +16,8 @@ std::optional<float> if_given(float value) {
 
 FETTLE_BODY_DERIVED(float, mass, record.mass)
 FETTLE_BODY_DERIVED(float, inertia, record.inertia)
-FETTLE_BODY_DERIVED(Vec2, center, to_vec2(record.local_center))
-FETTLE_BODY_DERIVED(Vec2, world_center, to_vec2(record.center))
+FETTLE_BODY_DERIVED(Vec2, center, record.local_center)
+FETTLE_BODY_DERIVED(Vec2, world_center, record.center)
 FETTLE_BODY_READ(std::optional<float>, mass_override, if_given(record.given_mass))
 FETTLE_BODY_READ(std::optional<float>, inertia_override, if_given(record.given_inertia))
 FETTLE_BODY_READ(uint32_t, rebuilds, record.rebuilds)
@@ -39,7 +39,7 @@ void Body::set_inertia(std::optional<float> inertia) {
 void Body::set_center(std::optional<Vec2> center) {
     FETTLE_EDIT_BODY
     record.given_center =
-        center ? to_v2(check_coordinates("center", *center)) : V2{not_given, not_given};
+        center ? check_coordinates("center", *center) : Vec2{not_given, not_given};
     wake_body(data.activity(), id_.index);
     mark_mass(data, data, id_.index);
 }
@@ -47,7 +47,7 @@ void Body::set_center(std::optional<Vec2> center) {
 std::optional<Vec2> Body::center_override() const {
     FETTLE_LIVE_BODY
     if (!is_given(record.given_center.x)) return std::nullopt;
-    return to_vec2(record.given_center);
+    return record.given_center;
 }
 
 float Body::area() const {
@@ -66,7 +66,7 @@ Aabb Body::aabb() const {
     Box4 box = no_box;
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
         if (data.is_solid(s)) box = unite(box, data.boxes[s]);
-    return {to_vec2(box.low), to_vec2(box.high)};
+    return {box.low, box.high};
 }
 
 namespace {

@@ -43,7 +43,7 @@ bool same(float a, float b) {
 }
 
 bool same(const Vec2& a, const Vec2& b) {
-    return same(a.x(), b.x()) && same(a.y(), b.y());
+    return same(a.x, b.x) && same(a.y, b.y);
 }
 
 /// A separate function, so that the usual path contains no jump. The stored velocity of a body just

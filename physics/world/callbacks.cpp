@@ -126,12 +126,12 @@ class ContactCallbacks {
     }
 
     ContactEdit edit_of(const ContactRecord& c) const {
-        const V2 point = middle_of(world_, c);
+        const Vec2 point = middle_of(world_, c);
         ContactEdit edit;
         edit.shape_a = {world_.self.link->world, world_.shape_id(c.shape_a)};
         edit.shape_b = {world_.self.link->world, world_.shape_id(c.shape_b)};
-        edit.point = to_vec2(point);
-        edit.normal = to_vec2(c.manifold.normal);
+        edit.point = point;
+        edit.normal = c.manifold.normal;
         edit.speed = approach_speed(world_, world_, c, point);
         edit.separation = infinity;
         for (int k = 0; k < c.manifold.count; ++k) {

@@ -182,15 +182,15 @@ Aabb Shape::aabb() const {
     FETTLE_REFRESHED_SHAPE(read_all())
     Box4 box = no_box;
     data.for_each_solid(id_.index, [&](uint32_t s) { box = unite(box, data.boxes[s]); });
-    return {to_vec2(box.low), to_vec2(box.high)};
+    return {box.low, box.high};
 }
 
 std::vector<Vec2> Shape::world_vertices() const {
     FETTLE_REFRESHED_SHAPE(read_all())
     std::vector<Vec2> all;
     if (!data.is_solid(id_.index)) {
-        for (V2 p : data.outline_of(id_.index))
-            all.push_back(form.body == none ? to_vec2(p) : body().world_point(to_vec2(p)));
+        for (Vec2 p : data.outline_of(id_.index))
+            all.push_back(form.body == none ? p : body().world_point(p));
         return all;
     }
     if (form.count < 2) return all;
@@ -199,15 +199,15 @@ std::vector<Vec2> Shape::world_vertices() const {
             all.push_back(form.body == none ? v : body().world_point(v));
         return all;
     }
-    const V2 center = form.body == none ? V2{} : data.bodies[form.body].center;
+    const Vec2 center = form.body == none ? Vec2{} : data.bodies[form.body].center;
     for (uint32_t i = 0; i < form.count; ++i)
-        all.push_back(to_vec2(center + data.pool.vertices[form.begin + i]));
+        all.push_back(center + data.pool.vertices[form.begin + i]);
     return all;
 }
 
 Vec2 Shape::world_center() const {
     FETTLE_REFRESHED_SHAPE(read_all())
-    const Vec2 local = to_vec2(record.centroid);
+    const Vec2 local = record.centroid;
     return form.body == none ? local : body().world_point(local);
 }
 

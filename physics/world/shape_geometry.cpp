@@ -68,12 +68,12 @@ float polygon_rounding(const ShapeRecord& record) {
 }
 
 /// Both structs consist of the same two floats.
-std::span<const Vec2> as_vectors(std::span<const V2> points) {
-    static_assert(sizeof(Vec2) == sizeof(V2) && alignof(Vec2) <= alignof(V2));
+std::span<const Vec2> as_vectors(std::span<const Vec2> points) {
+    static_assert(sizeof(Vec2) == sizeof(Vec2) && alignof(Vec2) <= alignof(Vec2));
     return {reinterpret_cast<const Vec2*>(points.data()), points.size()};
 }
 
-std::vector<Vec2> list_of(std::span<const V2> points) {
+std::vector<Vec2> list_of(std::span<const Vec2> points) {
     const auto all = as_vectors(points);
     return {all.begin(), all.end()};
 }

@@ -58,7 +58,7 @@ int substeps_of(const WorldDef& settings, float dt, float last_length) {
 
 /// `longest`: the longest recent sub-step, s.
 ContactStiffness stiffness_of(const WorldDef& settings, float h, float longest) {
-    const float gravity = length(to_v2(settings.gravity));
+    const float gravity = length(settings.gravity);
     const float hertz = min(settings.contact_hertz, ContactStiffness::greatest_share / longest);
     return {hertz, settings.contact_damping, h, gravity > 0.0f ? gravity : usual_gravity};
 }
@@ -100,8 +100,7 @@ void WorldData::step(float dt) {
 
     cut_into_strips(objects, active, groups, steps, strips);
     gather_bodies(objects, columns, active, settings, strips, h, body_scratch, hubs, threads);
-    apply_fields(objects, columns, boxes, awake_bodies, to_v2(settings.gravity), h, dt,
-                 solver_forces);
+    apply_fields(objects, columns, boxes, awake_bodies, settings.gravity, h, dt, solver_forces);
     const JointStep joint_step =
         prepare_joints(objects, columns, active, body_scratch, joint_scratch, h, ratio, threads);
     find_acting(objects, active, body_scratch, settings, schedule, contact_scratch, dt, threads);

@@ -236,9 +236,9 @@ uint64_t World::hash() const {
     for (uint32_t i = 1; i < data_->states.size(); ++i) {
         if (data_->body_generations[i] == 0) continue;
         const BodyState& s = data_->states[i];
-        add(s.position.x(), s.position.y());
+        add(s.position.x, s.position.y);
         add(s.angle, s.angular_velocity);
-        add(s.velocity.x(), s.velocity.y());
+        add(s.velocity.x, s.velocity.y);
     }
     return hash;
 }

@@ -39,8 +39,8 @@ class NotingPainter : public property::Painter {
     }
     void clip(const Vec2& lower, const Vec2& upper) override {
         const Vec2 a = to_pixels(lower), b = to_pixels(upper);
-        clip_lower_ = a.cwiseMin(b);
-        clip_upper_ = a.cwiseMax(b);
+        clip_lower_ = a.min(b);
+        clip_upper_ = a.max(b);
     }
     double pixels_per_unit() const override {
         return (on_screen() ? 1 : view.zoom()) * transform().scale();
@@ -106,7 +106,7 @@ struct Pictures : Game {
 };
 
 bool near(const Vec2& a, const Vec2& b) {
-    return (a - b).norm() < 1e-6;
+    return (a - b).length() < 1e-6;
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ double farthest_from_circle(const std::vector<Point>& outline, const Point& cent
         const Point &from = outline[i], &to = outline[(i + 1) % outline.size()];
         for (int k = 0; k <= 8; ++k) {
             const Point p = from + k / 8.0 * (to - from);
-            if (p.x() < 0 || p.y() < 0 || p.x() > 1280 || p.y() > 800) continue;
-            worst = std::max(worst, std::abs((p - center).norm() - radius));
+            if (p.x < 0 || p.y < 0 || p.x > 1280 || p.y > 800) continue;
+            worst = std::max(worst, std::abs((p - center).length() - radius));
         }
     }
     return worst;
@@ -45,11 +45,11 @@ TEST_CASE("the edges made by cutting are outside the screen") {
     REQUIRE(outline.size() >= 3);
     double lowest = 1e9;
     for (const Point& p : outline) {
-        CHECK(p.x() >= -20.001);
-        CHECK(p.x() <= 1300.001);
-        CHECK(p.y() >= -20.001);
-        CHECK(p.y() <= 820.001);
-        lowest = std::min(lowest, p.y());
+        CHECK(p.x >= -20.001);
+        CHECK(p.x <= 1300.001);
+        CHECK(p.y >= -20.001);
+        CHECK(p.y <= 820.001);
+        lowest = std::min(lowest, p.y);
     }
     CHECK(lowest == Approx(400).margin(0.3));
 }
@@ -67,10 +67,10 @@ TEST_CASE("a figure that contains the screen covers it and a figure outside is d
 TEST_CASE("a long line is cut and keeps its direction") {
     Point from(-1e9, 400 - 1e8), to(1e9, 400 + 1e8);
     REQUIRE(sight.cut(from, to));
-    CHECK(from.x() == Approx(-20));
-    CHECK(from.y() == Approx(398));
-    CHECK(to.x() == Approx(1300));
-    CHECK(to.y() == Approx(530));
+    CHECK(from.x == Approx(-20));
+    CHECK(from.y == Approx(398));
+    CHECK(to.x == Approx(1300));
+    CHECK(to.y == Approx(530));
     Point a(-100, 0), b(-50, 1000);
     CHECK_FALSE(sight.cut(a, b));
     Point still(5, 5), same(5, 5);
@@ -80,13 +80,13 @@ TEST_CASE("a long line is cut and keeps its direction") {
 TEST_CASE("the rounding of a line or a polygon keeps its distance") {
     const std::vector<Point> line{{100, 400}, {5e5, 400}};
     for (const Point& p : sight.rounded(line, 2000)) {
-        const double past = std::max({100 - p.x(), p.x() - 5e5, 0.0});
-        CHECK(std::hypot(past, p.y() - 400) == Approx(2000).epsilon(1e-6));
+        const double past = std::max({100 - p.x, p.x - 5e5, 0.0});
+        CHECK(std::hypot(past, p.y - 400) == Approx(2000).epsilon(1e-6));
     }
     const std::vector<Point> box{{0, 0}, {9000, 0}, {9000, 9000}, {0, 9000}};
     for (const Point& p : sight.rounded(box, 1500)) {
-        const double dx = std::max({-p.x(), p.x() - 9000, 0.0});
-        const double dy = std::max({-p.y(), p.y() - 9000, 0.0});
+        const double dx = std::max({-p.x, p.x - 9000, 0.0});
+        const double dy = std::max({-p.y, p.y - 9000, 0.0});
         CHECK(std::hypot(dx, dy) == Approx(1500).epsilon(1e-6));
     }
 }

@@ -17,9 +17,9 @@ TEST_CASE("the middle of the screen shows the center of the view") {
 
 TEST_CASE("up in the world is up on the screen") {
     const View view;
-    CHECK(view.to_screen({0, 10}).y() == 0);
-    CHECK(view.to_screen({0, -10}).y() == 800);
-    CHECK(view.to_screen({16, 0}).x() == 1280);
+    CHECK(view.to_screen({0, 10}).y == 0);
+    CHECK(view.to_screen({0, -10}).y == 800);
+    CHECK(view.to_screen({16, 0}).x == 1280);
 }
 
 TEST_CASE("to_world is the inverse of to_screen") {
@@ -29,8 +29,8 @@ TEST_CASE("to_world is the inverse of to_screen") {
     view.screen = {1013, 777};
     const Vec2 point(-6.1, 13);
     const Vec2 back = view.to_world(view.to_screen(point));
-    CHECK(back.x() == Approx(point.x()));
-    CHECK(back.y() == Approx(point.y()));
+    CHECK(back.x == Approx(point.x));
+    CHECK(back.y == Approx(point.y));
 }
 
 TEST_CASE("width and corners follow the height and the size of the screen") {

@@ -8,8 +8,8 @@
 namespace fettle::architecture {
 namespace {
 
-constexpr std::string_view folders_of_parts[] = {"framework/", "physics/", "bindings/", "console/",
-                                                 "fettle/"};
+constexpr std::string_view folders_of_parts[] = {"vector/",   "framework/", "physics/",
+                                                 "bindings/", "console/",   "fettle/"};
 
 bool is_path(const std::string& code) {
     return code.find_first_of(" <>*()") == std::string::npos &&
@@ -18,8 +18,8 @@ bool is_path(const std::string& code) {
 }
 
 bool exists(const SourceTree& tree, std::string path) {
-    for (const char* root :
-         {"", "framework/include/", "physics/include/", "bindings/c/include/", "console/include/"})
+    for (const char* root : {"", "vector/include/", "framework/include/", "physics/include/",
+                             "bindings/c/include/", "console/include/"})
         if (tree.contains(root + path))
             return true;  // as in an #include, relative to an include folder
     if (!path.ends_with('/')) path += '/';

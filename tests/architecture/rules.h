@@ -35,8 +35,8 @@ Violations rooms_without_line(const std::string& text);
 /// A part links only the targets of parts and libraries that the table allows.
 Violations forbidden_links(const SourceTree& tree);
 
-/// A public header includes only public headers, the standard library and Eigen, so that its user
-/// needs no SFML, ImGui or Lua. It is in include/fettle/<library>/.
+/// A public header includes only public headers, and the standard library, so that its user needs
+/// no SFML, ImGui or Lua. It is in include/fettle/<library>/.
 Violations public_header_violations(const SourceTree& tree);
 
 /// The declarations of a public header are between the marks FETTLE_<PART>_BEGIN and _END: a shared

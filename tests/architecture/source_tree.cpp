@@ -10,8 +10,8 @@
 namespace fettle::architecture {
 namespace {
 
-constexpr std::array code_folders = {"framework", "physics", "bindings", "console", "fettle",
-                                     "tests",     "bench",   "scripts",  "examples"};
+constexpr std::array code_folders = {"vector", "framework", "physics", "bindings", "console",
+                                     "fettle", "tests",     "bench",   "scripts",  "examples"};
 
 bool has_suffix(const std::string& path, std::string_view suffix) {
     return path.ends_with(suffix);
@@ -90,8 +90,8 @@ std::string SourceTree::resolve(const SourceFile& from, const Include& include) 
     for (fs::path folder = beside; !folder.empty(); folder = folder.parent_path()) {
         roots.push_back(folder);
     }
-    roots.insert(roots.end(), {"framework/include", "physics/include", "bindings/c/include",
-                               "console/include", "tests/include"});
+    roots.insert(roots.end(), {"vector/include", "framework/include", "physics/include",
+                               "bindings/c/include", "console/include", "tests/include"});
     for (const fs::path& root : roots) {
         const std::string path = (root / include.name).lexically_normal().generic_string();
         if (contains(path)) return path;

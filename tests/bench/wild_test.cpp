@@ -126,7 +126,7 @@ TEST_CASE("a found world is minimized to what the violation needs") {
     CHECK(small.def.substeps == WorldDef{}.substeps);
     CHECK(small.steps < 60);
     CHECK(small.bodies[1].def.velocity == Vec2(0, 0));
-    CHECK(small.bodies[1].def.position.y() == 3);
+    CHECK(small.bodies[1].def.position.y == 3);
 }
 
 TEST_CASE("removing a body removes its joints and edits and renumbers the others") {

@@ -43,7 +43,7 @@ struct AheadRig : Rig {
             const Vec2 from = rig.value("world.ball.position").vec2();
             property::List points;
             for (int i = 0; i <= static_cast<int>(arguments[0].number()); ++i)
-                points.emplace_back(Vec2(from.x() + 2 * i, from.y()));
+                points.emplace_back(Vec2(from.x + 2 * i, from.y));
             const Handle ball = of.child(of.child(of.root(), "world"), "ball");
             return std::vector<property::Record>{
                 {&ghost_fields, {ball, Value(std::move(points)), 0.0}}};
@@ -88,8 +88,8 @@ struct AheadRig : Rig {
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x) {
                 const auto& pixel =
-                    surface.pixels().at(static_cast<std::size_t>(std::lround(p.y()) + y) * 1280 +
-                                        static_cast<std::size_t>(std::lround(p.x()) + x));
+                    surface.pixels().at(static_cast<std::size_t>(std::lround(p.y) + y) * 1280 +
+                                        static_cast<std::size_t>(std::lround(p.x) + x));
                 count += pixel[1] > pixel[0] + 20;
             }
         return count;
@@ -218,7 +218,7 @@ TEST_CASE_METHOD(SkinnedRig, "onion skins are poses at regular intervals before 
     CHECK(skins().shown_at(50) == std::vector<std::int64_t>{0, 15, 30, 45});
     CHECK(skins().skins().size() >= 50);
     for (const auto& skin : skins().skins())
-        CHECK(skin.pose.origin.x() == Approx(0.1 * static_cast<double>(skin.step)));
+        CHECK(skin.pose.origin.x == Approx(0.1 * static_cast<double>(skin.step)));
 }
 
 TEST_CASE_METHOD(SkinnedRig, "after going back the later poses are skins, too") {

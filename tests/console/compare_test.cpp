@@ -60,8 +60,8 @@ TEST_CASE_METHOD(CompareRig, "a comparison holds the past as it was and as it wo
     REQUIRE(runs().b().size() == 61);
     CHECK(runs().a().front().step == 40);
     const auto ball = tree.child(tree.child(tree.root(), "world"), "ball");
-    CHECK(runs().a().back().find(ball)->position.x() == Approx(1));
-    CHECK(runs().b().back().find(ball)->position.x() == Approx(3));
+    CHECK(runs().a().back().find(ball)->position.x == Approx(1));
+    CHECK(runs().b().back().find(ball)->position.x == Approx(3));
     CHECK(
         logged("ab world.ball.mass = 3 since step 40: 1 of 3 end elsewhere, world.ball by "
                "2.00 m"));

@@ -140,8 +140,8 @@ TEST_CASE("a click on a body selects it and sets it") {
     rig.key("grave");
     rig.draw();
     Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));
-    CHECK(rig.button(true, static_cast<float>(at.x()), static_cast<float>(at.y())));
-    CHECK(rig.button(false, static_cast<float>(at.x()), static_cast<float>(at.y())));
+    CHECK(rig.button(true, static_cast<float>(at.x), static_cast<float>(at.y)));
+    CHECK(rig.button(false, static_cast<float>(at.x), static_cast<float>(at.y)));
     CHECK(rig.tree.path(rig.console.selected()) == "world.ball");
     CHECK(rig.logged("it = world.ball"));
     rig.draw();
@@ -170,7 +170,7 @@ TEST_CASE("an instance that the game makes anew is selected again") {
 TEST_CASE("a click does not select when picking is off or the console is closed") {
     Rig rig;
     Vec2 at = rig.state().options.to_pixels(Vec2(0, -4));
-    auto x = static_cast<float>(at.x()), y = static_cast<float>(at.y());
+    auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
     rig.draw();
     CHECK_FALSE(rig.button(true, x, y));
     rig.button(false, x, y);

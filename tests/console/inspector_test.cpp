@@ -114,17 +114,17 @@ TEST_CASE("a wide range does not make a drag fast") {
     BallRig rig;
     REQUIRE(rig.tree.property(rig.ball, "position").range.max > 1e6);
     rig.drag_by("position", 50, 0.25f);
-    CHECK(rig.value("world.ball.position").vec2().x() == Approx(0.5).margin(0.1));
+    CHECK(rig.value("world.ball.position").vec2().x == Approx(0.5).margin(0.1));
 }
 
 TEST_CASE("a vector has a field for each component") {
     BallRig rig;
     rig.drag_by("position", 30, 0.25f);
     Vec2 position = rig.value("world.ball.position").vec2();
-    CHECK(position.x() == Approx(0.3).margin(0.05));
-    CHECK(position.y() == -4);
+    CHECK(position.x == Approx(0.3).margin(0.05));
+    CHECK(position.y == -4);
     rig.drag_by("position", 30, 0.75f);
-    CHECK(rig.value("world.ball.position").vec2().y() > -4);
+    CHECK(rig.value("world.ball.position").vec2().y > -4);
 }
 
 TEST_CASE("a number field that is clicked can be typed into") {
@@ -333,8 +333,8 @@ TEST_CASE("elements of a list are edited and added and removed") {
     rig.drag(x, y, x + 40, y);
     rig.draw();
     List list = rig.value("world.ball.vertices").list();
-    CHECK(list[1].vec2().x() > 1.2);
-    CHECK(list[1].vec2().y() == 0);
+    CHECK(list[1].vec2().x > 1.2);
+    CHECK(list[1].vec2().y == 0);
     // Clicks the last line, which adds a vertex.
     rig.click(rect.low.x + 15, rect.high.y - 8);
     rig.draw(2);
@@ -344,7 +344,7 @@ TEST_CASE("elements of a list are edited and added and removed") {
     rig.draw(2);
     list = rig.value("world.ball.vertices").list();
     REQUIRE(list.size() == 3);
-    CHECK(list[0].vec2().x() > 1.2);
+    CHECK(list[0].vec2().x > 1.2);
 }
 
 TEST_CASE("ad-hoc properties are shown and edited and removed") {

@@ -47,8 +47,8 @@ struct Haunted : Rig {
         int count = 0;
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x) {
-                const auto at = static_cast<std::size_t>(std::lround(p.y()) + y) * 1280 +
-                                static_cast<std::size_t>(std::lround(p.x()) + x);
+                const auto at = static_cast<std::size_t>(std::lround(p.y) + y) * 1280 +
+                                static_cast<std::size_t>(std::lround(p.x) + x);
                 const auto& pixel = pixels.at(at);
                 if (pixel[0] > 180 && pixel[2] < 120) ++count;
             }

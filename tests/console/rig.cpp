@@ -26,7 +26,7 @@ property::Result body_at(void*, property::Tree& tree, Handle world, property::Ro
                          std::span<const Value> arguments) {
     Vec2 point = arguments[0].vec2();
     for (Handle body : tree.children(world))
-        if ((tree.get(body, "position").vec2() - point).norm() < 0.5) return Value(body);
+        if ((tree.get(body, "position").vec2() - point).length() < 0.5) return Value(body);
     return Value();
 }
 
@@ -118,8 +118,8 @@ Options Rig::with_view(Options options) {
                     (surface.height() / 2 - y) / pixels_per_metre);
     };
     options.to_pixels = [this](Vec2 p) {
-        return Vec2(surface.width() / 2 + p.x() * pixels_per_metre,
-                    surface.height() / 2 - p.y() * pixels_per_metre);
+        return Vec2(surface.width() / 2 + p.x * pixels_per_metre,
+                    surface.height() / 2 - p.y * pixels_per_metre);
     };
     options.tweaks = tweaks.get();
     return options;

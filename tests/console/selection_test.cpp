@@ -26,7 +26,7 @@ struct SelectionRig : Rig {
     }
     ImVec2 pixel(Vec2 place) {
         const Vec2 at = state().options.to_pixels(place);
-        return ImVec2(static_cast<float>(at.x()), static_cast<float>(at.y()));
+        return ImVec2(static_cast<float>(at.x), static_cast<float>(at.y));
     }
     void click_at(std::string_view path) {
         const ImVec2 at = pixel(value(std::string(path) + ".position").vec2());
@@ -159,20 +159,20 @@ TEST_CASE("arrows move the selection after a click into the game") {
     rig.click_at("world.ball");
     const Vec2 before = rig.value("world.ball.position").vec2();
     const double pixel =
-        (rig.state().options.to_world(1, 0) - rig.state().options.to_world(0, 0)).x();
+        (rig.state().options.to_world(1, 0) - rig.state().options.to_world(0, 0)).x;
     rig.key("right");
     rig.key("shift+up");
     const Vec2 after = rig.value("world.ball.position").vec2();
-    CHECK(after.x() == Approx(before.x() + pixel));
-    CHECK(after.y() == Approx(before.y() + 10 * pixel));
+    CHECK(after.x == Approx(before.x + pixel));
+    CHECK(after.y == Approx(before.y + 10 * pixel));
     rig.tree.undo();
-    CHECK(rig.value("world.ball.position").vec2().y() == Approx(before.y()));
+    CHECK(rig.value("world.ball.position").vec2().y == Approx(before.y));
     // Who types gets the keys back for the prompt.
     rig.type("world");
     rig.key("left");
     rig.type("x");
     CHECK(rig.input() == "worlxd");
-    CHECK(rig.value("world.ball.position").vec2().x() == Approx(before.x() + pixel));
+    CHECK(rig.value("world.ball.position").vec2().x == Approx(before.x + pixel));
 }
 
 TEST_CASE("all selected are deleted and cloned by one command") {

@@ -53,11 +53,11 @@ class Watch {
         for (uint32_t slot = 1; slot < world.body_slots(); ++slot) {
             if (world.body_generation(slot) == 0) continue;
             const BodyState& s = world.state(slot);
-            finite = finite && s.position.allFinite() && s.velocity.allFinite() &&
+            finite = finite && s.position.is_finite() && s.velocity.is_finite() &&
                      std::isfinite(s.angle) && std::isfinite(s.angular_velocity);
             const Aabb& box = pen_.box;
-            outside += !(s.position.x() > box.min.x() && s.position.y() > box.min.y() &&
-                         s.position.x() < box.max.x() && s.position.y() < box.max.y());
+            outside += !(s.position.x > box.min.x && s.position.y > box.min.y &&
+                         s.position.x < box.max.x && s.position.y < box.max.y);
         }
         inside = inside && outside <= pen_.lost;
         if (steps_ % 100 != 0) return;

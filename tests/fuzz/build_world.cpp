@@ -90,7 +90,7 @@ class Builder {
             }
         }
         for (const Joint& joint : world_.joints()) {
-            if (!joint.force().allFinite() || !std::isfinite(joint.torque())) {
+            if (!joint.force().is_finite() || !std::isfinite(joint.torque())) {
                 std::fputs("a joint force is not finite\n", stderr);
                 std::abort();
             }
@@ -224,7 +224,7 @@ class Builder {
         const float size = 0.05f + static_cast<float>(choose_.byte()) / 500.0f;
         for (unsigned n = choose_.of(40); n > 0; --n) {
             Body small = world_.create_body(
-                {.position = {at.x() + static_cast<float>(n) * 0.2f - 4.0f, at.y() + 0.2f}});
+                {.position = {at.x + static_cast<float>(n) * 0.2f - 4.0f, at.y + 0.2f}});
             small.add(Circle{.radius = size});
         }
     }
@@ -398,9 +398,9 @@ class Builder {
         const Vec2 from = choose_.place(), to = choose_.place();
         bool finite = true;
         if (const auto hit = world_.cast_ray(from, to))
-            finite &= hit->point.allFinite() && hit->fraction >= 0.0f && hit->fraction <= 1.0f;
+            finite &= hit->point.is_finite() && hit->fraction >= 0.0f && hit->fraction <= 1.0f;
         if (const auto near = world_.closest(from, choose_.size()))
-            finite &= near->point.allFinite() && std::isfinite(near->distance);
+            finite &= near->point.is_finite() && std::isfinite(near->distance);
         world_.query_point(from);
         const auto bodies = world_.bodies();
         if (!bodies.empty()) {
@@ -409,7 +409,7 @@ class Builder {
                 const Shape shape = pick(shapes);
                 finite &= std::isfinite(distance(shape, pick(others)).distance);
                 if (const auto hit = world_.cast_shape(shape, to))
-                    finite &= hit->point.allFinite() && std::isfinite(hit->fraction);
+                    finite &= hit->point.is_finite() && std::isfinite(hit->fraction);
                 world_.query_overlap(shape);
             }
         }

@@ -171,11 +171,11 @@ TEST_CASE("left and right stay in a row and pass what is disabled") {
 TEST_CASE_METHOD(Menu, "a slider follows the mouse and the arrow keys") {
     const Vec2 corner = get("menu.column.s.screen_position").vec2();
     const Vec2 size = get("menu.column.s.screen_size").vec2();
-    point(corner + Vec2(0.5 * size.x(), 0.5 * size.y()));
+    point(corner + Vec2(0.5 * size.x, 0.5 * size.y));
     set("input.mouse.left", true);
     turn();
     CHECK(get("menu.column.s.value").number() == Approx(5));
-    point(corner + Vec2(size.x() + 500, -100));
+    point(corner + Vec2(size.x + 500, -100));
     turn();
     CHECK(get("menu.column.s.value").number() == 10);
     set("input.mouse.left", false);

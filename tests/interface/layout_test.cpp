@@ -30,7 +30,7 @@ TEST_CASE("a widget is at its anchor and follows the size of the screen") {
     s.set("interface.scale", Value(2.0));
     CHECK(s.size("a") == Vec2(400, 200));
     s.set("a.fill", Value("width"));
-    CHECK(s.size("a").x() > 1900);
+    CHECK(s.size("a").x > 1900);
 }
 
 TEST_CASE("columns and rows place their widgets after each other") {
@@ -44,19 +44,19 @@ TEST_CASE("columns and rows place their widgets after each other") {
     CHECK(s.size("p.column.panel_2") == Vec2(300, 50));
     CHECK(s.at("p.column.row") == Vec2(20, 116));
     // A panel has its padding on both sides; what is left over goes to those that grow.
-    const double second = s.size("p.column.row.panel_2").x(),
-                 third = s.size("p.column.row.panel_3").x();
-    CHECK(s.at("p.column.row.panel_3").x() + third == 320);
+    const double second = s.size("p.column.row.panel_2").x,
+                 third = s.size("p.column.row.panel_3").x;
+    CHECK(s.at("p.column.row.panel_3").x + third == 320);
     CHECK(second > third);
     CHECK(60 + 10 + second + 10 + third == 300);
-    CHECK(s.size("p").x() == 340);
+    CHECK(s.size("p").x == 340);
     s.set("p.column.panel.visible", Value(false));
     CHECK(s.at("p.column.panel_2") == Vec2(20, 20));
     s.set("p.column.align", Value("end"));
-    CHECK(s.at("p.column.panel_2").x() + s.size("p.column.panel_2").x() == 320);
+    CHECK(s.at("p.column.panel_2").x + s.size("p.column.panel_2").x == 320);
     s.set("p.column.size", Value(Vec2(300, 400)));
     s.set("p.column.justify", Value("end"));
-    CHECK(s.at("p.column.row").y() + s.size("p.column.row").y() == 420);
+    CHECK(s.at("p.column.row").y + s.size("p.column.row").y == 420);
 }
 
 TEST_CASE("a label as wide as its text shows all of it wherever it is") {
@@ -73,9 +73,9 @@ TEST_CASE("a label as wide as its text shows all of it wherever it is") {
 TEST_CASE("text that is too long wraps or is cut") {
     Placed s(
         R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");
-    const double wrapped = s.size("l").y();
+    const double wrapped = s.size("l").y;
     s.set("l.overflow", Value("cut"));
-    const double cut = s.size("l").y();
+    const double cut = s.size("l").y;
     CHECK(wrapped >= 2 * cut - 1);
     const int few = s.draw().letters;
     CHECK(few > 5);
@@ -85,7 +85,7 @@ TEST_CASE("text that is too long wraps or is cut") {
     s.set("l.overflow", Value("wrap"));
     CHECK(s.draw().letters < 200);
     s.set("l.text", Value("one\n\nthree"));
-    CHECK(s.size("l").y() > 2.5 * cut);
+    CHECK(s.size("l").y > 2.5 * cut);
 }
 
 TEST_CASE("nothing is laid out unless something changed") {
@@ -114,16 +114,16 @@ TEST_CASE("a theme holds for everything below the widget that has it") {
     Placed s(R"(
         game.big = Theme { font_size = 40 }
         game.p = Panel { Column { Label { text = "a" }, Row { Label { text = "a" } } } })");
-    const double small = s.size("p.column.row.label").y();
+    const double small = s.size("p.column.row.label").y;
     s.run("p.column.row.theme = big");
-    CHECK(s.size("p.column.row.label").y() > 2 * small);
-    CHECK(s.size("p.column.label").y() == small);
+    CHECK(s.size("p.column.row.label").y > 2 * small);
+    CHECK(s.size("p.column.label").y == small);
     s.set("big.font_size", Value(20.0));
-    CHECK(s.size("p.column.row.label").y() < 2 * small);
+    CHECK(s.size("p.column.row.label").y < 2 * small);
     s.run("game.big = nil");
-    CHECK(s.size("p.column.row.label").y() == small);
+    CHECK(s.size("p.column.row.label").y == small);
     s.set("interface.theme.font_size", Value(34.0));
-    CHECK(s.size("p.column.row.label").y() > 1.8 * small);
+    CHECK(s.size("p.column.row.label").y > 1.8 * small);
 }
 
 TEST_CASE("widgets in each other a thousand deep do no harm") {

@@ -50,7 +50,7 @@ class Paper : public Painter {
   private:
     void note(const Vec2& at) {
         ++drawn;
-        finite = finite && transform()(at).allFinite();
+        finite = finite && transform()(at).is_finite();
     }
 };
 

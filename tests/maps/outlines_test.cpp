@@ -23,7 +23,7 @@ double area(const Outline& outline) {
     double sum = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        sum += 0.5 * (a.x * b.y - a.y * b.x);
     }
     return sum;
 }
@@ -116,11 +116,11 @@ TEST_CASE("random maps keep their area and no common edge remains") {
             for (std::size_t i = 0; i < outline.size(); ++i) {
                 const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
                 const Vec2 middle = 0.5 * (a + b), along = (b - a).normalized();
-                const Vec2 left(-along.y(), along.x());
+                const Vec2 left(-along.y, along.x);
                 const Vec2 near = a + along, inside = near + left, outside = near - left;
-                CHECK(is_solid(inside.x(), inside.y()));
-                CHECK_FALSE(is_solid(outside.x(), outside.y()));
-                CHECK((middle - a).norm() >= 8);
+                CHECK(is_solid(inside.x, inside.y));
+                CHECK_FALSE(is_solid(outside.x, outside.y));
+                CHECK((middle - a).length() >= 8);
             }
     }
 }

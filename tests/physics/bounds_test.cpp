@@ -16,14 +16,14 @@ TEST_CASE("bounds keep bodies of every kind inside") {
     for (int i = 0; i < 300; ++i) {
         world.step(frame);
         for (Body body : {box, ball, capsule}) {
-            REQUIRE(body.position().x() > -5.0f);
-            REQUIRE(body.position().x() < 5.0f);
-            REQUIRE(body.position().y() > 0.0f);
-            REQUIRE(body.position().y() < 10.0f);
+            REQUIRE(body.position().x > -5.0f);
+            REQUIRE(body.position().x < 5.0f);
+            REQUIRE(body.position().y > 0.0f);
+            REQUIRE(body.position().y < 10.0f);
         }
     }
-    REQUIRE(box.position().y() == Approx(0.5f).margin(0.02));
-    REQUIRE(ball.position().y() == Approx(0.5f).margin(0.02));
+    REQUIRE(box.position().y == Approx(0.5f).margin(0.02));
+    REQUIRE(ball.position().y == Approx(0.5f).margin(0.02));
 }
 
 TEST_CASE("bounds are live and wake who rests on them") {
@@ -33,13 +33,13 @@ TEST_CASE("bounds are live and wake who rests on them") {
     REQUIRE_FALSE(box.awake());
     world.set_bounds(Aabb{{-5, -3}, {5, 10}});
     run(world, 3.0f);
-    REQUIRE(box.position().y() == Approx(-2.5f).margin(0.02));
+    REQUIRE(box.position().y == Approx(-2.5f).margin(0.02));
     world.set_bounds(Aabb{{-5, -1}, {5, 10}});  // from inside the wall back into the view
     run(world, 3.0f);
-    REQUIRE(box.position().y() == Approx(-0.5f).margin(0.02));
+    REQUIRE(box.position().y == Approx(-0.5f).margin(0.02));
     world.set_bounds(std::nullopt);
     run(world, 1.0f);
-    REQUIRE(box.position().y() < -3.0f);
+    REQUIRE(box.position().y < -3.0f);
     REQUIRE_FALSE(world.validate());
 }
 
@@ -48,17 +48,17 @@ TEST_CASE("the border has friction and restitution of its own") {
     Body box = add_box(world, {0, 0.5f}, 1.0f, {.friction = 1.0f});
     box.set_velocity({3, 0});
     run(world, 1.0f);
-    REQUIRE(box.velocity().x() == Approx(3.0f).epsilon(1e-3));
+    REQUIRE(box.velocity().x == Approx(3.0f).epsilon(1e-3));
     world.set_bounds_friction(1.0f);
     run(world, 1.0f);
-    REQUIRE(std::fabs(box.velocity().x()) < 0.01f);
+    REQUIRE(std::fabs(box.velocity().x) < 0.01f);
     world.set_bounds_restitution(1.0f);
     box.set_position({0, 5});
     box.set_velocity({0, -5});
     float fastest = 0.0f;
     for (int i = 0; i < 90; ++i) {
         world.step(frame);
-        fastest = std::max(fastest, box.velocity().y());
+        fastest = std::max(fastest, box.velocity().y);
     }
     REQUIRE(fastest > 5.0f);
 }
@@ -73,7 +73,7 @@ TEST_CASE("contacts and rays know the border") {
     REQUIRE(contacts[0].normal == Vec2(0, 1));
     const auto hit = world.cast_ray({0, 5}, {20, 5});
     REQUIRE(hit);
-    REQUIRE(hit->point.x() == Approx(5.0f));
+    REQUIRE(hit->point.x == Approx(5.0f));
     REQUIRE(hit->shape.type() == ShapeType::border);
     Shape border = hit->shape;
     REQUIRE_THROWS(border.destroy());

@@ -17,6 +17,7 @@
 namespace broad_phase_test {
 
 using namespace fettle::physics::detail;
+using fettle::physics::Vec2;
 
 TEST_CASE("the pair set agrees with a map through random insertions and deletions") {
     std::mt19937 random(3);
@@ -47,7 +48,7 @@ TEST_CASE("the tree finds the same boxes as brute force while they come and move
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place(-20.0f, 20.0f), size(0.1f, 2.0f);
     auto random_box = [&] {
-        const V2 low = {place(random), place(random)};
+        const Vec2 low = {place(random), place(random)};
         return Box4{low, {low.x + size(random), low.y + size(random)}};
     };
     Tree tree;
@@ -84,7 +85,7 @@ TEST_CASE("the trees find the same moved pairs as brute force while boxes come a
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-20.0f, 20.0f), size(0.1f, 3.0f);
     auto random_box = [&] {
-        const V2 low = {place(random), place(random)};
+        const Vec2 low = {place(random), place(random)};
         return Box4{low, {low.x + size(random), low.y + size(random)}};
     };
     struct Leaf {

@@ -32,9 +32,9 @@ TEST_CASE("a welded cantilever of five boxes holds its load") {
         before = box.id();
     }
     run(world, 5.0f);
-    REQUIRE(std::fabs(box.position().y()) < 0.08f);
+    REQUIRE(std::fabs(box.position().y) < 0.08f);
     REQUIRE(std::fabs(box.angle()) < 0.02f);
-    REQUIRE(welds[0].force().y() == Approx(50.0f).epsilon(0.02));
+    REQUIRE(welds[0].force().y == Approx(50.0f).epsilon(0.02));
     // 10 N at each of 0.5 m ... 4.5 m.
     REQUIRE(welds[0].torque() == Approx(125.0f).epsilon(0.02));
 }
@@ -46,11 +46,11 @@ TEST_CASE("the moment at a weld is that of the load") {
     WeldJoint weld = world.create_weld_joint({.body_b = beam.id(), .anchor_b = {-2, 0}});
     run(world, 2.0f);
     const float weight = 10.0f * beam.mass();
-    REQUIRE(weld.force().y() == Approx(weight).epsilon(0.01));
+    REQUIRE(weld.force().y == Approx(weight).epsilon(0.01));
     // About the center of mass: what the force turns, the weld turns back.
     REQUIRE(weld.torque() == Approx(2.0f * weight).epsilon(0.01));
     REQUIRE(std::fabs(beam.angle()) < 0.001f);
-    REQUIRE(beam.position().y() == Approx(0.0f).margin(0.002));
+    REQUIRE(beam.position().y == Approx(0.0f).margin(0.002));
 }
 
 TEST_CASE("a soft weld swings with its frequency about its angle") {
@@ -70,11 +70,11 @@ TEST_CASE("a soft weld swings with its frequency about its angle") {
     wheel.set_position({3, 0});
     run(world, 4.0f);
     REQUIRE(std::fabs(weld.angle()) < 0.01f);
-    REQUIRE(wheel.position().norm() < 0.01f);
+    REQUIRE(wheel.position().length() < 0.01f);
     weld.set_hertz(0.0f);  // the point is free
     wheel.set_velocity({1, 0});
     run(world, 1.0f);
-    REQUIRE(wheel.position().x() == Approx(1.0f).epsilon(0.05));
+    REQUIRE(wheel.position().x == Approx(1.0f).epsilon(0.05));
 }
 
 TEST_CASE("a motor drives a body to its velocity with no more than its force and torque") {
@@ -84,17 +84,17 @@ TEST_CASE("a motor drives a body to its velocity with no more than its force and
     motor.set_linear_velocity({3, 4});
     motor.set_angular_velocity(2.0f);
     run(world, 0.5f);
-    REQUIRE(box.velocity().norm() == 0.0f);
+    REQUIRE(box.velocity().length() == 0.0f);
     motor.set_max_force(box.mass());
     motor.set_max_torque(0.5f * box.inertia());
     run(world, 2.0f);
-    REQUIRE(box.velocity().norm() == Approx(2.0f).epsilon(0.01));
+    REQUIRE(box.velocity().length() == Approx(2.0f).epsilon(0.01));
     REQUIRE(box.angular_velocity() == Approx(1.0f).epsilon(0.01));
-    REQUIRE(motor.force().norm() == Approx(box.mass()).epsilon(0.01));
+    REQUIRE(motor.force().length() == Approx(box.mass()).epsilon(0.01));
     run(world, 5.0f);
-    REQUIRE((box.velocity() - Vec2(3, 4)).norm() < 0.01f);
+    REQUIRE((box.velocity() - Vec2(3, 4)).length() < 0.01f);
     REQUIRE(box.angular_velocity() == Approx(2.0f).epsilon(0.01));
-    REQUIRE(motor.force().norm() < 0.01f);
+    REQUIRE(motor.force().length() < 0.01f);
 }
 
 TEST_CASE("a motor with a stiffness brings a body to its offset from a moving one") {
@@ -109,7 +109,7 @@ TEST_CASE("a motor with a stiffness brings a body to its offset from a moving on
     motor.set_max_force(1000.0f);
     motor.set_max_torque(1000.0f);
     run(world, 5.0f);
-    REQUIRE((carrier.local_point(box.position()) - Vec2(2, 0)).norm() < 0.1f);
+    REQUIRE((carrier.local_point(box.position()) - Vec2(2, 0)).length() < 0.1f);
     REQUIRE(box.angle() - carrier.angle() == Approx(1.0f).margin(0.03));
 }
 
@@ -120,10 +120,10 @@ TEST_CASE("a motor at rest is friction: it holds below its force and slips above
     motor.set_max_force(5.0f);
     box.set_force({4.9f, 0});
     run(world, 2.0f);
-    REQUIRE(box.position().norm() < 0.001f);
+    REQUIRE(box.position().length() < 0.001f);
     box.set_force({6.0f, 0});
     run(world, 2.0f);
-    REQUIRE(box.velocity().x() == Approx(2.0f).epsilon(0.01));  // (6 - 5) N on 1 kg
+    REQUIRE(box.velocity().x == Approx(2.0f).epsilon(0.01));  // (6 - 5) N on 1 kg
 }
 
 TEST_CASE("a pulley keeps the length of its rope and accelerates by the masses") {
@@ -139,7 +139,7 @@ TEST_CASE("a pulley keeps the length of its rope and accelerates by the masses")
         REQUIRE(pulley.length_a() + pulley.length_b() == Approx(20.0f).margin(0.01));
     }
     // Atwood: a = g (m_b - m_a)/(m_a + m_b), T = 2 m_a m_b g/(m_a + m_b).
-    REQUIRE(a.velocity().y() == Approx(5.0f).epsilon(0.01));
+    REQUIRE(a.velocity().y == Approx(5.0f).epsilon(0.01));
     REQUIRE(pulley.tension() == Approx(15.0f).epsilon(0.01));
 }
 
@@ -153,16 +153,16 @@ TEST_CASE("a tackle of three parts balances a threefold load and a slack rope pu
     pulley.set_ratio(3.0f);
     pulley.set_length(10.0f + 30.0f);
     run(world, 2.0f);
-    REQUIRE(std::fabs(a.velocity().y()) < 0.01f);
+    REQUIRE(std::fabs(a.velocity().y) < 0.01f);
     a.set_velocity({0, -3});
     run(world, 0.5f);
     const float sum = pulley.length_a() + 3 * pulley.length_b();
     REQUIRE(sum == Approx(40.0f).margin(0.03));
-    REQUIRE(b.velocity().y() == Approx(-a.velocity().y() / 3).epsilon(0.02));
+    REQUIRE(b.velocity().y == Approx(-a.velocity().y / 3).epsilon(0.02));
     pulley.set_length(100.0f);
-    const float before = a.velocity().y();
+    const float before = a.velocity().y;
     run(world, 0.5f);
-    REQUIRE(a.velocity().y() == Approx(before - 5.0f).epsilon(0.01));
+    REQUIRE(a.velocity().y == Approx(before - 5.0f).epsilon(0.01));
     REQUIRE(pulley.tension() == 0.0f);
 }
 

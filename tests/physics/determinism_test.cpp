@@ -75,7 +75,7 @@ TEST_CASE("two worlds do not know each other") {
     Body x = add_ball(a, {0, 0}), y = add_ball(b, {0, 0});
     run(a, 1.0f);
     run(b, 1.0f);
-    REQUIRE(x.position().y() < -1.0f);
+    REQUIRE(x.position().y < -1.0f);
     REQUIRE(y.position() == Vec2(0, 0));
 }
 

@@ -69,11 +69,11 @@ TEST_CASE("an ellipse weighs and turns like one") {
     REQUIRE(shape.area() == Approx(pi));
     REQUIRE(body.mass() == Approx(3 * pi));
     REQUIRE(body.inertia() == Approx(3 * pi * (4 + 0.25) / 4));
-    REQUIRE(body.center().isApprox(Vec2(3, 1)));
+    REQUIRE((body.center() - Vec2(3, 1)).length() < 1e-5);
     const double c = std::cos(0.7), s = std::sin(0.7);
     const Aabb box = shape.aabb();
-    REQUIRE(box.max.x() == Approx(3 + std::sqrt(4 * c * c + 0.25 * s * s)));
-    REQUIRE(box.max.y() == Approx(1 + std::sqrt(4 * s * s + 0.25 * c * c)));
+    REQUIRE(box.max.x == Approx(3 + std::sqrt(4 * c * c + 0.25 * s * s)));
+    REQUIRE(box.max.y == Approx(1 + std::sqrt(4 * s * s + 0.25 * c * c)));
     shape.set_radius_x(1.0f);
     REQUIRE(body.mass() == Approx(1.5 * pi));
     shape.set_radius_y(1.0f);
@@ -94,8 +94,7 @@ TEST_CASE("an ellipse rests at its height however it is turned by its shape") {
         body.add(Ellipse{1.0f, 0.4f, {0, 0}, angle}, {.friction = 0.0f});
         run(world, 2.0f);
         INFO(angle);
-        REQUIRE(double(body.position().y()) ==
-                Approx(height(1.0, 0.4, double(angle))).margin(0.002));
+        REQUIRE(double(body.position().y) == Approx(height(1.0, 0.4, double(angle))).margin(0.002));
     }
 }
 
@@ -126,7 +125,7 @@ TEST_CASE("a round ellipse rolls down a slope like a disc") {
         add_ellipse(world, 0.5f, 0.5f, Vec2(0.5f * std::sin(slope), 0.5f * std::cos(slope)));
     run(world, 2.0f);
     const double expected = 2.0 / 3.0 * 10.0 * std::sin(double(slope)) * 2.0;
-    REQUIRE(double(body.velocity().norm()) == Approx(expected).epsilon(0.01));
+    REQUIRE(double(body.velocity().length()) == Approx(expected).epsilon(0.01));
     REQUIRE(double(-body.angular_velocity()) == Approx(expected / 0.5).epsilon(0.01));
 }
 
@@ -138,7 +137,7 @@ TEST_CASE("an ellipse that rolls keeps its energy") {
     body.set_angular_velocity(-3.0f / 0.45f);
     const auto energy = [&] {
         return double(body.kinetic_energy()) +
-               double(body.mass()) * 10.0 * double(body.position().y());
+               double(body.mass()) * 10.0 * double(body.position().y);
     };
     const double before = energy();
     run(world, 5.0f);
@@ -160,11 +159,11 @@ TEST_CASE("ellipses stack and so do boxes on them") {
     run(world, 6.0f);
     for (size_t i = 0; i < flat.size(); ++i) {
         INFO(i);
-        CHECK(flat[i].position().y() == Approx(0.25 + 0.5 * double(i)).margin(0.02));
+        CHECK(flat[i].position().y == Approx(0.25 + 0.5 * double(i)).margin(0.02));
         CHECK(std::fabs(flat[i].angle()) < 0.05f);
     }
-    CHECK(plank.position().y() == Approx(0.7f).margin(0.01));
-    CHECK(left.velocity().norm() < 0.01f);
+    CHECK(plank.position().y == Approx(0.7f).margin(0.01));
+    CHECK(left.velocity().length() < 0.01f);
 }
 
 TEST_CASE("ellipses of all sizes collide with every kind of shape") {
@@ -233,14 +232,14 @@ TEST_CASE("an ellipse answers every question exactly") {
         const auto near = world.closest(outside, 10.0f);
         REQUIRE(near);
         CHECK(near->distance == Approx(1.5f).epsilon(1e-4));
-        CHECK((near->point - rim(t)).norm() < 1e-4f);
-        CHECK((near->normal - normal(t)).norm() < 1e-3f);
+        CHECK((near->point - rim(t)).length() < 1e-4f);
+        CHECK((near->normal - normal(t)).length() < 1e-3f);
         CHECK(shape.contains(rim(t) - 0.001f * normal(t)));
         CHECK_FALSE(shape.contains(rim(t) + 0.001f * normal(t)));
         const auto hit = world.cast_ray(outside, rim(t) - 0.2f * normal(t));
         REQUIRE(hit);
-        CHECK((hit->point - rim(t)).norm() < 1e-4f);
-        CHECK((hit->normal - normal(t)).norm() < 1e-3f);
+        CHECK((hit->point - rim(t)).length() < 1e-4f);
+        CHECK((hit->normal - normal(t)).length() < 1e-3f);
         const auto swept =
             world.cast_shape(Circle{.radius = 0.5f}, {outside, 0}, -1.2f * normal(t));
         REQUIRE(swept);
@@ -268,7 +267,7 @@ TEST_CASE("an ellipse half under water is lifted by half its area") {
     world.create_field({.force = water});
     Body body = add_ellipse(world, 1.5f, 0.5f, {0, 0.1f}, 0.0f);
     run(world, 20.0f);
-    REQUIRE(body.position().y() == Approx(0.0f).margin(0.01));
+    REQUIRE(body.position().y == Approx(0.0f).margin(0.01));
     REQUIRE(std::fabs(body.angle()) < 0.05f);
 }
 

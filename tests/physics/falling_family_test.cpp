@@ -137,12 +137,12 @@ Outcome fall(const Kind& kind, int ground, unsigned seed) {
     for (int i = 0; i < 300; ++i) {
         world.step(1.0f / 60);
         const bool same = body.position() == place && body.angle() == angle;
-        still = same && body.velocity().norm() > 1 ? still + 1 : 0;
+        still = same && body.velocity().length() > 1 ? still + 1 : 0;
         longest = std::max(longest, still);
         place = body.position();
         angle = body.angle();
     }
-    return {!(place.y() > -0.3f), longest >= 3};
+    return {!(place.y > -0.3f), longest >= 3};
 }
 
 }  // namespace

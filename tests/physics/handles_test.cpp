@@ -219,7 +219,7 @@ TEST_CASE("the body that carries the bounds can be read and not edited") {
     border.set_user_data(5);
     run(world, 0.5f);
     REQUIRE_FALSE(world.validate());
-    REQUIRE(ball.position().y() == Approx(0.5f).margin(0.01));
+    REQUIRE(ball.position().y == Approx(0.5f).margin(0.01));
 }
 
 TEST_CASE("shapes that are gone are refused by what asks for shapes") {

@@ -16,7 +16,7 @@ bool is_convex_and_counter_clockwise(const std::vector<Vec2>& hull) {
     for (size_t i = 0; i < hull.size(); ++i) {
         const Vec2 a = hull[i], b = hull[(i + 1) % hull.size()], c = hull[(i + 2) % hull.size()];
         const Vec2 u = b - a, v = c - b;
-        if (!(u.x() * v.y() - u.y() * v.x() > 0.0f)) return false;
+        if (!(u.x * v.y - u.y * v.x > 0.0f)) return false;
     }
     return hull.size() >= 3;
 }
@@ -28,13 +28,13 @@ TEST_CASE("a square in any order of its vertices has the same hull") {
     std::vector<Vec2> first;
     REQUIRE(convex_hull(points, first) == HullStatus::ok);
     REQUIRE(first.size() == 4);
-    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.y() < b.y(); });
+    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.y < b.y; });
     do {
         std::vector<Vec2> hull;
         REQUIRE(convex_hull(points, hull) == HullStatus::ok);
         REQUIRE(hull == first);
     } while (std::next_permutation(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
     }));
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a hull of random points contains them all and is convex") {
         for (const Vec2& p : points) {
             for (size_t i = 0; i < hull.size(); ++i) {
                 const Vec2 a = hull[i], e = hull[(i + 1) % hull.size()] - a, r = p - a;
-                REQUIRE(e.x() * r.y() - e.y() * r.x() > -1e-3f);
+                REQUIRE(e.x * r.y - e.y * r.x > -1e-3f);
             }
         }
     }

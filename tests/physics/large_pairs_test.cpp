@@ -15,7 +15,7 @@ using namespace fettle::physics::detail;
 
 namespace {
 
-V2 direction_of(float angle) {
+Vec2 direction_of(float angle) {
     return {std::cos(angle), std::sin(angle)};
 }
 
@@ -25,25 +25,25 @@ EllipseForm any_ellipse(std::mt19937& random) {
 }
 
 /// How far the two are apart along a direction that leads from the ellipse to the polygon.
-float separation_along(V2 d, const EllipseForm& ellipse, const Convex& polygon, V2 offset) {
+float separation_along(Vec2 d, const EllipseForm& ellipse, const Convex& polygon, Vec2 offset) {
     float nearest = 1e30f;
     for (int i = 0; i < polygon.count; ++i) nearest = min(nearest, dot(d, polygon.vertices[i]));
     return nearest + dot(d, offset - ellipse.center) - ellipse.reach(d);
 }
 
 /// The greatest separation: along the normal of an edge, or from the rim to a vertex.
-float separation_of_all(const EllipseForm& ellipse, const Convex& polygon, V2 offset) {
+float separation_of_all(const EllipseForm& ellipse, const Convex& polygon, Vec2 offset) {
     float most = -1e30f;
     for (int i = 0; i < polygon.count; ++i) {
-        const V2 from_rim = nearest_on_rim(ellipse, polygon.vertices[i] + offset).normal;
-        for (V2 d : {-polygon.normals[i], from_rim})
+        const Vec2 from_rim = nearest_on_rim(ellipse, polygon.vertices[i] + offset).normal;
+        for (Vec2 d : {-polygon.normals[i], from_rim})
             most = max(most, separation_along(d, ellipse, polygon, offset));
     }
     return most;
 }
 
 /// A polygon with an ellipse beside it, gap (m) given but for the direction of least overlap.
-V2 beside(const EllipseForm& ellipse, const Convex& polygon, V2 d, float gap) {
+Vec2 beside(const EllipseForm& ellipse, const Convex& polygon, Vec2 d, float gap) {
     return (gap - separation_along(d, ellipse, polygon, {})) * d;
 }
 
@@ -57,16 +57,16 @@ TEST_CASE("of many edges only a few times their logarithm are looked at") {
             const Twofold shape(random, count, 0.0f);
             const Convex form = shape.convex();
             const EllipseForm ellipse = any_ellipse(random);
-            const V2 offset = beside(ellipse, form, direction_of(angle(random)), gap(random));
-            const V2 center = ellipse.center - offset;
+            const Vec2 offset = beside(ellipse, form, direction_of(angle(random)), gap(random));
+            const Vec2 center = ellipse.center - offset;
             int looked_at = 0;
-            const EdgeGap found = deepest_edge(Facets(form), center, [&](V2 n) {
+            const EdgeGap found = deepest_edge(Facets(form), center, [&](Vec2 n) {
                 ++looked_at;
                 return dot(n, center) - ellipse.reach(n);
             });
             float most = -1e30f;
             for (int i = 0; i < count; ++i) {
-                const V2 n = form.normals[i];
+                const Vec2 n = form.normals[i];
                 most = max(most, dot(n, center) - ellipse.reach(n) - form.offsets[i]);
             }
             REQUIRE(found.separation == Approx(most).margin(1e-5));
@@ -82,7 +82,7 @@ TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
         const Twofold shape(random, trial % 2 ? 30 : 200, 0.0f);
         const Convex form = shape.convex();
         const EllipseForm ellipse = any_ellipse(random);
-        const V2 offset = beside(ellipse, form, direction_of(angle(random)), gap(random));
+        const Vec2 offset = beside(ellipse, form, direction_of(angle(random)), gap(random));
         const float expected = separation_of_all(ellipse, form, offset);
         const EllipseGap found = gap_between(ellipse, form, offset);
         INFO(trial);
@@ -90,7 +90,7 @@ TEST_CASE("an ellipse is as far from a large polygon as from all its edges") {
         CHECK(separation_along(found.normal, ellipse, form, offset) ==
               Approx(expected).margin(1e-5));
         // The same in the frame of the polygon.
-        const V2 vertices[2] = {ellipse.center, {ellipse.first, ellipse.second}};
+        const Vec2 vertices[2] = {ellipse.center, {ellipse.first, ellipse.second}};
         const Solid round = {{vertices, &ellipse.axis, nullptr, 1, 0.0f}, FormKind::ellipse};
         const Nearest near = nearest_points(round, shape.large(), offset);
         CHECK(near.distance == Approx(max(0.0f, expected)).margin(1e-5));
@@ -112,13 +112,13 @@ TEST_CASE("rays and points meet large polygons as they meet their edges") {
         const int counts[] = {9, 10, 33, 500};
         const Twofold shape(random, counts[trial % 4], trial % 3 ? 0.2f : 0.0f);
         const Convex form = shape.convex();
-        const V2 p = far(random) * direction_of(angle(random));
-        const V2 d = 2.0f * far(random) * direction_of(angle(random));
+        const Vec2 p = far(random) * direction_of(angle(random));
+        const Vec2 d = 2.0f * far(random) * direction_of(angle(random));
         float outside = -1e30f, distance = 1e30f, first = 2.0f;
         for (int i = 0; i < form.count; ++i) {
             outside = max(outside, dot(form.normals[i], p) - form.offsets[i]);
-            const V2 ends[2] = {form.vertices[i], form.vertices[(i + 1) % form.count]};
-            const V2 normals[2] = {form.normals[i], -form.normals[i]};
+            const Vec2 ends[2] = {form.vertices[i], form.vertices[(i + 1) % form.count]};
+            const Vec2 normals[2] = {form.normals[i], -form.normals[i]};
             const float offsets[2] = {form.offsets[i], -form.offsets[i]};
             const Convex edge = {ends, normals, offsets, 2, form.radius};
             distance = min(distance, signed_distance(edge, p));
@@ -137,7 +137,7 @@ TEST_CASE("rays and points meet large polygons as they meet their edges") {
         CHECK(found == Approx(distance).margin(1e-5));
         // One that only just touches may be seen either way.
         if (probe.fraction > 1.0f && first <= 1.0f) {
-            const V2 deeper = p + (first + 0.01f) * d;
+            const Vec2 deeper = p + (first + 0.01f) * d;
             CHECK(signed_distance(form, deeper) > -1e-3f);
             continue;
         }
@@ -145,7 +145,7 @@ TEST_CASE("rays and points meet large polygons as they meet their edges") {
         if (probe.fraction > 1.0f) continue;
         ++hits;
         CHECK(probe.fraction == Approx(first).margin(1e-4));
-        const V2 at = p + probe.fraction * d;
+        const Vec2 at = p + probe.fraction * d;
         CHECK(signed_distance(form, at + 0.01f * probe.normal) == Approx(0.01f).margin(1e-3));
     }
     REQUIRE(hits > 300);
@@ -156,7 +156,7 @@ namespace {
 
 struct Touch {
     float separation = 1e30f;  ///< the least
-    Vec2 normal = Vec2::Zero();
+    Vec2 normal = {};
     int points = 0;
 };
 
@@ -248,13 +248,13 @@ TEST_CASE("what slides over a large polygon in pieces is held by all of them") {
         Body body = world.create_body({.position = {0.1f, 3.31f}});
         body.add(form, {.friction = 0.0f});
         // Down the outside, as long as it presses against it: to cos θ = 2/3 and a little before.
-        for (int i = 0; i < 300 && body.position().y() > 2.6f; ++i) {
+        for (int i = 0; i < 300 && body.position().y > 2.6f; ++i) {
             world.step(frame);
-            REQUIRE(body.position().norm() > 3.1f);
-            REQUIRE(body.position().norm() < 3.4f);
+            REQUIRE(body.position().length() > 3.1f);
+            REQUIRE(body.position().length() < 3.4f);
         }
-        CHECK(body.position().y() <= 2.6f);
-        const float drop = 3.3f - body.position().y();
+        CHECK(body.position().y <= 2.6f);
+        const float drop = 3.3f - body.position().y;
         INFO(form.index());
         CHECK(body.kinetic_energy() == Approx(10.0f * body.mass() * drop).epsilon(0.05));
     }

@@ -18,7 +18,7 @@ TEST_CASE("the farthest vertex is found by bisection as by looking at all") {
         for (int i = 0; i < 200; ++i) {
             const float t =
                 i < count ? std::atan2(form.normals[i].y, form.normals[i].x) : angle(random);
-            const V2 d = {std::cos(t), std::sin(t)};
+            const Vec2 d = {std::cos(t), std::sin(t)};
             float most = -1e30f;
             for (int k = 0; k < count; ++k) most = std::max(most, dot(d, form.vertices[k]));
             REQUIRE(dot(d, form.vertices[farthest_vertex(form, d)]) == Approx(most).margin(1e-6));
@@ -37,10 +37,10 @@ TEST_CASE("large polygons collide as they do edge by edge") {
         const float rounding = trial % 2 ? 0.1f : 0.0f;
         const Twofold a(random, count_a, rounding), b(random, count_b, 0.5f * rounding);
         const float t = angle(random);
-        const V2 d = {std::cos(t), std::sin(t)};
+        const Vec2 d = {std::cos(t), std::sin(t)};
         const float reach = dot(d, a.convex().vertices[farthest_vertex(a.convex(), d)]) -
                             dot(d, b.convex().vertices[farthest_vertex(b.convex(), -d)]);
-        const V2 offset = (reach + a.radius + b.radius + gap(random)) * d;
+        const Vec2 offset = (reach + a.radius + b.radius + gap(random)) * d;
         Manifold fast, slow;
         collide_large(a.large(), b.large(), offset, 0.02f, fast);
         collide(a.convex(), b.convex(), offset, 0.02f, slow);
@@ -64,10 +64,10 @@ TEST_CASE("distances to large polygons are those of all their edges") {
     for (int trial = 0; trial < 500; ++trial) {
         const Twofold a(random, trial % 2 ? 40 : 300, 0.05f), b(random, trial % 3 ? 5 : 60, 0.0f);
         const float t = angle(random);
-        const V2 d = {std::cos(t), std::sin(t)};
+        const Vec2 d = {std::cos(t), std::sin(t)};
         const float reach = dot(d, a.convex().vertices[farthest_vertex(a.convex(), d)]) -
                             dot(d, b.convex().vertices[farthest_vertex(b.convex(), -d)]);
-        const V2 offset = (reach + 0.05f + gap(random)) * d;
+        const Vec2 offset = (reach + 0.05f + gap(random)) * d;
         const Nearest fast = nearest_points(a.large(), b.large(), offset);
         const Nearest slow = nearest_points(a.convex(), b.convex(), offset);
         CHECK(fast.distance == Approx(slow.distance).margin(1e-5));
@@ -92,7 +92,7 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     REQUIRE(body.mass() == Approx(3.14159265f * 0.25f).epsilon(1e-4));
     run(world, 2.0f);
     const double expected = 2.0 / 3.0 * 10.0 * std::sin(double(slope)) * 2.0;
-    REQUIRE(double(body.velocity().norm()) == Approx(expected).epsilon(0.01));
+    REQUIRE(double(body.velocity().length()) == Approx(expected).epsilon(0.01));
     REQUIRE_FALSE(world.validate());
     // Its questions.
     const Vec2 center = body.world_center();
@@ -100,11 +100,11 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     REQUIRE_FALSE(shape.contains(center + Vec2(0, 0.51f)));
     const auto hit = world.cast_ray(center + Vec2(3, 0), center);
     REQUIRE(hit);
-    REQUIRE(hit->point.x() == Approx(center.x() + 0.5f).margin(1e-3));
-    REQUIRE(shape.aabb().max.x() == Approx(center.x() + 0.5f).margin(1e-3));
+    REQUIRE(hit->point.x == Approx(center.x + 0.5f).margin(1e-3));
+    REQUIRE(shape.aabb().max.x == Approx(center.x + 0.5f).margin(1e-3));
     const auto corners = shape.world_vertices();
     REQUIRE(corners.size() == 4096);
-    for (const Vec2& v : corners) REQUIRE((v - center).norm() == Approx(0.5f).margin(1e-3));
+    for (const Vec2& v : corners) REQUIRE((v - center).length() == Approx(0.5f).margin(1e-3));
 }
 
 TEST_CASE("polygons of many vertices pile up with every other shape") {
@@ -132,7 +132,7 @@ TEST_CASE("polygons of many vertices pile up with every other shape") {
     float deepest = 0.0f;
     for (Body body : bodies) {
         energy += double(body.kinetic_energy());
-        CHECK(body.position().y() > 0.0f);
+        CHECK(body.position().y > 0.0f);
     }
     for (const Contact& contact : world.contacts())
         for (int k = 0; k < contact.point_count; ++k)

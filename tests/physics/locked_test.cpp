@@ -249,7 +249,7 @@ TEST_CASE("inside a function that the world is calling everything can be read an
             for (const Method& method : every_method())
                 if (!method.edits) CHECK_NOTHROW(method.call(things));
             CHECK(world.query_point({5, 2}).size() >= 2);
-            CHECK(world.cast_ray({-9, 0.5f}, {9, 0.5f})->point.x() < -3);
+            CHECK(world.cast_ray({-9, 0.5f}, {9, 0.5f})->point.x < -3);
             CHECK(world.query_overlap(Circle{.radius = 0.2f}, {{-4, 0.5f}}).size() == 1);
             CHECK(world.closest({-4, 9})->distance > 1);
             CHECK(world.cast_shape(things.circle, {0, -9}));

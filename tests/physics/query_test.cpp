@@ -25,7 +25,7 @@ TEST_CASE("queries are right at once after a teleport and after an edit and afte
     REQUIRE(world.query_point({40, 7}).size() == 1);
     ball.shapes()[0].set_radius(5.0f);
     REQUIRE(world.query_point({44, 7}).size() == 1);
-    REQUIRE(world.cast_ray({40, 20}, {40, 0})->point.y() == Approx(12.0f));
+    REQUIRE(world.cast_ray({40, 20}, {40, 0})->point.y == Approx(12.0f));
     ball.destroy();
     REQUIRE(world.query_point({40, 7}).empty());
     REQUIRE_FALSE(world.cast_ray({40, 20}, {40, 0}));
@@ -39,14 +39,14 @@ TEST_CASE("a ray stops at the nearest surface with its outward normal") {
     const auto hit = world.cast_ray({0, 0.5f}, {20, 0.5f});
     REQUIRE(hit);
     REQUIRE(hit->shape == near);
-    REQUIRE(hit->point.x() == Approx(4.5f));
+    REQUIRE(hit->point.x == Approx(4.5f));
     REQUIRE(hit->normal == Vec2(-1, 0));
     REQUIRE(hit->fraction == Approx(4.5f / 20.0f));
     const auto all = world.cast_ray_all({0, 0.5f}, {20, 0.5f});
     REQUIRE(all.size() == 2);
     REQUIRE(all[1].shape == ball.shapes()[0]);
-    REQUIRE(all[1].point.x() == Approx(10.0f - std::sqrt(0.75f)));
-    REQUIRE(all[1].normal.norm() == Approx(1.0f));
+    REQUIRE(all[1].point.x == Approx(10.0f - std::sqrt(0.75f)));
+    REQUIRE(all[1].normal.length() == Approx(1.0f));
     REQUIRE_FALSE(world.cast_ray({0, 3}, {20, 3}));
     REQUIRE_FALSE(world.cast_ray({0, 0.5f}, {4, 0.5f}));
 }
@@ -57,7 +57,7 @@ TEST_CASE("a ray hits every kind of shape where it is") {
         const auto hit = world.cast_ray({-10, 0.05f}, {10, 0.05f});
         REQUIRE(hit);
         REQUIRE(hit->shape.body() == body);
-        const float x = hit->point.x();
+        const float x = hit->point.x;
         body.destroy();
         return x;
     };
@@ -100,7 +100,7 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
                 const Vec2 at = body.world_point(corner);
                 const Vec2 way = at - body.world_point({0, -0.01f});
                 for (const float far : {0.5f, 3.0f, 20.0f}) {
-                    INFO(int(shape.type()) << " " << corner.x() << " " << corner.y());
+                    INFO(int(shape.type()) << " " << corner.x << " " << corner.y);
                     CHECK(world.cast_ray(at + far * way, at - 0.3f * way));
                     ++asked;
                 }
@@ -158,7 +158,7 @@ TEST_CASE("a ray agrees with brute force over many random shapes") {
         for (Body ball : balls) {
             const Vec2 d = to - from, m = from - ball.position();
             const float r = ball.shapes()[0].radius();
-            const float b = m.dot(d), c = m.squaredNorm() - r * r, a = d.squaredNorm();
+            const float b = m.dot(d), c = m.length_squared() - r * r, a = d.length_squared();
             if (c < 0 || b * b - a * c < 0) continue;
             const float t = (-b - std::sqrt(b * b - a * c)) / a;
             if (t >= 0 && t <= 1) nearest = std::min(nearest, t);

@@ -17,7 +17,7 @@ struct Wheel {
 };
 
 float gap(const Joint& joint) {
-    return (joint.world_anchor_b() - joint.world_anchor_a()).norm();
+    return (joint.world_anchor_b() - joint.world_anchor_a()).length();
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ TEST_CASE("two pinned bodies keep their momentum and their pin") {
         REQUIRE(gap(pin) < 0.01f);
     }
     const Vec2 after = a.mass() * a.velocity() + b.mass() * b.velocity();
-    REQUIRE((after - momentum).norm() < 1e-3f);
+    REQUIRE((after - momentum).length() < 1e-3f);
     REQUIRE(std::fabs(b.angular_velocity() - a.angular_velocity()) > 1.0f);
 }
 

@@ -13,7 +13,7 @@ const Vec2 slanted = Vec2(0.6f, 0.8f);
 /// How far anchor b is beside the line through anchor a.
 float beside(const Joint& joint, const Vec2& axis) {
     const Vec2 gap = joint.world_anchor_b() - joint.world_anchor_a();
-    return std::fabs(axis.x() * gap.y() - axis.y() * gap.x()) / axis.norm();
+    return std::fabs(axis.x * gap.y - axis.y * gap.x) / axis.length();
 }
 
 }  // namespace
@@ -44,13 +44,13 @@ TEST_CASE("the motor of a drawer reaches its speed and stays under its force") {
     PrismaticJoint rail = world.create_prismatic_joint({.body_b = box.id()});
     rail.set_motor_speed(2.0f);
     run(world, 0.5f);
-    REQUIRE(box.velocity().norm() == 0.0f);
+    REQUIRE(box.velocity().length() == 0.0f);
     rail.set_max_motor_force(0.5f * box.mass());
     run(world, 2.0f);
-    REQUIRE(box.velocity().x() == Approx(1.0f).epsilon(0.01));  // 0.5 m/s² for 2 s
+    REQUIRE(box.velocity().x == Approx(1.0f).epsilon(0.01));  // 0.5 m/s² for 2 s
     REQUIRE(rail.motor_force() == Approx(0.5f * box.mass()).epsilon(0.01));
     run(world, 3.0f);
-    REQUIRE(box.velocity().x() == Approx(2.0f).epsilon(0.001));
+    REQUIRE(box.velocity().x == Approx(2.0f).epsilon(0.001));
     REQUIRE(std::fabs(rail.motor_force()) < 0.01f);
 }
 
@@ -63,8 +63,8 @@ TEST_CASE("a drawer stops at its limits and its spring swings with its frequency
     box.set_force({3, 5});
     run(world, 4.0f);
     REQUIRE(rail.translation() == Approx(2.0f).margin(0.005));
-    REQUIRE(rail.force().x() == Approx(-3.0f).epsilon(0.02));
-    REQUIRE(rail.force().y() == Approx(-5.0f).epsilon(0.02));
+    REQUIRE(rail.force().x == Approx(-3.0f).epsilon(0.02));
+    REQUIRE(rail.force().y == Approx(-5.0f).epsilon(0.02));
     box.set_force({-3, 0});
     run(world, 4.0f);
     REQUIRE(rail.translation() == Approx(-1.0f).margin(0.005));
@@ -92,7 +92,7 @@ TEST_CASE("a drawer loaded far from its rail neither jams nor sags") {
     run(world, 2.0f);
     REQUIRE(std::fabs(rail.angle()) < 0.002f);
     REQUIRE(rail.translation() == Approx(2.0f).epsilon(0.02));
-    const float lever = box.world_center().x() - box.position().x();
+    const float lever = box.world_center().x - box.position().x;
     REQUIRE(rail.torque() == Approx(10.0f * box.mass() * lever).epsilon(0.02));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("a rail that turns carries its slider around and keeps it on the line"
     }
     // Thrown outward, it lies at the end: centripetal force m ω² r.
     REQUIRE(slot.translation() == Approx(1.5f).margin(0.02));
-    REQUIRE(slot.force().norm() == Approx(box.mass() * 4.0f * 1.5f).epsilon(0.03));
+    REQUIRE(slot.force().length() == Approx(box.mass() * 4.0f * 1.5f).epsilon(0.03));
 }
 
 TEST_CASE("a pin in a slot turns freely and every one of its properties is live") {
@@ -127,7 +127,7 @@ TEST_CASE("a pin in a slot turns freely and every one of its properties is live"
     slot.set_max_motor_force(10.0f);
     slot.set_motor_speed(1.0f);
     run(world, 2.0f);
-    REQUIRE(box.velocity().y() == Approx(1.0f).epsilon(0.01));
+    REQUIRE(box.velocity().y == Approx(1.0f).epsilon(0.01));
     slot.set_upper_translation(3.0f);
     run(world, 3.0f);
     REQUIRE(slot.translation() == Approx(3.0f).margin(0.01));
@@ -146,14 +146,14 @@ TEST_CASE("a pin in a groove stays between its ends") {
     GrooveJoint groove = world.create_groove_joint({.body_b = ball.id(), .anchor_a = {0, 0}});
     groove.set_end({3, -1});
     run(world, 10.0f);
-    REQUIRE((ball.position() - Vec2(3, -1)).norm() < 0.01f);
+    REQUIRE((ball.position() - Vec2(3, -1)).length() < 0.01f);
     groove.set_end({3, 1});  // now it rises: back to where it begins
     run(world, 10.0f);
-    REQUIRE(ball.position().norm() < 0.01f);
+    REQUIRE(ball.position().length() < 0.01f);
     groove.set_end({0, 0});  // no length: a pin
     ball.set_velocity({2, 0});
     run(world, 1.0f);
-    REQUIRE(ball.position().norm() < 0.02f);
+    REQUIRE(ball.position().length() < 0.02f);
 }
 
 TEST_CASE("a suspension gives by the load over its stiffness") {
@@ -198,7 +198,7 @@ TEST_CASE("the motor of a wheel drives a car at its speed and with no more than 
         REQUIRE(std::fabs(axles[0].motor_torque()) <= 2.0f * 1.001f);
         REQUIRE(std::fabs(chassis.angle()) < 0.3f);
     }
-    REQUIRE(chassis.velocity().x() == Approx(20.0f * 0.4f).epsilon(0.02));
+    REQUIRE(chassis.velocity().x == Approx(20.0f * 0.4f).epsilon(0.02));
 }
 
 }  // namespace sliding_joints_test

@@ -198,7 +198,7 @@ TEST_CASE("what cannot be cut is in some strip") {
     Strips strips;
     std::vector<StripSample> one_place(40, StripSample{{3, 3}, 1});
     strips.cut(one_place, 4);
-    for (const V2& at : {V2{3, 3}, V2{-1e8f, 0}, V2{1e8f, 5}}) {
+    for (const Vec2& at : {Vec2{3, 3}, Vec2{-1e8f, 0}, Vec2{1e8f, 5}}) {
         REQUIRE(strips.leaf_at(at) >= 4);
         REQUIRE(strips.leaf_at(at) < 8);
     }

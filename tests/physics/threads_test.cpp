@@ -166,7 +166,7 @@ TEST_CASE(
         REQUIRE(world.hash() == anew.hash());
     }
     REQUIRE(world.statistics().touching > 4000);
-    REQUIRE(ram.position().x() > 20.0f);
+    REQUIRE(ram.position().x > 20.0f);
 }
 
 TEST_CASE("the number of threads is live and no part of what is copied or restored") {
@@ -221,7 +221,7 @@ TEST_CASE(
             hashes.push_back(world.hash());
         }
         REQUIRE_FALSE(world.validate());
-        for (const Body& body : bodies) REQUIRE(body.position().x() < 400.0f);
+        for (const Body& body : bodies) REQUIRE(body.position().x < 400.0f);
         return hashes;
     };
     const auto one = run(1, false);

@@ -13,7 +13,7 @@ using namespace fettle::physics::detail;
 
 /// A convex polygon as the narrow phase sees it, in both ways: rotated, and to be rotated.
 struct Twofold {
-    std::vector<V2> plain, plain_normals, local, local_normals;
+    std::vector<Vec2> plain, plain_normals, local, local_normals;
     std::vector<float> offsets;
     Rotation q;
     float radius;
@@ -27,9 +27,9 @@ struct Twofold {
         REQUIRE(int(hull.size()) == count);
         const float turn = angle(random);
         q = {std::cos(turn), std::sin(turn)};
-        for (const Vec2& v : hull) local.push_back(to_v2(v));
+        for (const Vec2& v : hull) local.push_back(v);
         for (size_t i = 0; i < local.size(); ++i) {
-            const V2 n = normalized(right_perp(local[(i + 1) % local.size()] - local[i]));
+            const Vec2 n = normalized(right_perp(local[(i + 1) % local.size()] - local[i]));
             local_normals.push_back(n);
             offsets.push_back(dot(n, local[i]));
             plain.push_back(rotate(q, local[i]));

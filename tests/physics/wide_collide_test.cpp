@@ -11,6 +11,7 @@
 namespace wide_collide_test {
 
 using namespace fettle::physics::detail;
+using fettle::physics::Vec2;
 
 namespace {
 
@@ -49,12 +50,12 @@ struct Pairs {
     uint32_t add(int count, float half, float angle) {
         const uint32_t begin = pool.allocate(4);
         const Rotation q = rotation_of(double(angle));
-        const V2 box[4] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-        const V2 triangle[3] = {{-half, -half}, {half, -half}, {0.0f, 0.7f * half}};
-        const V2* corners = count == 4 ? box : triangle;
+        const Vec2 box[4] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+        const Vec2 triangle[3] = {{-half, -half}, {half, -half}, {0.0f, 0.7f * half}};
+        const Vec2* corners = count == 4 ? box : triangle;
         for (int i = 0; i < count; ++i) {
-            const V2 edge = corners[(i + 1) % count] - corners[i];
-            const V2 normal = normalized(right_perp(edge));
+            const Vec2 edge = corners[(i + 1) % count] - corners[i];
+            const Vec2 normal = normalized(right_perp(edge));
             pool.vertices[begin + uint32_t(i)] = rotate(q, corners[i]);
             pool.directions[begin + uint32_t(i)] = rotate(q, normal);
             pool.offsets[begin + uint32_t(i)] = dot(normal, corners[i]);

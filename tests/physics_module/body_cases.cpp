@@ -83,7 +83,7 @@ Cases switches() {
     };
     cases["Body.can_sleep"] = body_case(false, 200, [](Stage& s) { return s.game.awake(s.body); });
     Case bullet =
-        body_case(true, 3, [](Stage& s) { return s.game.vec(s.other, "velocity").x() > 0.1; });
+        body_case(true, 3, [](Stage& s) { return s.game.vec(s.other, "velocity").x > 0.1; });
     bullet.prepare = [](Stage& s) {
         s.other = s.game.body("Box", Vec2(6, 5));
         s.game.set(s.game.shape_of(s.other), "width", 0.05);

@@ -43,8 +43,8 @@ TEST_CASE_METHOD(Listening,
         CHECK(o.record.get("other") == (of_ball ? ground : ball));
         CHECK(o.record.get("shape") == shape_of(of_ball ? ball : ground));
         CHECK(o.record.get("other_shape") == shape_of(of_ball ? ground : ball));
-        CHECK(o.record.get("normal").vec2().isApprox(Vec2(0, of_ball ? -1 : 1), 1e-4));
-        CHECK(o.record.get("point").vec2().y() == Approx(0).margin(0.1));
+        CHECK((o.record.get("normal").vec2() - Vec2(0, of_ball ? -1 : 1)).length() < 1e-4);
+        CHECK(o.record.get("point").vec2().y == Approx(0).margin(0.1));
         // From 1.5 m above the floor: v² = 2 g s.
         CHECK(o.record.get("speed").number() == Approx(5.48).margin(0.2));
         CHECK(o.record.get("impulse").number() ==
@@ -156,7 +156,7 @@ TEST_CASE_METHOD(Listening, "the other side of a contact with the bounds is the 
     REQUIRE(seen.size() == 1);
     CHECK(seen[0].record.get("other") == world());
     CHECK(seen[0].record.get("other_shape").reference() == Handle{});
-    CHECK(seen[0].record.get("normal").vec2().isApprox(Vec2(0, -1), 1e-4));
+    CHECK((seen[0].record.get("normal").vec2() - Vec2(0, -1)).length() < 1e-4);
     CHECK(get(ball, "contacts").list() == List{world()});
     CHECK(y(ball) > 0.45);
 }

@@ -49,8 +49,8 @@ class Game {
     Value get(Handle of, std::string_view property) const { return tree.get(of, property); }
     double number(Handle of, std::string_view property) const { return get(of, property).number(); }
     Vec2 vec(Handle of, std::string_view property) const { return get(of, property).vec2(); }
-    double y(Handle of) const { return vec(of, "position").y(); }
-    double x(Handle of) const { return vec(of, "position").x(); }
+    double y(Handle of) const { return vec(of, "position").y; }
+    double x(Handle of) const { return vec(of, "position").x; }
     bool awake(Handle of) const { return get(of, "awake").boolean(); }
     void set(Handle of, std::string_view property, const Value& value) {
         tree.set(of, property, value);

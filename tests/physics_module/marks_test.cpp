@@ -65,9 +65,9 @@ TEST_CASE_METHOD(Marked, "impulses are drawn to one scale") {
     for (const Figure& mark : marks(Overlay::impulses)) {
         texts += mark.kind == "text";
         // The shafts begin at the floor; heads and the scale do not.
-        if (mark.kind != "line" || std::abs(mark.points[0].y()) > 0.05 || mark.points[1].y() < 0.05)
+        if (mark.kind != "line" || std::abs(mark.points[0].y) > 0.05 || mark.points[1].y < 0.05)
             continue;
-        by_side[mark.points[0].x() > 0] += (mark.points[1] - mark.points[0]).norm();
+        by_side[mark.points[0].x > 0] += (mark.points[1] - mark.points[0]).length();
     }
     CHECK(texts == 1);
     CHECK(by_side[0] > 0);
@@ -89,7 +89,7 @@ TEST_CASE_METHOD(Marked, "the limits of a joint are drawn and those it does not 
     // Each point of the arc has the same distance from the anchor.
     for (const Figure& mark : arc) {
         REQUIRE(mark.kind == "line");
-        CHECK(mark.points[1].norm() == Approx(arc.front().points[1].norm()).margin(1e-4));
+        CHECK(mark.points[1].length() == Approx(arc.front().points[1].length()).margin(1e-4));
     }
     tree.destroy(hinge);
     const Handle rail = make("PrismaticJoint", world(),
@@ -99,7 +99,7 @@ TEST_CASE_METHOD(Marked, "the limits of a joint are drawn and those it does not 
     step();
     const auto way = marks(Overlay::limits);
     REQUIRE(way.size() == 4);
-    CHECK((way[0].points[1] - way[0].points[0]).norm() == Approx(5).epsilon(1e-3));
+    CHECK((way[0].points[1] - way[0].points[0]).length() == Approx(5).epsilon(1e-3));
 }
 
 }  // namespace marks_test

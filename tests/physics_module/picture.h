@@ -47,7 +47,7 @@ class Picture : public property::Painter {
     void part_of(std::uint64_t whole) override { whole_ = whole; }
     bool shows(property::Overlay overlay) const override { return overlays.contains(overlay); }
     bool sees(const property::Vec2& lower, const property::Vec2& upper) const override {
-        return lower.x() <= right && upper.x() >= -right;
+        return lower.x <= right && upper.x >= -right;
     }
     void begin_screen() override {}
     void end_screen() override {}

@@ -220,8 +220,8 @@ TEST_CASE_METHOD(Game, "worlds are independent of each other") {
     const Handle there = make("Body", moon, {{"position", Vec2(0, 10)}});
     make("Circle", there);
     step(30);
-    CHECK(vec(here, "velocity").y() == Approx(-5).epsilon(1e-4));
-    CHECK(vec(there, "velocity").y() == Approx(-0.8).epsilon(1e-4));
+    CHECK(vec(here, "velocity").y == Approx(-5).epsilon(1e-4));
+    CHECK(vec(there, "velocity").y == Approx(-0.8).epsilon(1e-4));
     CHECK(get(tree.child(moon, "step"), "bodies").integer() == 1);
     tree.destroy(moon);
     CHECK_FALSE(tree.alive(there));

@@ -38,7 +38,7 @@ Case of(std::string shape, Case one) {
 
 double aabb_width(Stage& stage) {
     const List box = stage.game.get(stage.shape, "aabb").list();
-    return box[1].vec2().x() - box[0].vec2().x();
+    return box[1].vec2().x - box[0].vec2().x;
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST_CASE("bodies deleted and made since a snapshot do not disturb a restore") {
     // body.
     game.set(ball, "position", Vec2(3, 40));
     game.step();
-    REQUIRE(game.physics.body(ball).position().y() > 39);
+    REQUIRE(game.physics.body(ball).position().y > 39);
 }
 
 TEST_CASE("a world deleted since a snapshot is restored with its contents") {

@@ -17,7 +17,7 @@ void Stage::run(int steps) {
     for (int i = 0; i < steps; ++i) {
         game.step();
         if (!game.tree.alive(body)) return;
-        const double rise = game.vec(body, "velocity").y();
+        const double rise = game.vec(body, "velocity").y;
         fastest_rise = std::max(fastest_rise, rise);
         turns += rise * last < 0;
         last = rise;

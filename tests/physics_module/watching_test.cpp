@@ -94,7 +94,7 @@ TEST_CASE_METHOD(Game,
     const Handle ball = body("Circle", {0, 10});
     std::vector<double> heights;
     tree.watch(ball, "position",
-               [&](const property::Change& c) { heights.push_back(c.new_value.vec2().y()); });
+               [&](const property::Change& c) { heights.push_back(c.new_value.vec2().y); });
     set(ball, "position", Vec2(0, 50));
     step();
     REQUIRE(heights.size() == 2);

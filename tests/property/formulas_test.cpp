@@ -135,7 +135,7 @@ TEST_CASE_METHOD(
     Fixture,
     "a formula of simulated and derived values is up to date when read and after the step") {
     tree.set_formula(world, "speed", count([&](const Tree& t) {
-                         return Value(t.get(ball, "velocity").vec2().norm());
+                         return Value(t.get(ball, "velocity").vec2().length());
                      }));
     tree.set_formula(world, "double", count([&](const Tree& t) {
                          return Value(2 * t.get(world, "speed").number());

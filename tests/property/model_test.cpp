@@ -208,7 +208,7 @@ class Run {
             const auto x = static_cast<float>(*rc::gen::inRange(1, 4));
             module_.ball(handles_[i]).velocity[1] = x;
             Value& cell = model_.instances[i].values["velocity"];
-            const Value next = Vec2(cell.vec2().x(), static_cast<double>(x));
+            const Value next = Vec2(cell.vec2().x, static_cast<double>(x));
             if (next == cell) continue;
             simulated_.insert_or_assign(static_cast<int>(i), std::pair(cell, next));
             cell = next;

@@ -41,7 +41,7 @@ struct Places {
 };
 
 bool near(const Vec2& a, const Vec2& b) {
-    return (a - b).norm() < 1e-12;
+    return (a - b).length() < 1e-12;
 }
 
 }  // namespace

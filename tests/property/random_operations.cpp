@@ -18,7 +18,7 @@ constexpr std::array<const char*, Operation::kinds> kind_names = {
     "stop",    "rename",   "explain",    "snapshot", "restore"};
 
 double number_of(const Value& value) {
-    return value.is(Type::vec2) ? value.vec2().y() : value.as_double();
+    return value.is(Type::vec2) ? value.vec2().y : value.as_double();
 }
 
 constexpr std::size_t max_instances = 12;

@@ -14,7 +14,7 @@ struct Recorder : fettle::property::Painter {
     std::string log;
     std::vector<double> heights;  // of texts
     void circle(const stage::Vec2& c, double r, const fettle::property::Paint& p) override {
-        log += "circle " + std::to_string(int(c.x())) + " " + std::to_string(int(r)) + " " +
+        log += "circle " + std::to_string(int(c.x)) + " " + std::to_string(int(r)) + " " +
                fettle::property::color_text(p.fill) + ";";
     }
     void ellipse(const stage::Vec2&, const stage::Vec2&, double,

@@ -115,8 +115,8 @@ ClassDescriptor body_class(Module& module) {
     nudge.call = [](void* m, Tree&, Handle, Row row, std::span<const Value> a) -> Result {
         const double times = a[1].is_nil() ? 1 : a[1].as_double();
         auto& b = static_cast<Module*>(m)->bodies[row];
-        b.position[0] += a[0].vec2().x() * times;
-        b.position[1] += a[0].vec2().y() * times;
+        b.position[0] += a[0].vec2().x * times;
+        b.position[1] += a[0].vec2().y * times;
         return Value();
     };
     c.methods = {nudge};

@@ -50,12 +50,12 @@ TEST_CASE("a tween moves vectors and colors and rounds integers") {
         "tween(ball, 'position', vec(1, 4), 1) tween(ball, 'color', 'white', 1) "
         "tween(world.cat, 'lives', 9, 1, 'out_quad') tween(world.cat, 'marks', {1, vec(2, 4)}, 1)");
     s.step(30);
-    CHECK((s.get("world.ball.position").vec2() - Vec2(0.5, 3)).norm() < 1e-12);
+    CHECK((s.get("world.ball.position").vec2() - Vec2(0.5, 3)).length() < 1e-12);
     CHECK(s.get("world.ball.color").color().g == Approx(0.5f));
     CHECK(s.get("world.cat.lives") == Value(7));
     const auto marks = s.get("world.cat.marks").list();
     CHECK(marks[0].number() == Approx(0.5));
-    CHECK((marks[1].vec2() - Vec2(1, 2)).norm() < 1e-12);
+    CHECK((marks[1].vec2() - Vec2(1, 2)).length() < 1e-12);
     s.step(30);
     CHECK(s.get("world.ball.position").vec2() == Vec2(1, 4));
     CHECK(s.get("world.cat.lives") == Value(9));
@@ -88,7 +88,7 @@ TEST_CASE("every ease begins at 0 and ends at 1") {
         double last = 0, largest = 0;
         for (int i = 0; i < 60; ++i) {
             game.step();
-            const double now = game.get("world.ball.position").vec2().x();
+            const double now = game.get("world.ball.position").vec2().x;
             largest = std::max(largest, std::abs(now - last));
             last = now;
         }
@@ -102,7 +102,7 @@ TEST_CASE("eases go the way that their names say") {
         Game s;
         s.run("ball.position = vec(0, 0) tween(ball, 'position', vec(1, 0), 1, '" + name + "')");
         s.step(steps);
-        return s.get("world.ball.position").vec2().x();
+        return s.get("world.ball.position").vec2().x;
     };
     CHECK(half_way("in_quad", 30) == Approx(0.25));
     CHECK(half_way("out_quad", 30) == Approx(0.75));
@@ -274,9 +274,9 @@ TEST_CASE("tweens run together and groups within groups") {
     CHECK(s.mass() == 2);
     CHECK(s.get("world.ball.friction").as_double() == Approx(0.5));
     s.step(30);
-    CHECK(s.get("world.ball.position").vec2().x() == Approx(0).margin(1e-9));
+    CHECK(s.get("world.ball.position").vec2().x == Approx(0).margin(1e-9));
     s.step(15);
-    CHECK(s.get("world.ball.position").vec2().x() == Approx(0.5));
+    CHECK(s.get("world.ball.position").vec2().x == Approx(0.5));
     s.step(30);
     CHECK(s.tweens() == 0);
 }

@@ -106,8 +106,8 @@ TEST_CASE_METHOD(Sparks, "particles fly in the direction of the emitter") {
     tree.set(e, "gravity", Value(Vec2(2, 0)));
     step(60);
     const Vec2 after = center(draw().at(0));
-    CHECK(after.x() == Approx(3).margin(0.05));
-    CHECK(after.y() == Approx(7).margin(0.01));
+    CHECK(after.x == Approx(3).margin(0.05));
+    CHECK(after.y == Approx(7).margin(0.01));
     tree.set(e, "damping", Value(1e4));
     tree.set(e, "gravity", Value(Vec2(0, 0)));
     step(60);
@@ -124,7 +124,7 @@ TEST_CASE_METHOD(Sparks, "values over the life of a particle") {
              {"color", Value(List{Color{1, 0, 0, 1}, Color{0, 0, 1, 0.5f}})}});
     step(31);  // the first step lets it begin
     const Drawn middle = draw().at(0);
-    CHECK((middle.lower_right - middle.lower_left).norm() == Approx(2).margin(0.05));
+    CHECK((middle.lower_right - middle.lower_left).length() == Approx(2).margin(0.05));
     CHECK(middle.color.r == Approx(0.5).margin(0.02));
     CHECK(middle.color.a == Approx(0.75).margin(0.02));
 }
@@ -136,7 +136,7 @@ TEST_CASE_METHOD(Sparks, "particles stay in the world or move with the emitter")
         step(1);
         tree.set(e, "position", Value(Vec2(5, 0)));
         step(1);
-        const double x = center(draw().at(0)).x();
+        const double x = center(draw().at(0)).x;
         CHECK(x == Approx(std::string(space) == "world" ? 0 : 5));
         tree.destroy(e);
     }
@@ -151,7 +151,7 @@ TEST_CASE_METHOD(Sparks, "a moving emitter leaves an even trail") {
     const auto drawn = draw();
     REQUIRE(drawn.size() == 4);
     for (std::size_t i = 0; i < 4; ++i)
-        CHECK(center(drawn[i]).x() == Approx(1.0 + static_cast<double>(i)));
+        CHECK(center(drawn[i]).x == Approx(1.0 + static_cast<double>(i)));
 }
 
 TEST_CASE_METHOD(Sparks, "the shapes in which particles begin") {
@@ -165,9 +165,9 @@ TEST_CASE_METHOD(Sparks, "the shapes in which particles begin") {
         Vec2 lower(0, 0), upper(0, 0);
         double nearest = 10;
         for (const Drawn& d : draw()) {
-            lower = lower.cwiseMin(center(d));
-            upper = upper.cwiseMax(center(d));
-            nearest = std::min(nearest, center(d).norm());
+            lower = lower.min(center(d));
+            upper = upper.max(center(d));
+            nearest = std::min(nearest, center(d).length());
         }
         INFO(shape);
         const bool is_point = std::string(shape) == "point";
@@ -239,8 +239,8 @@ TEST_CASE_METHOD(Sparks, "pictures and blending") {
     const Drawn d = draw().at(0);
     CHECK(d.area.width == 8);
     CHECK(d.blend == Blend::add);
-    CHECK((d.lower_right - d.lower_left).norm() == Approx(2));
-    CHECK((d.upper_left - d.lower_left).norm() == Approx(1));
+    CHECK((d.lower_right - d.lower_left).length() == Approx(2));
+    CHECK((d.upper_left - d.lower_left).length() == Approx(1));
 }
 
 TEST_CASE_METHOD(Sparks, "particles on the screen") {

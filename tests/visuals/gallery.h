@@ -70,11 +70,11 @@ class Sheet : public Painter {
     void picture(const Picture& picture, const PictureArea& area, const Vec2& lower,
                  const Vec2& upper, Color tint, bool smooth) override {
         Drawn d = made("picture", tint);
-        const double bottom = on_screen() ? upper.y() : lower.y();
-        const double top = on_screen() ? lower.y() : upper.y();
-        d.lower_left = transform()({lower.x(), bottom});
-        d.lower_right = transform()({upper.x(), bottom});
-        d.upper_left = transform()({lower.x(), top});
+        const double bottom = on_screen() ? upper.y : lower.y;
+        const double top = on_screen() ? lower.y : upper.y;
+        d.lower_left = transform()({lower.x, bottom});
+        d.lower_right = transform()({upper.x, bottom});
+        d.upper_left = transform()({lower.x, top});
         d.area = area;
         d.smooth = smooth;
         d.picture = &picture;
@@ -150,7 +150,7 @@ struct Gallery {
 };
 
 inline bool near(const Vec2& a, const Vec2& b, double tolerance = 1e-9) {
-    return (a - b).norm() < tolerance;
+    return (a - b).length() < tolerance;
 }
 
 }  // namespace fettle::visuals::test

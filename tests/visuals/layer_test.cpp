@@ -67,8 +67,8 @@ TEST_CASE_METHOD(Layered, "a repeated layer covers what is seen") {
     tree.set(layer, "repeat_x", Value(4.0));
     std::set<long> at;
     for (const Drawn& d : draw(moved)) {
-        CHECK(d.lower_left.y() == -1);
-        at.insert(std::lround(d.lower_left.x() + 1));
+        CHECK(d.lower_left.y == -1);
+        at.insert(std::lround(d.lower_left.x + 1));
     }
     for (long x = 88; x <= 108; x += 4) CHECK(at.contains(x));
     CHECK(at.size() < 12);

@@ -25,10 +25,10 @@ struct Box {
     double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
     explicit Box(const std::vector<Drawn>& all) {
         for (const Drawn& d : all) {
-            left = std::min(left, d.lower_left.x());
-            right = std::max(right, d.lower_right.x());
-            bottom = std::min(bottom, d.lower_left.y());
-            top = std::max(top, d.upper_left.y());
+            left = std::min(left, d.lower_left.x);
+            right = std::max(right, d.lower_right.x);
+            bottom = std::min(bottom, d.lower_left.y);
+            top = std::max(top, d.upper_left.y);
         }
     }
 };
@@ -70,7 +70,7 @@ TEST_CASE_METHOD(Written, "what is drawn has the measured size at any zoom") {
         // Letters have as many pixels as they cover.
         const auto pixels = static_cast<double>(drawn[0].picture->height());
         if (zoom < 200)
-            CHECK((drawn[0].upper_left.y() - drawn[0].lower_left.y()) * zoom ==
+            CHECK((drawn[0].upper_left.y - drawn[0].lower_left.y) * zoom ==
                   Approx(pixels).epsilon(0.04));
     }
     CHECK(width() == measured);
@@ -109,7 +109,7 @@ TEST_CASE_METHOD(Written, "lines and tabs and wrapping") {
 TEST_CASE_METHOD(Written, "align and anchor place the lines") {
     tree.set(text, "text", Value("Hamburg\nH"));
     tree.set(text, "anchor", Value(Vec2(0, 1)));
-    const auto last = [&] { return draw().back().lower_left.x(); };
+    const auto last = [&] { return draw().back().lower_left.x; };
     tree.set(text, "align", Value("left"));
     const double left = last();
     CHECK(left == Approx(0).margin(0.2));

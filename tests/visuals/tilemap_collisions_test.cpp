@@ -24,7 +24,7 @@ TEST_CASE_METHOD(Land, "solid tiles have one outline") {
     double area = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const Vec2 a = points(chain)[i].vec2(), b = points(chain)[(i + 1) % 4].vec2();
-        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        area += 0.5 * (a.x * b.y - a.y * b.x);
     }
     CHECK(area == Approx(-4));
     const Handle body = find(top, "collisions");
@@ -39,7 +39,7 @@ TEST_CASE_METHOD(Land, "collisions follow the cells at the next barrier") {
     tree.barrier();
     REQUIRE(chains(top).size() == 2);
     const auto all = chains(top);
-    const Handle kept = points(all[0])[0].vec2().x() <= 1 ? all[0] : all[1];
+    const Handle kept = points(all[0])[0].vec2().x <= 1 ? all[0] : all[1];
     call(top, "set_tile", {Value(3), Value(2), Value(0)});
     tree.barrier(false);
     REQUIRE(chains(top).size() == 2);

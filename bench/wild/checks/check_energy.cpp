@@ -18,7 +18,7 @@ double kinetic(const BodyNow& body) {
     const double spin = std::isfinite(body.inertia)
                             ? double(body.inertia) * body.angular_velocity * body.angular_velocity
                             : 0;
-    return 0.5 * (double(body.mass) * body.velocity.squaredNorm() + spin);
+    return 0.5 * (double(body.mass) * body.velocity.length_squared() + spin);
 }
 
 /// Kinetic energy and height never exceed what they were at the last edit, but for
@@ -35,7 +35,7 @@ class Energy : public Check {
         if (driven_) return {};
         if (moment.edited || moment.step == 0) begin(moment);
         const double now = energy(moment.after, moment.plan.def.gravity);
-        const float gravity = moment.plan.def.gravity.norm();
+        const float gravity = moment.plan.def.gravity.length();
         double moving = 0, allowed = 0;
         overlapped_.resize(moment.after.size(), false);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
@@ -67,7 +67,7 @@ class Energy : public Check {
         for (const BodyNow& body : bodies) {
             if (!moves_freely(body)) continue;
             const double height =
-                -(double(gravity.x()) * body.center.x() + double(gravity.y()) * body.center.y());
+                -(double(gravity.x) * body.center.x + double(gravity.y) * body.center.y);
             sum += kinetic(body) + body.mass * body.gravity_scale * height;
         }
         return sum;
@@ -106,9 +106,9 @@ class Momentum : public Check {
     static void sum(const std::vector<BodyNow>& bodies, double& x, double& y, double& all) {
         for (const BodyNow& body : bodies) {
             if (!moves_freely(body)) continue;
-            x += double(body.mass) * body.velocity.x();
-            y += double(body.mass) * body.velocity.y();
-            all += double(body.mass) * body.velocity.norm();
+            x += double(body.mass) * body.velocity.x;
+            y += double(body.mass) * body.velocity.y;
+            all += double(body.mass) * body.velocity.length();
         }
     }
     bool isolated_ = false;

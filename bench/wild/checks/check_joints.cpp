@@ -39,7 +39,7 @@ class Joints : public Check {
             // What a joint sees for the first time in a step, it answers in the next.
             const Anchors at = anchors_of(joint, moment.after);
             const float speed =
-                (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).norm();
+                (velocity(moment, joint.b, at.b) - velocity(moment, joint.a, at.a)).length();
             const float spin = std::abs(rate(moment, joint.b) - rate(moment, joint.a));
             // A contact that pushes apart what the joint holds together may win for as long.
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b);
@@ -135,7 +135,7 @@ class Joints : public Check {
         if (body == the_world) return 0;
         const BodyNow& now = moment.after[std::size_t(body)];
         const float turn = now.angular_velocity * moment.dt / float(moment.plan.def.substeps);
-        return (at - now.center).norm() * turn * turn;
+        return (at - now.center).length() * turn * turn;
     }
     static float rate(const Moment& moment, int body) {
         return body == the_world ? 0 : moment.after[std::size_t(body)].angular_velocity;

@@ -14,7 +14,7 @@ class Finite : public Check {
     std::optional<std::string> look(const Moment& moment) override {
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
-            if (body.exists && !(body.position.allFinite() && body.velocity.allFinite() &&
+            if (body.exists && !(body.position.is_finite() && body.velocity.is_finite() &&
                                  std::isfinite(body.angle) && std::isfinite(body.angular_velocity)))
                 return "body " + std::to_string(i) + " has a state that is not a number";
         }
@@ -31,7 +31,7 @@ class Frozen : public Check {
             still_[i] = stands_still(moment, i) ? still_[i] + 1 : 0;
             if (still_[i] >= 3)
                 return "body " + std::to_string(i) + " keeps its place at a speed of " +
-                       figure(moment.after[i].velocity.norm()) + " m/s";
+                       figure(moment.after[i].velocity.length()) + " m/s";
         }
         return {};
     }
@@ -39,11 +39,11 @@ class Frozen : public Check {
   private:
     static bool stands_still(const Moment& moment, std::size_t i) {
         const BodyNow &before = moment.before[i], &after = moment.after[i];
-        const float speed = after.velocity.norm();
+        const float speed = after.velocity.length();
         if (!after.exists || !after.awake || after.touching() || speed <= 1) return false;
         if (after.type != BodyType::dynamic_body || moment.edited_bodies[i]) return false;
         // Far less than it should, in place and angle: what is put back to an impact still turns.
-        return (after.position - before.position).norm() < 0.01f * speed * moment.dt &&
+        return (after.position - before.position).length() < 0.01f * speed * moment.dt &&
                std::abs(after.angle - before.angle) <=
                    0.01f * std::abs(after.angular_velocity) * moment.dt;
     }
@@ -60,8 +60,8 @@ class Speed : public Check {
         const float bound = 20 + 4 * plausible_speed(moment.plan, time_);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
-            if (!body.exists || body.velocity.norm() <= bound) continue;
-            return "body " + std::to_string(i) + " has " + figure(body.velocity.norm()) +
+            if (!body.exists || body.velocity.length() <= bound) continue;
+            return "body " + std::to_string(i) + " has " + figure(body.velocity.length()) +
                    " m/s; more than " + figure(bound) + " has no cause";
         }
         return {};

@@ -24,9 +24,9 @@ class Rest : public Check {
             const BodyNow& body = moment.after[i];
             // What fell off the ground falls for ever.
             if (!body.exists || !body.awake || body.type != BodyType::dynamic_body ||
-                body.position.y() < -2)
+                body.position.y < -2)
                 continue;
-            return "body " + std::to_string(i) + " is awake, at " + figure(body.velocity.norm()) +
+            return "body " + std::to_string(i) + " is awake, at " + figure(body.velocity.length()) +
                    " m/s and " + figure(body.angular_velocity) + " rad/s";
         }
         return {};

@@ -45,7 +45,7 @@ class Sensors : public Check {
             entered_.emplace_back(
                 pair, "body " + std::to_string(passage.body) + " enters the sensor on body " +
                           std::to_string(passage.obstacle) + " at " +
-                          std::to_string(int(moment.after[body].velocity.norm())) +
+                          std::to_string(int(moment.after[body].velocity.length())) +
                           " m/s, and no begin is told");
         }
         return {};

@@ -110,15 +110,15 @@ class Border : public Check {
             outside_[i] = out ? outside_[i] + moment.dt : 0;
             if (outside_[i] > push_back_time)
                 return "body " + std::to_string(i) + " is outside of the bounds, at " +
-                       figure(body.center.x()) + ", " + figure(body.center.y());
+                       figure(body.center.x) + ", " + figure(body.center.y);
         }
         return {};
     }
 
   private:
     static bool is_outside(const BodyNow& body, const Aabb& bounds) {
-        return (body.center - bounds.min).minCoeff() < 0 ||
-               (bounds.max - body.center).minCoeff() < 0;
+        return (body.center - bounds.min).smallest() < 0 ||
+               (bounds.max - body.center).smallest() < 0;
     }
     /// The center of mass of one convex shape is in the shape.
     static bool is_solid(const BodyPlan& body) {

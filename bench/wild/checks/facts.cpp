@@ -16,8 +16,8 @@ bool stores_energy(const JointPlan& joint) {
     for (const char* spring : {"set_hertz", "set_angular_hertz"})
         if (joint.number(spring, 0) > 0) return true;
     if (joint.type == JointType::motor) {
-        return joint.vector("set_linear_velocity", Vec2::Zero()) != Vec2::Zero() ||
-               joint.vector("set_linear_offset", Vec2::Zero()) != Vec2::Zero() ||
+        return joint.vector("set_linear_velocity", Vec2{}) != Vec2{} ||
+               joint.vector("set_linear_offset", Vec2{}) != Vec2{} ||
                joint.number("set_angular_velocity", 0) != 0;
     }
     return joint.number("set_motor_speed", 0) != 0;
@@ -33,8 +33,8 @@ bool drives(const Setting& setting) {
 
 /// A horizontal or upright line, as exact as a box that is not turned.
 bool is_level(const Edge& edge, float angle) {
-    const Vec2 along = placed(edge.to - edge.from, Vec2::Zero(), angle);
-    return std::abs(along.x()) < 1e-3f * along.norm() || std::abs(along.y()) < 1e-3f * along.norm();
+    const Vec2 along = placed(edge.to - edge.from, Vec2{}, angle);
+    return std::abs(along.x) < 1e-3f * along.length() || std::abs(along.y) < 1e-3f * along.length();
 }
 
 bool is_quiet_ground(const BodyPlan& body) {
@@ -73,7 +73,7 @@ bool is_driven(const WorldPlan& plan) {
 }
 
 bool is_isolated(const WorldPlan& plan) {
-    if (plan.def.gravity != Vec2::Zero() || plan.def.bounds || !plan.fields.empty()) return false;
+    if (plan.def.gravity != Vec2{} || plan.def.bounds || !plan.fields.empty()) return false;
     for (const BodyPlan& body : plan.bodies)
         if (is_fixed(body) || body.def.linear_damping > 0 || body.def.locked_x || body.def.locked_y)
             return false;
@@ -104,14 +104,14 @@ bool can_rest(const WorldPlan& plan) {
 
 float plausible_speed(const WorldPlan& plan, float seconds) {
     constexpr float pi = std::numbers::pi_v<float>;
-    float reach = 2, speed = 0, pull = plan.def.gravity.norm();
+    float reach = 2, speed = 0, pull = plan.def.gravity.length();
     for (const BodyPlan& body : plan.bodies)
         if (!is_fixed(body) || body.def.angular_velocity != 0)
             reach = std::max(reach, reach_of(body));
     for (const BodyPlan& body : plan.bodies) {
-        speed =
-            std::max(speed, body.def.velocity.norm() + reach * std::abs(body.def.angular_velocity));
-        speed = std::max(speed, 2 * pi * body.swing.reach.norm() * body.swing.hertz);
+        speed = std::max(speed,
+                         body.def.velocity.length() + reach * std::abs(body.def.angular_velocity));
+        speed = std::max(speed, 2 * pi * body.swing.reach.length() * body.swing.hertz);
         for (const ShapePlan& shape : body.shapes)
             speed = std::max(speed, std::abs(shape.def.surface_speed));
     }
@@ -124,7 +124,7 @@ float plausible_speed(const WorldPlan& plan, float seconds) {
     }
     for (const Edit& edit : plan.edits) {
         const std::string& setter = edit.setting.setter;
-        const float size = edit.setting.value.norm();
+        const float size = edit.setting.value.length();
         if (setter == "set_velocity") speed = std::max(speed, size);
         // The lightest bodies of the grammar have some grams.
         if (setter == "apply_impulse") return infinity;
@@ -163,7 +163,7 @@ float reach_of(const BodyPlan& body) {
     float reach = 0;
     for (const ShapePlan& shape : body.shapes)
         for (const Edge& edge : outline_of(shape.geometry).edges)
-            reach = std::max({reach, edge.from.norm(), edge.to.norm()});
+            reach = std::max({reach, edge.from.length(), edge.to.length()});
     return reach;
 }
 

@@ -21,11 +21,11 @@ struct Line {
 };
 Line on_line(const Anchors& at, const Vec2& along) {
     const Vec2 unit = along.normalized(), way = at.b - at.a;
-    return {std::abs(unit.x() * way.y() - unit.y() * way.x()), unit.dot(way)};
+    return {std::abs(unit.x * way.y - unit.y * way.x), unit.dot(way)};
 }
 
 Gap rail(const JointPlan& joint, const Anchors& at, float angle_of_a, const Vec2& usual_axis) {
-    const Vec2 axis = placed(joint.vector("set_axis", usual_axis), Vec2::Zero(), angle_of_a);
+    const Vec2 axis = placed(joint.vector("set_axis", usual_axis), Vec2{}, angle_of_a);
     const Line line = on_line(at, axis);
     return {line.aside + beyond(line.travel, joint.number("set_lower_translation", -infinity),
                                 joint.number("set_upper_translation", infinity)),
@@ -44,7 +44,7 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
     const BodyNow &a = end_of(joint.a, bodies), &b = end_of(joint.b, bodies);
     if (!a.exists || !b.exists) return {};
     const Anchors at = anchors_of(joint, bodies);
-    const float apart = (at.b - at.a).norm();
+    const float apart = (at.b - at.a).length();
     const float angle = b.angle - a.angle - joint.number("set_reference_angle", 0);
     switch (joint.type) {
         case JointType::distance: {
@@ -71,13 +71,13 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
             return rail(joint, at, a.angle, {0, 1});
         case JointType::groove: {
             const Vec2 way = joint.vector("set_end", {1, 0}) - joint.anchor_a;
-            const Line line = on_line(at, placed(way, Vec2::Zero(), a.angle));
-            return Gap{line.aside + beyond(line.travel, 0, way.norm()), 0};
+            const Line line = on_line(at, placed(way, Vec2{}, a.angle));
+            return Gap{line.aside + beyond(line.travel, 0, way.length()), 0};
         }
         case JointType::pulley: {
             const float rope =
-                (at.a - joint.vector("set_ground_a", at.a)).norm() +
-                joint.number("set_ratio", 1) * (at.b - joint.vector("set_ground_b", at.b)).norm();
+                (at.a - joint.vector("set_ground_a", at.a)).length() +
+                joint.number("set_ratio", 1) * (at.b - joint.vector("set_ground_b", at.b)).length();
             return Gap{std::max(rope - joint.number("set_length", infinity), 0.0f), 0};
         }
         default:

@@ -18,7 +18,7 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
 
 /// The places of both anchors.
 struct Anchors {
-    Vec2 a = Vec2::Zero(), b = Vec2::Zero();
+    Vec2 a = {}, b = {};
 };
 Anchors anchors_of(const JointPlan& joint, const std::vector<BodyNow>& bodies);
 

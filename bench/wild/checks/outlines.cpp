@@ -8,7 +8,7 @@ namespace fettle::bench::wild {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) {
-    return double(a.x()) * b.y() - double(a.y()) * b.x();
+    return double(a.x) * b.y - double(a.y) * b.x;
 }
 
 double twice_area(const std::vector<Vec2>& points) {
@@ -34,7 +34,7 @@ std::vector<Vec2> on_ellipse(const Vec2& center, const Vec2& radii, float angle)
     for (int i = 0; i < 24; ++i) {
         const float turn = 2 * std::numbers::pi_v<float> * float(i) / 24;
         points.push_back(
-            placed({radii.x() * std::cos(turn), radii.y() * std::sin(turn)}, center, angle));
+            placed({radii.x * std::cos(turn), radii.y * std::sin(turn)}, center, angle));
     }
     return points;
 }
@@ -79,7 +79,7 @@ struct EdgesOf {
 
 Core core_of(const std::vector<Vec2>& points, float rounding) {
     Core core;
-    Vec2 weighted = Vec2::Zero();
+    Vec2 weighted = {};
     double area = 0;
     const Vec2 origin = points.front();  // near the polygon, so that the sum is precise
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -92,7 +92,7 @@ Core core_of(const std::vector<Vec2>& points, float rounding) {
     core.depth = infinity;
     for (const Edge& edge : around(points)) {
         const Vec2 along = edge.to - edge.from;
-        const double away = std::abs(cross(along, core.point - edge.from)) / along.norm();
+        const double away = std::abs(cross(along, core.point - edge.from)) / along.length();
         core.depth = std::min(core.depth, float(away) + rounding);
     }
     return core;
@@ -126,8 +126,8 @@ Outline outline_of(const Geometry& geometry) {
     outline.box = {{infinity, infinity}, {-infinity, -infinity}};
     for (const Edge& edge : outline.edges)
         for (const Vec2& point : {edge.from, edge.to}) {
-            outline.box.min = outline.box.min.cwiseMin(point);
-            outline.box.max = outline.box.max.cwiseMax(point);
+            outline.box.min = outline.box.min.min(point);
+            outline.box.max = outline.box.max.max(point);
         }
     return outline;
 }

@@ -11,8 +11,8 @@ namespace fettle::bench::wild {
 
 /// The front, where bodies may be, is on its left.
 struct Edge {
-    Vec2 from = Vec2::Zero();
-    Vec2 to = Vec2::Zero();
+    Vec2 from = {};
+    Vec2 to = {};
 };
 
 struct Outline {
@@ -29,8 +29,8 @@ Outline outline_of(const Geometry& geometry);
 
 /// A convex part of a shape: a point deep in it, and how deep that is.
 struct Core {
-    Vec2 point = Vec2::Zero();  // body coordinates
-    float depth = 0;            // distance to the nearest edge, m
+    Vec2 point = {};  // body coordinates
+    float depth = 0;  // distance to the nearest edge, m
 };
 std::vector<Core> cores_of(const Geometry& geometry);
 

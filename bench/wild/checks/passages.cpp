@@ -76,19 +76,19 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
     Vec2 from = place(0);
     const float depth = pair.deep.depth;
     const int count =
-        std::max(chords(pair.deep.point.norm(), b1.angle - b0.angle, depth),
-                 chords(std::max(from.norm(), place(1).norm()), o1.angle - o0.angle, depth));
+        std::max(chords(pair.deep.point.length(), b1.angle - b0.angle, depth),
+                 chords(std::max(from.length(), place(1).length()), o1.angle - o0.angle, depth));
     for (int i = 1; i <= count; ++i) {
         const Vec2 to = place(float(i) / float(count));
-        const Vec2 low = from.cwiseMin(to), high = from.cwiseMax(to);
-        const bool near = (low.array() <= outline.box.max.array()).all() &&
-                          (high.array() >= outline.box.min.array()).all();
+        const Vec2 low = from.min(to), high = from.max(to);
+        const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
+                          high.x >= outline.box.min.x && high.y >= outline.box.min.y;
         for (const Edge& edge : outline.edges) {
             if (!near) break;
             if (const int sense = crossing(edge, from, to); sense != 0) {
                 const Vec2 along = (edge.to - edge.from).normalized();
                 found.push_back({pair.body, pair.core, pair.obstacle, pair.shape, sense,
-                                 Vec2{-along.y(), along.x()}, outline.kind});
+                                 Vec2{-along.y, along.x}, outline.kind});
             }
         }
         from = to;

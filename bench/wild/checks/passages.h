@@ -16,7 +16,7 @@ struct Passage {
     int body = 0, core = 0;       // of the moving body
     int obstacle = 0, shape = 0;  // of the other body
     int sense = 0;                // 1 from the front, -1 from behind
-    Vec2 normal = Vec2::Zero();   // of the edge, to its front; in coordinates of the obstacle
+    Vec2 normal = {};             // of the edge, to its front; in coordinates of the obstacle
     Outline::Kind kind{};
 
     auto pair() const { return std::tuple(body, core, obstacle, shape); }

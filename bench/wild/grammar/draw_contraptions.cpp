@@ -11,7 +11,7 @@ namespace {
 
 /// Joined links from `from` along `step`; returns the last one. The world holds the first.
 int draw_links(Sketch& sketch, const Vec2& from, const Vec2& step, int count, float thickness) {
-    const float length = step.norm(), angle = std::atan2(step.y(), step.x());
+    const float length = step.length(), angle = std::atan2(step.y, step.x);
     const bool capsules = sketch.random.chance(0.5);
     const Geometry link =
         capsules ? Geometry(Segment{{-0.45f * length, 0}, {0.45f * length, 0}, thickness / 2})
@@ -162,7 +162,7 @@ void draw_soft(Sketch& sketch, float x) {
             const Vec2 from = sketch.body(a).def.position, to = sketch.body(b).def.position;
             JointPlan& spring = sketch.joint(JointType::distance, a, b, from, to);
             spring.collide = true;
-            spring.set({"set_length", {(to - from).norm(), 0}});
+            spring.set({"set_length", {(to - from).length(), 0}});
             spring.set({"set_hertz", {hertz, 0}});
             spring.set({"set_damping_ratio", {0.3f, 0}});
         }

@@ -58,10 +58,10 @@ Edit of_shape(Random& random, int body, int shape) {
             edit.setting = {"set_mask", {float(random.whole(0, 1)), 0}};
             break;
         case 6:
-            edit.setting = {"destroy", Vec2::Zero()};
+            edit.setting = {"destroy", Vec2{}};
             break;
         default:
-            edit.setting = {"set_geometry", Vec2::Zero()};
+            edit.setting = {"set_geometry", Vec2{}};
             edit.geometry = draw_geometry(random, random.number(0.2f, 1.5f), true);
     }
     return edit;

@@ -91,7 +91,7 @@ void draw_joint_of_any_type(Sketch& sketch, float x) {
     if (type == JointType::distance) {
         const Vec2 to = place + Vec2{1.5f, 0};
         JointPlan& rod = sketch.joint(type, a, b, place, to);
-        rod.set({"set_length", {(to - place).norm(), 0}});
+        rod.set({"set_length", {(to - place).length(), 0}});
         if (random.chance(0.5)) rod.set({"set_hertz", {random.one_of({0.0f, 2.0f, 6.0f}), 0}});
         if (random.chance(0.5)) rod.set({"set_max_length", {2, 0}});
         return;

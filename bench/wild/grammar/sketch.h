@@ -14,7 +14,7 @@ inline float tidy(float number) {
     return std::round(number * 1000) / 1000;
 }
 inline Vec2 tidy(const Vec2& v) {
-    return {tidy(v.x()), tidy(v.y())};
+    return {tidy(v.x), tidy(v.y)};
 }
 
 struct Sketch {

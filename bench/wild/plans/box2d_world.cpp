@@ -15,7 +15,7 @@ namespace fettle::bench::wild {
 namespace {
 
 b2Vec2 vec(const Vec2& v) {
-    return {v.x(), v.y()};
+    return {v.x, v.y};
 }
 Vec2 vec(const b2Vec2& v) {
     return {v.x, v.y};
@@ -48,7 +48,7 @@ bool has_all(const WorldPlan& plan) {
 /// A capsule with three edges at each end.
 std::vector<Vec2> stadium(const Segment& segment) {
     const Vec2 way = segment.to - segment.from;
-    const float along = way.norm() < 1e-4f ? 0 : std::atan2(way.y(), way.x());
+    const float along = way.length() < 1e-4f ? 0 : std::atan2(way.y, way.x);
     std::vector<Vec2> points;
     for (int i = 0; i < 8; ++i) {
         const float turn = along - b2_pi / 2 + b2_pi / 3 * float(i < 4 ? i : i - 1);
@@ -201,8 +201,8 @@ class Box2dWorld : public RunningWorld {
         ShapeDef surface;
         surface.friction = plan_.def.bounds_friction;
         surface.restitution = plan_.def.bounds_restitution;
-        FixtureMaker{*ground_, surface}(Chain{
-            {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, true});
+        FixtureMaker{*ground_, surface}(
+            Chain{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, true});
     }
 
     b2Body* make(const BodyPlan& plan) {

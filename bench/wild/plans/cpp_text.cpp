@@ -29,7 +29,7 @@ std::string text_of(bool value) {
     return value ? "true" : "false";
 }
 std::string text_of(const Vec2& v) {
-    return "{" + text_of(v.x()) + ", " + text_of(v.y()) + "}";
+    return "{" + text_of(v.x) + ", " + text_of(v.y) + "}";
 }
 std::string text_of(const Aabb& box) {
     return "Aabb{" + text_of(box.min) + ", " + text_of(box.max) + "}";
@@ -214,15 +214,15 @@ std::string value_text(const Setter& setter, const Vec2& value) {
         case ValueKind::geometry:
             return "";
         case ValueKind::number:
-            return text_of(value.x());
+            return text_of(value.x);
         case ValueKind::flag:
-            return text_of(value.x() != 0);
+            return text_of(value.x != 0);
         case ValueKind::vector:
             return text_of(value);
         case ValueKind::body_type:
-            return text_of(BodyType(int(value.x())));
+            return text_of(BodyType(int(value.x)));
         case ValueKind::solver:
-            return text_of(Solver(int(value.x())));
+            return text_of(Solver(int(value.x)));
     }
     return "";
 }
@@ -254,9 +254,9 @@ std::string joints_at(const WorldPlan& plan, int step, const std::string& indent
         text +=
             indent + name + " = {&world, world.create_joint(" + text_of(joint.type) + ").id()};\n";
         text += indent + name + ".connect(" + end(joint.a) + ", " + end(joint.b) + ");\n";
-        if (joint.anchor_a != Vec2::Zero())
+        if (joint.anchor_a != Vec2{})
             text += indent + name + ".set_anchor_a(" + text_of(joint.anchor_a) + ");\n";
-        if (joint.anchor_b != Vec2::Zero())
+        if (joint.anchor_b != Vec2{})
             text += indent + name + ".set_anchor_b(" + text_of(joint.anchor_b) + ");\n";
         if (joint.collide) text += indent + name + ".set_collide(true);\n";
         for (const Setting& setting : joint.settings) {

@@ -12,7 +12,7 @@ Vec2 Swing::velocity(double time) const {
 }
 
 float JointPlan::number(const std::string& setter, float otherwise) const {
-    return vector(setter, {otherwise, 0}).x();
+    return vector(setter, {otherwise, 0}).x;
 }
 
 Vec2 JointPlan::vector(const std::string& setter, const Vec2& otherwise) const {
@@ -80,11 +80,11 @@ void WorldPlan::remove_shape(int body, int shape) {
 
 Vec2 placed(const Vec2& point, const Vec2& origin, float angle) {
     const float c = std::cos(angle), s = std::sin(angle);
-    return origin + Vec2(c * point.x() - s * point.y(), s * point.x() + c * point.y());
+    return origin + Vec2(c * point.x - s * point.y, s * point.x + c * point.y);
 }
 
 Vec2 local(const Vec2& point, const Vec2& origin, float angle) {
-    return placed(point - origin, Vec2::Zero(), -angle);
+    return placed(point - origin, Vec2{}, -angle);
 }
 
 bool may_collide(const ShapeDef& a, const ShapeDef& b) {

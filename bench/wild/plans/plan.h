@@ -21,7 +21,7 @@ struct ShapePlan {
 
 /// Motion to and fro of a kinematic body, about its first position.
 struct Swing {
-    Vec2 reach = Vec2::Zero();  // m
+    Vec2 reach = {};  // m
     float hertz = 0;
     Vec2 velocity(double time) const;
 };
@@ -36,7 +36,7 @@ struct BodyPlan {
 /// A call of a setter, with a number, a flag or an enumerator in x, or a vector.
 struct Setting {
     std::string setter;
-    Vec2 value = Vec2::Zero();
+    Vec2 value = {};
 };
 
 inline constexpr int the_world = -1;
@@ -45,8 +45,8 @@ struct JointPlan {
     JointType type = JointType::revolute;
     int a = the_world;  // indices of bodies
     int b = the_world;
-    Vec2 anchor_a = Vec2::Zero();  // body coordinates
-    Vec2 anchor_b = Vec2::Zero();
+    Vec2 anchor_a = {};  // body coordinates
+    Vec2 anchor_b = {};
     bool collide = false;
     std::vector<Setting> settings{};
     int born = 0;

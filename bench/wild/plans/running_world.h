@@ -15,11 +15,11 @@ struct BodyNow {
     bool awake = false;
     std::uint32_t slot = 0;  // in a world of the library
     BodyType type = BodyType::static_body;
-    Vec2 position = Vec2::Zero();  // of its origin
+    Vec2 position = {};  // of its origin
     float angle = 0;
-    Vec2 velocity = Vec2::Zero();  // of its center of mass
+    Vec2 velocity = {};  // of its center of mass
     float angular_velocity = 0;
-    Vec2 center = Vec2::Zero();  // of mass, in the world
+    Vec2 center = {};  // of mass, in the world
     float mass = 0;
     float inertia = 0;
     float gravity_scale = 1;
@@ -30,7 +30,7 @@ struct BodyNow {
 
     Vec2 velocity_at(const Vec2& point) const {
         const Vec2 lever = point - center;
-        return velocity + angular_velocity * Vec2(-lever.y(), lever.x());
+        return velocity + angular_velocity * Vec2(-lever.y, lever.x);
     }
 };
 

@@ -11,13 +11,13 @@ void call_with(Object&& object, const Vec2& value) {
     if constexpr (std::is_invocable_v<decltype(setter), Object&>)
         (object.*setter)();
     else if constexpr (std::is_invocable_v<decltype(setter), Object&, BodyType>)
-        (object.*setter)(BodyType(int(value.x())));
+        (object.*setter)(BodyType(int(value.x)));
     else if constexpr (std::is_invocable_v<decltype(setter), Object&, Solver>)
-        (object.*setter)(Solver(int(value.x())));
+        (object.*setter)(Solver(int(value.x)));
     else if constexpr (std::is_invocable_v<decltype(setter), Object&, const Vec2&>)
         (object.*setter)(value);
     else
-        (object.*setter)(value.x());
+        (object.*setter)(value.x);
 }
 
 template <auto setter>

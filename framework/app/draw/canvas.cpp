@@ -10,7 +10,7 @@ using property::Color;
 using property::Vec2;
 
 bool is_finite(const Vec2& v) {
-    return std::isfinite(v.x()) && std::isfinite(v.y());
+    return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
 namespace {
@@ -67,14 +67,14 @@ void Canvas::set_state(const State& next) {
 void Canvas::clip(const Vec2& lower, const Vec2& upper) {
     State clipped = state();
     Vec2 from = exact(lower), to = from;
-    for (const Vec2& corner : {upper, Vec2(lower.x(), upper.y()), Vec2(upper.x(), lower.y())}) {
-        from = from.cwiseMin(exact(corner));
-        to = to.cwiseMax(exact(corner));
+    for (const Vec2& corner : {upper, Vec2(lower.x, upper.y), Vec2(upper.x, lower.y)}) {
+        from = from.min(exact(corner));
+        to = to.max(exact(corner));
     }
     if (!is_finite(from) || !is_finite(to)) return;
     if (clipped.clipped) {
-        from = from.cwiseMax(clipped.clip_lower);
-        to = to.cwiseMin(clipped.clip_upper);
+        from = from.max(clipped.clip_lower);
+        to = to.min(clipped.clip_upper);
     }
     clipped.clipped = true;
     clipped.clip_lower = from;
@@ -88,7 +88,7 @@ void Canvas::gradient(const property::Gradient& gradient) {
     placed.from = exact(gradient.from);
     placed.to = exact(gradient.to);
     State next = state();
-    next.gradient_across = exact(gradient.from + Vec2(-along.y(), along.x()));
+    next.gradient_across = exact(gradient.from + Vec2(-along.y, along.x));
     next.gradient = std::make_shared<const property::Gradient>(std::move(placed));
     set_state(next);
 }
@@ -102,11 +102,11 @@ void Canvas::draw_strip() {
     if (strip_.empty()) return;
     const State& s = state();
     const Vec2 size(static_cast<double>(width()), static_cast<double>(height()));
-    const Vec2 lower = s.clipped ? s.clip_lower.cwiseMax(0).cwiseMin(size) : Vec2(0, 0);
-    const Vec2 upper = s.clipped ? s.clip_upper.cwiseMax(0).cwiseMin(size) : size;
+    const Vec2 lower = s.clipped ? s.clip_lower.max({0, 0}).min(size) : Vec2(0, 0);
+    const Vec2 upper = s.clipped ? s.clip_upper.max({0, 0}).min(size) : size;
     const auto edge = [](double x) { return static_cast<float>(std::round(x)); };
-    const float left = edge(lower.x()), top = edge(lower.y());
-    const float right = edge(upper.x()), bottom = edge(upper.y());
+    const float left = edge(lower.x), top = edge(lower.y);
+    const float right = edge(upper.x), bottom = edge(upper.y);
     if (right > left && bottom > top) {
         set_clip(left, top, right, bottom);
         if (s.blend == property::Blend::multiply) multiply_by_opacity(strip_);
@@ -150,7 +150,7 @@ Vec2 Canvas::exact(const Vec2& position) const {
 
 sf::Vector2f Canvas::pixel(const Vec2& position) const {
     const Vec2 p = exact(position);
-    return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+    return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
 double Canvas::pixels(double length) const {
@@ -168,8 +168,8 @@ property::Paint Canvas::faded(const property::Paint& paint) const {
 }
 
 bool Canvas::outside(const Vec2& lower, const Vec2& upper) const {
-    return upper.x() < 0 || upper.y() < 0 || lower.x() > static_cast<double>(width()) ||
-           lower.y() > static_cast<double>(height());
+    return upper.x < 0 || upper.y < 0 || lower.x > static_cast<double>(width()) ||
+           lower.y > static_cast<double>(height());
 }
 
 bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
@@ -177,13 +177,13 @@ bool Canvas::sees(const Vec2& lower, const Vec2& upper) const {
     Vec2 from = exact(lower), to = from;
     const auto add = [&](const Vec2& corner) {
         const Vec2 p = exact(corner);
-        from = from.cwiseMin(p);
-        to = to.cwiseMax(p);
+        from = from.min(p);
+        to = to.max(p);
     };
     add(upper);
     if (transformed_ || view_.angle != 0) {
-        add(Vec2(lower.x(), upper.y()));
-        add(Vec2(upper.x(), lower.y()));
+        add(Vec2(lower.x, upper.y));
+        add(Vec2(upper.x, lower.y));
     }
     return !outside(from - margin, to + margin);
 }

@@ -91,8 +91,7 @@ void set_uniform(sf::Shader& shader, const std::string& name, const property::Va
     if (type == "bool") shader.setUniform(name, value.boolean());
     if (type == "vec2") {
         const property::Vec2& v = value.vec2();
-        shader.setUniform(name,
-                          sf::Glsl::Vec2(static_cast<float>(v.x()), static_cast<float>(v.y())));
+        shader.setUniform(name, sf::Glsl::Vec2(static_cast<float>(v.x), static_cast<float>(v.y)));
     }
     if (type != "vec3" && type != "vec4") return;
     const property::Color c = value.color();

@@ -24,23 +24,21 @@ struct Bounds {
     Vec2 lower, upper;
     explicit Bounds(const Vec2& point) : lower(point), upper(point) {}
     void add(const Vec2& point) {
-        lower = lower.cwiseMin(point);
-        upper = upper.cwiseMax(point);
+        lower = lower.min(point);
+        upper = upper.max(point);
     }
-    bool near() const {
-        return (lower.array() > -far_away).all() && (upper.array() < far_away).all();
-    }
+    bool near() const { return lower.smallest() > -far_away && upper.largest() < far_away; }
 };
 
 /// Whether a circle stays a circle.
 bool is_similar(const property::Transform& t) {
-    const double size = t.x.squaredNorm() + t.y.squaredNorm();
+    const double size = t.x.length_squared() + t.y.length_squared();
     return std::abs(t.x.dot(t.y)) <= 1e-9 * size &&
-           std::abs(t.x.squaredNorm() - t.y.squaredNorm()) <= 1e-9 * size;
+           std::abs(t.x.length_squared() - t.y.length_squared()) <= 1e-9 * size;
 }
 
 sf::Vector2f narrow(const Vec2& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+    return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
 }  // namespace
@@ -78,16 +76,17 @@ void Canvas::ellipse(const Vec2& center, const Vec2& radii, double angle, const 
     if (in_gradient(given, [&](const Paint& p) { ellipse(center, radii, angle, p); })) return;
     const Paint paint = faded(given);
     const Vec2 middle = exact(center);
-    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
-    const Vec2 a = exact(center + radii.x() * along) - middle;
-    const Vec2 b = exact(center + radii.y() * across) - middle;
+    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    const Vec2 a = exact(center + radii.x * along) - middle;
+    const Vec2 b = exact(center + radii.y * across) - middle;
     if (!is_finite(middle) || !is_finite(a) || !is_finite(b)) return;
-    const Vec2 reach = (a.cwiseAbs2() + b.cwiseAbs2()).cwiseSqrt() + Vec2(1, 1);
+    const Vec2 reach =
+        Vec2(std::sqrt(a.x * a.x + b.x * b.x), std::sqrt(a.y * a.y + b.y * b.y)) + Vec2(1, 1);
     if (outside(middle - reach, middle + reach)) return;
     std::vector<Vec2> rim;
     sight(paint).arc(middle, a, b, 0, 2 * std::numbers::pi, rim);
     edge_ = Edge::free;
-    if (reach.maxCoeff() > large_radius) return large_figure(std::move(rim), paint);
+    if (reach.largest() > large_radius) return large_figure(std::move(rim), paint);
     corners_.clear();
     for (const Vec2& point : rim) corners_.push_back(narrow(point));
     figure(0, paint);
@@ -131,7 +130,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     Bounds bounds(start);
     bounds.add(end);
     const float half = 0.5f * std::max(width, 1.0f);
-    const Vec2 reach = Vec2::Constant(static_cast<double>(half) + 1);
+    const Vec2 reach(half + 1.0, half + 1.0);
     if (outside(bounds.lower - reach, bounds.upper + reach)) return;
     if (!bounds.near() && !sight(paint).cut(start, end)) return;
     const sf::Vector2f a = narrow(start), b = narrow(end), along = b - a;
@@ -154,7 +153,7 @@ void Canvas::point(const Vec2& position, Color color, float size) {
     const Vec2 middle = exact(position);
     if (!is_finite(middle) || !(size > 0)) return;
     const float radius = std::min(0.5f * size, Atlas::largest_disc);
-    const Vec2 reach = Vec2::Constant(static_cast<double>(radius) + 1);
+    const Vec2 reach(radius + 1.0, radius + 1.0);
     if (!outside(middle - reach, middle + reach))
         draw_disc(narrow(middle), radius, native(faded(color)));
 }
@@ -164,7 +163,7 @@ void Canvas::point(const Vec2& position, Color color, float size) {
 /// The visible area for figures; larger than the screen, so that the cuts are not visible.
 Sight Canvas::sight(const Paint& paint) const {
     const double margin = 16 + 2 * std::clamp(static_cast<double>(paint.border_width), 0.0, 1e4);
-    return {Vec2::Constant(-margin),
+    return {Vec2(-margin, -margin),
             Vec2(static_cast<double>(width()) + margin, static_cast<double>(height()) + margin)};
 }
 

@@ -111,7 +111,7 @@ void Canvas::text(const Vec2& position, std::string_view text, double height, Co
     if (!is_finite(at) || !(size >= 1) || !std::isfinite(size)) return;
     std::vector<std::u32string> lines = lines_of(text);
     const double spacing = static_cast<double>(line_height * size);
-    double y = at.y() - 0.5 * spacing * static_cast<double>(lines.size() - 1);
+    double y = at.y - 0.5 * spacing * static_cast<double>(lines.size() - 1);
     for (std::u32string& characters : lines) {
         const double middle = y;
         y += spacing;
@@ -121,9 +121,9 @@ void Canvas::text(const Vec2& position, std::string_view text, double height, Co
         line.text = std::move(characters);
         if (!lay_out(line, size, Face::plain)) continue;
         const auto width = static_cast<double>(line.width);
-        const double left = at.x() - (align == TextAlign::left    ? 0.0
-                                      : align == TextAlign::right ? width
-                                                                  : 0.5 * width);
+        const double left = at.x - (align == TextAlign::left    ? 0.0
+                                    : align == TextAlign::right ? width
+                                                                : 0.5 * width);
         if (left > static_cast<double>(this->width()) || left + width < 0) continue;
         // Half the height of capitals, which is 0.73 of the size.
         const float drawn = static_cast<float>(line.size) * line.scale;

@@ -56,8 +56,8 @@ std::vector<std::uint8_t> with_edge(const Picture& picture, const std::vector<st
 bool is_upright(const Vec2 (&corners)[4], const PictureArea& area) {
     constexpr double same = 0.02;  // px
     const Vec2 across = corners[1] - corners[0], down = corners[2] - corners[0];
-    return std::abs(across.y()) < same && std::abs(down.x()) < same &&
-           std::abs(across.x() - area.width) < 0.5 && std::abs(down.y() - area.height) < 0.5;
+    return std::abs(across.y) < same && std::abs(down.x) < same &&
+           std::abs(across.x - area.width) < 0.5 && std::abs(down.y - area.height) < 0.5;
 }
 
 }  // namespace
@@ -158,19 +158,20 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
                      const Vec2& upper, Color tint, bool smooth) {
     draw_collected();
     // On the screen, y points down.
-    const double top = state().on_screen ? lower.y() : upper.y();
-    const double bottom = state().on_screen ? upper.y() : lower.y();
-    Vec2 corners[] = {exact({lower.x(), top}), exact({upper.x(), top}), exact({lower.x(), bottom}),
-                      exact({upper.x(), bottom})};
+    const double top = state().on_screen ? lower.y : upper.y;
+    const double bottom = state().on_screen ? upper.y : lower.y;
+    Vec2 corners[] = {exact({lower.x, top}), exact({upper.x, top}), exact({lower.x, bottom}),
+                      exact({upper.x, bottom})};
     if (picture.on_pixels() && is_upright(corners, area)) {
-        const Vec2 to_pixels = corners[0].array().round().matrix() - corners[0];
+        const Vec2 to_pixels =
+            Vec2(std::round(corners[0].x), std::round(corners[0].y)) - corners[0];
         for (Vec2& corner : corners) corner += to_pixels;
     }
     Vec2 from = corners[0], to = from;
     for (const Vec2& corner : corners) {
         if (!is_finite(corner)) return;
-        from = from.cwiseMin(corner);
-        to = to.cwiseMax(corner);
+        from = from.min(corner);
+        to = to.max(corner);
     }
     if (outside(from, to)) return;
     const bool multiplies = state().blend == property::Blend::multiply;
@@ -191,8 +192,8 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
     const float high = texel(place.top, area.top + std::min(in_y, 0.5 * area.height));
     const float low = texel(place.top, area.top + area.height - std::min(in_y, 0.5 * area.height));
     const auto vertex = [&](const Vec2& p, float u, float v) {
-        return CanvasVertex{static_cast<float>(p.x()),
-                            static_cast<float>(p.y()),
+        return CanvasVertex{static_cast<float>(p.x),
+                            static_cast<float>(p.y),
                             color.r,
                             color.g,
                             color.b,
@@ -201,7 +202,7 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
                             v};
     };
     CanvasVertex* out = start_strip(
-        4, {static_cast<float>(corners[0].x()), static_cast<float>(corners[0].y())}, place.texture);
+        4, {static_cast<float>(corners[0].x), static_cast<float>(corners[0].y)}, place.texture);
     out[0] = vertex(corners[0], left, high);
     out[1] = vertex(corners[1], right, high);
     out[2] = vertex(corners[2], left, low);

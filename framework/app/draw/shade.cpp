@@ -55,7 +55,7 @@ std::string key_of(const Gradient& of) {
 
 bool Shade::begin(const Gradient& placed, const Vec2& across) {
     const Vec2 a = placed.to - placed.from, b = across - placed.from;
-    const double determinant = a.x() * b.y() - a.y() * b.x();
+    const double determinant = a.x * b.y - a.y * b.x;
     if (!std::isfinite(determinant) || std::abs(determinant) < 1e-12 || placed.colors.size() < 2)
         return false;
     if (full()) known_.clear();
@@ -70,18 +70,18 @@ bool Shade::begin(const Gradient& placed, const Vec2& across) {
         sfml::update(at->second, texels(placed).data(), width, height, 0, 0);
     }
     // A pixel is `from` + s * a + t * b.
-    const Vec2 s(b.y() / determinant, -b.x() / determinant);
-    const Vec2 t(-a.y() / determinant, a.x() / determinant);
+    const Vec2 s(b.y / determinant, -b.x / determinant);
+    const Vec2 t(-a.y / determinant, a.x / determinant);
     const double s0 = -s.dot(placed.from), t0 = -t.dot(placed.from);
     if (placed.radial) {
         const double radius = 0.5 * (side - 1), middle = 0.5 * side;
         origin_ = {middle + radius * s0, middle + radius * t0};
-        x_ = {radius * s.x(), radius * t.x()};
-        y_ = {radius * s.y(), radius * t.y()};
+        x_ = {radius * s.x, radius * t.x};
+        y_ = {radius * s.y, radius * t.y};
     } else {
         origin_ = {0.5 + (strip - 1) * s0, 0.5};
-        x_ = {(strip - 1) * s.x(), 0};
-        y_ = {(strip - 1) * s.y(), 0};
+        x_ = {(strip - 1) * s.x, 0};
+        y_ = {(strip - 1) * s.y, 0};
     }
     texture_ = &at->second;
     return true;
@@ -89,7 +89,7 @@ bool Shade::begin(const Gradient& placed, const Vec2& across) {
 
 sf::Vector2f Shade::texel(sf::Vector2f pixel) const {
     const Vec2 at = origin_ + static_cast<double>(pixel.x) * x_ + static_cast<double>(pixel.y) * y_;
-    return {static_cast<float>(at.x()), static_cast<float>(at.y())};
+    return {static_cast<float>(at.x), static_cast<float>(at.y)};
 }
 
 }  // namespace fettle::app

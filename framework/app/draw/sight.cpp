@@ -13,7 +13,7 @@ namespace {
 using Point = Sight::Point;
 
 double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
+    return a.x * b.y - a.y * b.x;
 }
 
 }  // namespace
@@ -47,12 +47,13 @@ void Sight::bend(const Arc& arc, double start, const Point& from, double end, co
     const double t = 0.5 * (start + end);
     const Point middle = arc.at(t);
     if (levels == 0 ||
-        (middle - 0.5 * (from + to)).squaredNorm() < chord_tolerance * chord_tolerance)
+        (middle - 0.5 * (from + to)).length_squared() < chord_tolerance * chord_tolerance)
         return;
     // The arc lies between the chord and the intersection of the tangents at its ends.
     const Point tip = arc.center + (middle - arc.center) / std::cos(0.5 * (end - start));
-    const Point lower = from.cwiseMin(to).cwiseMin(tip), upper = from.cwiseMax(to).cwiseMax(tip);
-    if ((upper.array() < lower_.array()).any() || (lower.array() > upper_.array()).any()) return;
+    const Point lower = from.min(to).min(tip), upper = from.max(to).max(tip);
+    if (upper.x < lower_.x || upper.y < lower_.y || lower.x > upper_.x || lower.y > upper_.y)
+        return;
     bend(arc, start, from, t, middle, levels - 1, outline);
     outline.push_back(middle);
     bend(arc, t, middle, end, to, levels - 1, outline);
@@ -76,7 +77,7 @@ std::vector<Point> Sight::rounded(std::span<const Point> corners, double roundin
     if (area < 0) std::reverse(given.begin(), given.end());
     const auto direction = [&](std::size_t i) {  // of the normal of the edge from corner i
         const Point edge = given[(i + 1) % n] - given[i % n];
-        return std::atan2(-edge.x(), edge.y());
+        return std::atan2(-edge.x, edge.y);
     };
     for (std::size_t i = 0; i < n; ++i) {
         const double before = direction(i + n - 1);

@@ -85,10 +85,10 @@ Vec2 direction_of(const State& s, const ActionDirection& from) {
     each_gamepad(s, from.gamepad, [&](const State::Gamepad& pad) {
         if (pad.taken_sticks[from.stick]) return;
         const Vec2& stick = pad.sticks[from.stick];
-        const double length = stick.norm();
+        const double length = stick.length();
         if (length <= s.dead_zone) return;
         const Vec2 scaled = stick * (beyond(length, s.dead_zone) / length);
-        if (scaled.norm() > longest.norm()) longest = scaled;
+        if (scaled.length() > longest.length()) longest = scaled;
     });
     return longest;
 }
@@ -275,15 +275,15 @@ void Input::State::update_action(Action& action, bool tells_press) {
     double strength = 0;
     for (const ActionDirection& each : action.bindings.directions) {
         const Vec2 one = direction_of(*this, each);
-        most = most.cwiseMax(one);
-        least = least.cwiseMin(one);
+        most = most.max(one);
+        least = least.min(one);
     }
     Vec2 direction = most + least;
-    if (direction.norm() > 1) direction.normalize();
+    if (direction.length() > 1) direction = direction.normalized();
     for (const ActionSwitch& each : action.bindings.switches)
         strength = std::max(strength, strength_of(*this, each));
     action.direction = direction;
-    action.strength = std::max({strength, direction.norm(), action.forced ? 1.0 : 0.0});
+    action.strength = std::max({strength, direction.length(), action.forced ? 1.0 : 0.0});
     const bool held = action.strength >= held_from;
     if (held == action.held) return;
     action.held = held;

@@ -84,7 +84,7 @@ void Input::State::queue_switch(Act act, bool& taken, std::string_view callback,
 }
 
 void Input::State::move_mouse(const Vec2& pixels) {
-    if (!std::isfinite(pixels.x()) || !std::isfinite(pixels.y()))
+    if (!std::isfinite(pixels.x) || !std::isfinite(pixels.y))
         throw std::invalid_argument("it is too far away to be a point of the screen");
     mouse = pixels;
     if (silent) return;
@@ -120,7 +120,7 @@ void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& t
             .value = to};
     bool& taken = gamepad.taken_sticks[stick];
     // One that the foreground has is the game's again when it has been let go of.
-    taken = takes(act) || (taken && from.norm() > dead_zone);
+    taken = takes(act) || (taken && from.length() > dead_zone);
     for (const int axis : {0, 1})
         if (to[axis] != from[axis])
             queue(act, taken, "gamepad_axis",
@@ -196,7 +196,7 @@ void Input::apply(const InputEvent& event) {
         case EventKind::resized:
             s.view.screen = {std::max(1.0f, event.x), std::max(1.0f, event.y)};
             if (!s.view.window.fullscreen) s.view.window.size = s.view.screen;
-            s.queue("resized", {s.view.screen.x(), s.view.screen.y()});
+            s.queue("resized", {s.view.screen.x, s.view.screen.y});
             break;
         case EventKind::focus:
             if (!event.focused) release_all();

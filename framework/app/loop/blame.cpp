@@ -108,9 +108,9 @@ void draw_legend(property::Painter& painter, const Legend& legend,
     for (std::size_t i = most; i < legend.size(); ++i) rest += legend[i].second;
     if (rest > 0) shown.emplace_back(others, rest);
     painter.begin_screen();
-    double y = painter.seen().screen.y() - 84 - row * static_cast<double>(shown.size());
+    double y = painter.seen().screen.y - 84 - row * static_cast<double>(shown.size());
     const auto box = [&](const Vec2& from, const Vec2& to, const Color& fill) {
-        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
         painter.polygon(corners, 0, {.fill = fill, .border = {0, 0, 0, 0}});
     };
     std::size_t longest = 0;

@@ -70,8 +70,8 @@ void CameraPainter::begin_screen() {
 bool CameraPainter::sees(const Vec2& lower, const Vec2& upper) const {
     if (!draws()) return false;
     if (camera_ && transform().is_identity() &&
-        ((upper.array() < seen_.lower.array()).any() ||
-         (lower.array() > seen_.upper.array()).any()))
+        (upper.x < seen_.lower.x || upper.y < seen_.lower.y || lower.x > seen_.upper.x ||
+         lower.y > seen_.upper.y))
         return false;
     return inner_.sees(lower, upper);
 }

@@ -62,7 +62,7 @@ std::array<Vec2, 2> corners_of(const Value& viewport) {
     const property::List& list = viewport.list();
     if (list.size() != 2) return {Vec2(0, 0), Vec2(0, 0)};
     const Vec2 a = list[0].vec2(), b = list[1].vec2();
-    return {a.cwiseMin(b), a.cwiseMax(b)};
+    return {a.min(b), a.max(b)};
 }
 
 }  // namespace
@@ -140,9 +140,9 @@ std::vector<Handle> Cameras::shown() const {
 CameraPicture Cameras::picture(Handle camera, const View& view, double alpha) const {
     CameraPicture made;
     const auto corners = corners_of(tree_.peek(camera, *of_.viewport));
-    made.lower = corners[0].cwiseProduct(view.screen);
-    made.upper = corners[1].cwiseProduct(view.screen);
-    made.view.screen = (made.upper - made.lower).cwiseMax(1);
+    made.lower = corners[0].times(view.screen);
+    made.upper = corners[1].times(view.screen);
+    made.view.screen = (made.upper - made.lower).max({1, 1});
     made.view.center = tree_.peek(camera, *of_.center).vec2();
     made.view.height = tree_.peek(camera, *of_.height).as_double();
     made.view.angle = tree_.peek(camera, *of_.angle).as_double();
@@ -164,12 +164,12 @@ void Cameras::draw(property::Painter& painter, const View& view, double alpha,
     for (const Handle camera : cameras) {
         if (!tree_.alive(camera)) continue;  // a function that draws has deleted it
         const CameraPicture shown = picture(camera, view, alpha);
-        if ((shown.upper - shown.lower).minCoeff() < 1) continue;
+        if ((shown.upper - shown.lower).smallest() < 1) continue;
         const Value color = tree_.peek(camera, *of_.background);
         property::Paint paint{.border = {0, 0, 0, 0}};
         paint.fill = color.is_nil() ? view.background : color.color();
-        const std::array<Vec2, 4> box{shown.lower, Vec2(shown.upper.x(), shown.lower.y()),
-                                      shown.upper, Vec2(shown.lower.x(), shown.upper.y())};
+        const std::array<Vec2, 4> box{shown.lower, Vec2(shown.upper.x, shown.lower.y), shown.upper,
+                                      Vec2(shown.lower.x, shown.upper.y)};
         painter.begin_screen();
         painter.polygon(box, 0, paint);
         painter.end_screen();

@@ -54,15 +54,15 @@ void draw_bars(property::Painter& painter, const View& view) {
     const Vec2 half = 0.5 * view.zoom() * Vec2(view.width(), view.height);
     const Vec2 lower = 0.5 * view.screen - half, upper = 0.5 * view.screen + half;
     const auto bar = [&](const Vec2& from, const Vec2& to) {
-        if ((to - from).minCoeff() <= 0) return;
-        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        if ((to - from).smallest() <= 0) return;
+        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
         painter.polygon(corners, 0, {.fill = {0, 0, 0, 1}, .border = {0, 0, 0, 0}});
     };
     painter.begin_screen();
-    bar({0, 0}, {lower.x(), view.screen.y()});
-    bar({upper.x(), 0}, view.screen);
-    bar({0, 0}, {view.screen.x(), lower.y()});
-    bar({0, upper.y()}, view.screen);
+    bar({0, 0}, {lower.x, view.screen.y});
+    bar({upper.x, 0}, view.screen);
+    bar({0, 0}, {view.screen.x, lower.y});
+    bar({0, upper.y}, view.screen);
     painter.end_screen();
 }
 
@@ -79,14 +79,14 @@ void draw_transition(property::Painter& painter, const property::Tree& tree, con
     painter.begin_screen();
     if (kind == "iris") {
         // A ring, the hole of which closes.
-        const double all = 0.5 * screen.norm() + 2;
+        const double all = 0.5 * screen.length() + 2;
         const auto thick = static_cast<float>(all * covered);
         painter.circle(0.5 * screen, all, {{0, 0, 0, 0}, color, std::max(1.0f, thick)});
     } else {
         if (kind == "fade") color.a *= static_cast<float>(covered);
-        if (kind == "wipe" && progress < 0.5) to.x() *= covered;
-        if (kind == "wipe" && progress >= 0.5) from.x() = screen.x() * (1 - covered);
-        const std::array<Vec2, 4> corners{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+        if (kind == "wipe" && progress < 0.5) to.x *= covered;
+        if (kind == "wipe" && progress >= 0.5) from.x = screen.x * (1 - covered);
+        const std::array<Vec2, 4> corners{from, Vec2(to.x, from.y), to, Vec2(from.x, to.y)};
         painter.polygon(corners, 0, {.fill = color, .border = {0, 0, 0, 0}});
     }
     painter.end_screen();

@@ -23,10 +23,10 @@ void View::advance(const Tree& tree, double dt) {
         const Vec2 way = world_position(tree, follow) - center;
         // As far as it is outside of the dead zone.
         const Vec2 half = 0.5 * dead_zone;
-        const Vec2 beyond = way - way.cwiseMax(-half).cwiseMin(half);
+        const Vec2 beyond = way - way.max(-half).min(half);
         const double share = follow_damping > 0 ? 1 - std::exp(-dt / follow_damping) : 1;
         const Vec2 next = center + share * beyond;
-        if (next.allFinite()) center = next.cwiseMax(-1e9).cwiseMin(1e9);
+        if (next.is_finite()) center = next.max({-1e9, -1e9}).min({1e9, 1e9});
     }
     keep_to_limits();
     center_after_ = center;

@@ -39,32 +39,32 @@ bool Show::overlay(Overlay overlay) const {
 }
 
 double View::zoom() const {
-    if (fit == Fit::expand) return screen.y() / height;
-    const double largest = screen.cwiseQuotient(design).minCoeff();
+    if (fit == Fit::expand) return screen.y / height;
+    const double largest = screen.over(design).smallest();
     const double scale = fit == Fit::letterbox ? largest : std::max(1.0, std::floor(largest));
-    return scale * design.y() / height;
+    return scale * design.y / height;
 }
 
 double View::width() const {
-    return fit == Fit::expand ? screen.x() / zoom() : height * design.x() / design.y();
+    return fit == Fit::expand ? screen.x / zoom() : height * design.x / design.y;
 }
 
 Vec2 View::reach() const {
     const Vec2 half(0.5 * width(), 0.5 * height);
     if (angle == 0) return half;
     const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
-    return {c * half.x() + s * half.y(), s * half.x() + c * half.y()};
+    return {c * half.x + s * half.y, s * half.x + c * half.y};
 }
 
 Vec2 View::to_screen(const Vec2& world) const {
     Vec2 offset = (world - center) * zoom();
     if (angle != 0) offset = property::Transform::turned(-angle).direction(offset);
-    return {0.5 * screen.x() + offset.x(), 0.5 * screen.y() - offset.y()};
+    return {0.5 * screen.x + offset.x, 0.5 * screen.y - offset.y};
 }
 
 Vec2 View::to_world(const Vec2& pixels) const {
     const Vec2 offset = pixels - 0.5 * screen;
-    Vec2 world = Vec2(offset.x(), -offset.y()) / zoom();
+    Vec2 world = Vec2(offset.x, -offset.y) / zoom();
     if (angle != 0) world = property::Transform::turned(angle).direction(world);
     return center + world;
 }
@@ -119,7 +119,7 @@ std::vector<Property> where(View& view) {
          .binding = accessor(
              view, [](View& v, property::Row) { return v.zoom(); },
              [](View& v, property::Row, const Value& zoom) {
-                 const double height = v.fit == Fit::expand ? v.screen.y() / zoom.number()
+                 const double height = v.fit == Fit::expand ? v.screen.y / zoom.number()
                                                             : v.height * v.zoom() / zoom.number();
                  if (height < heights.min || height > heights.max)
                      throw std::invalid_argument("the height seen would be " +
@@ -181,8 +181,8 @@ std::vector<Property> following(View& view) {
              [](View& v, property::Row, const Value& value) {
                  const property::List& corners = value.list();
                  if (!corners.empty() &&
-                     (corners.size() != 2 ||
-                      (corners[0].vec2().array() > corners[1].vec2().array()).any()))
+                     (corners.size() != 2 || corners[0].vec2().x > corners[1].vec2().x ||
+                      corners[0].vec2().y > corners[1].vec2().y))
                      throw std::invalid_argument(
                          "expected the lower and the upper corner of a box, or an empty list");
                  v.limits.clear();

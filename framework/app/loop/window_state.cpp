@@ -17,7 +17,7 @@ using property::Vec2;
 
 /// Outside of fullscreen the screen has the size of the window at once, with and without a window.
 void resize_window(View& view, const Vec2& size) {
-    if (std::floor(size.x()) != size.x() || std::floor(size.y()) != size.y())
+    if (std::floor(size.x) != size.x || std::floor(size.y) != size.y)
         throw std::invalid_argument("pixels are whole numbers");
     view.window.size = size;
     if (!view.window.fullscreen) view.screen = size;

@@ -56,10 +56,10 @@ void add(const Tree& tree, Handle instance, const property::Property& property,
 
 void draw_arrow(property::Painter& painter, const Vec2& from, const Vec2& to, double pixel) {
     const Vec2 way = to - from;
-    const double length = way.norm();
+    const double length = way.length();
     if (length < pixel) return;
     // A curve: two formulas between the same instances do not cover each other.
-    const Vec2 bend = from + 0.5 * way + 0.12 * Vec2(-way.y(), way.x());
+    const Vec2 bend = from + 0.5 * way + 0.12 * Vec2(-way.y, way.x);
     const auto at = [&](double t) {
         return Vec2((1 - t) * (1 - t) * from + 2 * t * (1 - t) * bend + t * t * to);
     };
@@ -69,7 +69,7 @@ void draw_arrow(property::Painter& painter, const Vec2& from, const Vec2& to, do
                      ink, 2);
     const Vec2 end = (at(1) - at(0.9)).normalized();
     const Vec2 back = -std::min(12 * pixel, 0.3 * length) * end;
-    const Vec2 side(-0.5 * back.y(), 0.5 * back.x());
+    const Vec2 side(-0.5 * back.y, 0.5 * back.x);
     painter.line(to, to + back + side, ink, 2);
     painter.line(to, to + back - side, ink, 2);
     painter.point(from, ink, 7);
@@ -102,14 +102,14 @@ void draw_wires(property::Painter& painter, const Tree& tree) {
     double below = 0;  // px; labels of formulas at the same place are one below the other
     std::optional<Vec2> last;
     for (const Wire& wire : wires(tree)) {
-        below = last && last->isApprox(wire.to) ? below + 18 : 0;
+        below = last && (*last - wire.to).length() < pixel ? below + 18 : 0;
         last = wire.to;
-        const bool itself = wire.from && (*wire.from - wire.to).norm() < pixel;
+        const bool itself = wire.from && (*wire.from - wire.to).length() < pixel;
         const bool drawn = wire.from && !itself;
         if (drawn) draw_arrow(painter, *wire.from, wire.to, pixel);
         const Vec2 middle = drawn ? Vec2(0.5 * (*wire.from + wire.to)) : wire.to;
         const Vec2 way = drawn ? Vec2(wire.to - *wire.from) : Vec2(0, 0);
-        const Vec2 at = middle + 0.06 * Vec2(-way.y(), way.x()) + Vec2(0, (22 + below) * pixel);
+        const Vec2 at = middle + 0.06 * Vec2(-way.y, way.x) + Vec2(0, (22 + below) * pixel);
         painter.text(at, wire.label, 15 * pixel, pale_wire);
     }
 }

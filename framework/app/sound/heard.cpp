@@ -49,9 +49,9 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
     if (const std::optional<Vec2> at = place(voice, source)) {
         const Vec2 offset = *at - view.center;
         const double range = number(source, *of_source.range);
-        const double near = std::max(0.0, 1 - offset.norm() / range);
+        const double near = std::max(0.0, 1 - offset.length() / range);
         level *= near * near;
-        const double pan = offset.x() / range;
+        const double pan = offset.x / range;
         (pan > 0 ? left : right) = far_side(std::abs(pan));
     }
     return {static_cast<float>(level * left), static_cast<float>(level * right)};

@@ -48,8 +48,8 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
             add(std::string_view(value.text()));
             break;
         case Type::vec2:
-            add(value.vec2().x());
-            add(value.vec2().y());
+            add(value.vec2().x);
+            add(value.vec2().y);
             break;
         case Type::color:
             for (const float channel :

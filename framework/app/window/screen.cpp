@@ -202,7 +202,7 @@ class SfmlWindow : public Window {
         if (!state.fullscreen && state.size != told_) {
             told_ = state.size;
             window_.setSize(
-                {static_cast<unsigned>(state.size.x()), static_cast<unsigned>(state.size.y())});
+                {static_cast<unsigned>(state.size.x), static_cast<unsigned>(state.size.y)});
         }
         if (state.title != before.title)
             window_.setTitle(sf::String::fromUtf8(state_.title.begin(), state_.title.end()));
@@ -232,8 +232,8 @@ class SfmlWindow : public Window {
                           .fullscreen = state_.fullscreen,
                           .resizable = state_.resizable};
         if (!state_.fullscreen) {
-            frame.width = std::min(frame.width, static_cast<unsigned>(state_.size.x()));
-            frame.height = std::min(frame.height, static_cast<unsigned>(state_.size.y()));
+            frame.width = std::min(frame.width, static_cast<unsigned>(state_.size.x));
+            frame.height = std::min(frame.height, static_cast<unsigned>(state_.size.y));
         }
         sfml::open(window_, state_.title, frame, samples);
         if (!state_.fullscreen) keep_on(desktop);
@@ -280,8 +280,8 @@ class SfmlWindow : public Window {
         told_ = size();
         event = {};
         event.kind = EventKind::resized;
-        event.x = static_cast<float>(told_.x());
-        event.y = static_cast<float>(told_.y());
+        event.x = static_cast<float>(told_.x);
+        event.y = static_cast<float>(told_.y);
         return true;
     }
     /// Without a window manager, SFML 2 may put a window partly outside of the screen.

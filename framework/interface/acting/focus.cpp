@@ -71,8 +71,8 @@ void Player::focus(Widget* widget, bool shown) {
         if (each->kind == Kind::list) {
             // A list scrolls to it.
             const Box inner = Layout::inside(*each);
-            const double over = inner.lower.y() - widget->box.lower.y();
-            const double under = widget->box.upper.y() - inner.upper.y();
+            const double over = inner.lower.y - widget->box.lower.y;
+            const double under = widget->box.upper.y - inner.upper.y;
             if (over > 0)
                 scroll(*each, -over);
             else if (under > 0)
@@ -141,7 +141,7 @@ void Player::towards(const Vec2& direction) {
     double least_in_row = least;
     Widget* opposite = nullptr;
     double farthest = 0;
-    const int along = direction.x() != 0 ? 0 : 1, across = 1 - along;
+    const int along = direction.x != 0 ? 0 : 1, across = 1 - along;
     for (Widget* each : all) {
         if (each == now) continue;
         const Vec2 apart = each->box.center() - now->box.center();

@@ -96,7 +96,7 @@ void Player::handle(const Act& act, bool taken) {
             break;
         case Act::Kind::wheel:
             if (Widget* const list = list_under(at(mouse_)); taken && list != nullptr)
-                scroll(*list, -act.value.y() * 1.5 * Layout::line_of(*list));
+                scroll(*list, -act.value.y * 1.5 * Layout::line_of(*list));
             break;
         case Act::Kind::gamepad_button: {
             constexpr std::array<std::string_view, 6> keys{"enter", "escape", "up",
@@ -205,7 +205,7 @@ void Player::capture(Widget& button, const Act& act) {
     const bool numbered = !act.name.empty() && act.name[0] >= '0' && act.name[0] <= '9';
     if (act.kind == Act::Kind::gamepad_button && act.down && !numbered)
         name = "gamepad." + act.name;
-    if (act.kind == Act::Kind::trigger && act.value.x() > pushed) name = "gamepad." + act.name;
+    if (act.kind == Act::Kind::trigger && act.value.x > pushed) name = "gamepad." + act.name;
     if (name.empty()) return;
     const Handle self = button.self;
     widgets_.set(self, "listening", Value(false));

@@ -60,13 +60,13 @@ void Player::press(const Vec2& point) {
         drag(*widget, point);
     } else if (widget->kind == Kind::list) {
         drags_bar_ =
-            widget->content > inner.height() && point.x() > inner.upper.x() - measure::scroll_bar;
+            widget->content > inner.height() && point.x > inner.upper.x - measure::scroll_bar;
         if (drags_bar_) {
             drag(*widget, point);
         } else if (!widget->items.empty() && inner.contains(point)) {
             const double each = Layout::line_of(*widget) + Layout::spacing_of(*widget);
             const auto line = static_cast<std::int64_t>(
-                std::floor((point.y() - inner.lower.y() + Layout::scrolled(*widget)) / each));
+                std::floor((point.y - inner.lower.y + Layout::scrolled(*widget)) / each));
             if (line < 0 || line >= static_cast<std::int64_t>(widget->items.size())) return;
             if (widget->selected == line + 1)
                 widgets_.emit(*widget, "submitted", {Value(widget->selected)});
@@ -93,23 +93,22 @@ void Player::release(const Vec2& point) {
 void Player::drag(Widget& widget, const Vec2& point) {
     if (!enabled(widget)) return;
     if (widget.kind == Kind::slider) {
-        const double from = widget.box.lower.x() + measure::knob;
+        const double from = widget.box.lower.x + measure::knob;
         const double length = std::max(1.0, widget.box.width() - 2 * measure::knob);
-        const double share = std::clamp((point.x() - from) / length, 0.0, 1.0);
+        const double share = std::clamp((point.x - from) / length, 0.0, 1.0);
         const property::Range range = binding_.range(widget);
         choose_value(widget, range.min + share * (range.max - range.min));
     } else if (widget.kind == Kind::list && drags_bar_) {
         const Box inner = Layout::inside(widget);
         const double length = inner.height();
         const double bar = std::max(24.0, length * length / std::max(length, widget.content));
-        const double share =
-            (point.y() - inner.lower.y() - 0.5 * bar) / std::max(1.0, length - bar);
+        const double share = (point.y - inner.lower.y - 0.5 * bar) / std::max(1.0, length - bar);
         const double wanted = std::clamp(share, 0.0, 1.0) * (widget.content - length);
         scroll(widget, wanted - Layout::scrolled(widget));
     } else if (widget.kind == Kind::text_field) {
         // The caret goes to the nearest gap between two letters.
         const Lettering lettering = Lettering::of(widget);
-        const double x = point.x() - widget.box.lower.x() - measure::field_x + widget.view_left;
+        const double x = point.x - widget.box.lower.x - measure::field_x + widget.view_left;
         std::int64_t best = 0;
         double least = std::abs(x);
         for (std::int64_t n = 1; n <= characters(widget.text); ++n) {

@@ -30,15 +30,14 @@ void Picture::draw_button(const Widget& widget) {
     box(widget.box, radius_of(widget), touched(fill, widget.hover, widget.press),
         quiet ? none : mixed(theme.border, {1, 1, 1, theme.border.a}, 0.5));
     Box inner = widget.box;
-    inner.lower.x() += measure::button_x;
-    inner.upper.x() -= measure::button_x;
+    inner.lower.x += measure::button_x;
+    inner.upper.x -= measure::button_x;
     if (!widget.image.empty()) {
         const double side = widget.box.height() - 2 * measure::button_y;
-        const double x =
-            widget.lines.empty() ? widget.box.center().x() - 0.5 * side : inner.lower.x();
-        const Vec2 lower(x, widget.box.center().y() - 0.5 * side);
+        const double x = widget.lines.empty() ? widget.box.center().x - 0.5 * side : inner.lower.x;
+        const Vec2 lower(x, widget.box.center().y - 0.5 * side);
         draw_image(widget, {lower, lower + Vec2(side, side)}, {1, 1, 1, 1});
-        inner.lower.x() += side + 8;
+        inner.lower.x += side + 8;
     }
     draw_lines(widget, inner, widget.text_color.value_or(ink));
 }
@@ -47,9 +46,9 @@ void Picture::draw_slider(const Widget& widget) {
     const Theme& theme = *widget.look_of;
     constexpr double half = 3;
     const Color full = widget.color.value_or(theme.accent);
-    const double y = widget.box.center().y();
-    const double from = widget.box.lower.x() + measure::knob;
-    const double to = widget.box.upper.x() - measure::knob;
+    const double y = widget.box.center().y;
+    const double from = widget.box.lower.x + measure::knob;
+    const double to = widget.box.upper.x - measure::knob;
     const double x = from + share(widget) * std::max(0.0, to - from);
     box({{from - half, y - half}, {to + half, y + half}}, half, theme.control);
     box({{from - half, y - half}, {x + half, y + half}}, half, touched(full, widget.hover, 0));
@@ -64,15 +63,15 @@ void Picture::draw_toggle(const Widget& widget) {
     const Theme& theme = *widget.look_of;
     const double share = std::max(0.0, widget.switched);
     const Color track = mixed(theme.control, widget.color.value_or(theme.accent), share);
-    const double y = widget.box.center().y(), half = 0.5 * measure::switch_height;
-    const double left = widget.box.lower.x();
+    const double y = widget.box.center().y, half = 0.5 * measure::switch_height;
+    const double left = widget.box.lower.x;
     box({{left, y - half}, {left + measure::switch_width, y + half}}, half,
         touched(track, widget.hover, widget.press), theme.border);
     const double x = left + half + share * (measure::switch_width - 2 * half);
     disc({x, y + 1}, half - 3, {0, 0, 0, 0.25f});
     disc({x, y}, half - 3.5, {1, 1, 1, 1});
     Box text = widget.box;
-    text.lower.x() += measure::switch_width + 12;
+    text.lower.x += measure::switch_width + 12;
     draw_lines(widget, text, widget.text_color.value_or(theme.text));
 }
 
@@ -84,8 +83,8 @@ void Picture::draw_field(Widget& widget) {
     box(widget.box, radius_of(widget), theme.field, edge);
     const Lettering lettering = Lettering::of(widget);
     Box inner = widget.box;
-    inner.lower.x() += measure::field_x;
-    inner.upper.x() -= measure::field_x;
+    inner.lower.x += measure::field_x;
+    inner.upper.x -= measure::field_x;
     const double caret =
         lettering.width(layout_.media(), widget.text.substr(0, byte_of(widget.text, widget.caret)));
     // The text moves so that the caret is seen.
@@ -94,14 +93,14 @@ void Picture::draw_field(Widget& widget) {
     widget.view_left = std::max(0.0, widget.view_left);
     painter_->push({});
     painter_->clip(inner.lower - Vec2(2, 0), inner.upper + Vec2(2, 0));
-    const Vec2 at(inner.lower.x() - widget.view_left, inner.center().y());
+    const Vec2 at(inner.lower.x - widget.view_left, inner.center().y);
     if (widget.text.empty())
         draw_text(at, widget.placeholder, widget, theme.muted, TextAlign::left);
     else
         draw_text(at, widget.text, widget, widget.text_color.value_or(theme.text), TextAlign::left);
     if (focused && std::fmod(time_, 1.1) < 0.7) {
-        const double x = at.x() + caret, half = 0.62 * lettering.size;
-        box({{x - 0.75, at.y() - half}, {x + 0.75, at.y() + half}}, 0, theme.text);
+        const double x = at.x + caret, half = 0.62 * lettering.size;
+        box({{x - 0.75, at.y - half}, {x + 0.75, at.y + half}}, 0, theme.text);
     }
     painter_->pop();
 }
@@ -114,7 +113,7 @@ void Picture::draw_progress(const Widget& widget) {
     if (full > 0) {
         // The whole bar, cut where it ends, so that a short part keeps the round corners.
         painter_->push({});
-        painter_->clip(widget.box.lower, {widget.box.lower.x() + full, widget.box.upper.y()});
+        painter_->clip(widget.box.lower, {widget.box.lower.x + full, widget.box.upper.y});
         box(widget.box.smaller(1), radius - 1, widget.color.value_or(theme.accent));
         painter_->pop();
     }
@@ -132,31 +131,31 @@ void Picture::draw_list(const Widget& widget) {
     const double each = line + Layout::spacing_of(widget);
     const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(from / each)));
     for (std::size_t i = first; i < widget.lines.size(); ++i) {
-        const double top = inner.lower.y() + static_cast<double>(i) * each - from;
-        if (top > inner.upper.y()) break;
-        const Box row{{inner.lower.x(), top},
-                      {inner.upper.x() - (scrolls ? measure::scroll_bar : 0), top + line}};
+        const double top = inner.lower.y + static_cast<double>(i) * each - from;
+        if (top > inner.upper.y) break;
+        const Box row{{inner.lower.x, top},
+                      {inner.upper.x - (scrolls ? measure::scroll_bar : 0), top + line}};
         const bool chosen = widget.selected == static_cast<std::int64_t>(i) + 1;
         if (chosen) box(row, std::max(0.0, radius_of(widget) - 3), theme.accent);
         Box text = row.smaller(0);
-        text.lower.x() += measure::field_x, text.upper.x() -= measure::field_x;
+        text.lower.x += measure::field_x, text.upper.x -= measure::field_x;
         const Color ink = chosen ? theme.on_accent : widget.text_color.value_or(theme.text);
         const TextAlign align = widget.text_align == "left"    ? TextAlign::left
                                 : widget.text_align == "right" ? TextAlign::right
                                                                : TextAlign::middle;
-        const double x = align == TextAlign::left    ? text.lower.x()
-                         : align == TextAlign::right ? text.upper.x()
-                                                     : text.center().x();
-        draw_text({x, text.center().y()}, widget.lines[i], widget, ink, align);
+        const double x = align == TextAlign::left    ? text.lower.x
+                         : align == TextAlign::right ? text.upper.x
+                                                     : text.center().x;
+        draw_text({x, text.center().y}, widget.lines[i], widget, ink, align);
     }
     painter_->pop();
     if (!scrolls) return;
     const double length = inner.height();
     const double bar = std::max(24.0, length * length / widget.content);
-    const double top = inner.lower.y() + from / (widget.content - length) * (length - bar);
+    const double top = inner.lower.y + from / (widget.content - length) * (length - bar);
     Color color = theme.muted;
     color.a *= static_cast<float>(0.45 + 0.3 * widget.hover);
-    box({{inner.upper.x() - 7, top}, {inner.upper.x() - 1, top + bar}}, 3, color);
+    box({{inner.upper.x - 7, top}, {inner.upper.x - 1, top + bar}}, 3, color);
 }
 
 }  // namespace fettle::interface

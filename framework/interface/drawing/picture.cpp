@@ -74,9 +74,9 @@ void Picture::draw(property::Painter& painter, const Vec2& screen) {
         const Box seen = widget.box.within(widget.clip);
         if (opacity <= 0 || seen.width() <= 0 || seen.height() <= 0) continue;
         painter.push({});
-        const bool cut = widget.clip.lower.x() > 0 || widget.clip.lower.y() > 0 ||
-                         widget.clip.upper.x() * widgets_.scale < screen.x() - 0.5 ||
-                         widget.clip.upper.y() * widgets_.scale < screen.y() - 0.5;
+        const bool cut = widget.clip.lower.x > 0 || widget.clip.lower.y > 0 ||
+                         widget.clip.upper.x * widgets_.scale < screen.x - 0.5 ||
+                         widget.clip.upper.y * widgets_.scale < screen.y - 0.5;
         if (cut) painter.clip(widget.clip.lower, widget.clip.upper);
         if (opacity < 1) painter.fade(static_cast<float>(opacity));
         draw_widget(widget, enabled);
@@ -135,8 +135,8 @@ void Picture::box(const Box& box, double radius, Color fill, Color border) {
     if (least <= 0) return;
     const double r = std::clamp(radius, 0.0, least - 0.01);
     const Box core = box.smaller(r);
-    const std::array<Vec2, 4> corners{core.lower, Vec2(core.upper.x(), core.lower.y()), core.upper,
-                                      Vec2(core.lower.x(), core.upper.y())};
+    const std::array<Vec2, 4> corners{core.lower, Vec2(core.upper.x, core.lower.y), core.upper,
+                                      Vec2(core.lower.x, core.upper.y)};
     const float width = border.a > 0 ? static_cast<float>(std::max(1.0, widgets_.scale)) : 0;
     painter_->polygon(corners, r, {.fill = fill, .border = border, .border_width = width});
 }
@@ -168,8 +168,8 @@ void Picture::draw_ring(const Widget& widget) {
     const double r =
         std::clamp(radius, 0.0, 0.5 * std::min(around.width(), around.height()) - 0.01);
     const Box core = around.smaller(r);
-    const std::array<Vec2, 4> corners{core.lower, Vec2(core.upper.x(), core.lower.y()), core.upper,
-                                      Vec2(core.lower.x(), core.upper.y())};
+    const std::array<Vec2, 4> corners{core.lower, Vec2(core.upper.x, core.lower.y), core.upper,
+                                      Vec2(core.lower.x, core.upper.y)};
     painter_->polygon(corners, r,
                       {.fill = none,
                        .border = color,
@@ -192,7 +192,7 @@ void Picture::draw_background(const Widget& widget) {
         for (int i = layers; i > 0; --i) {
             const double by = 2.5 * i;
             Box shadow = widget.box.smaller(-by);
-            shadow.lower.y() += 6, shadow.upper.y() += 6;
+            shadow.lower.y += 6, shadow.upper.y += 6;
             box(shadow, radius + by, {0, 0, 0, 0.035f * fill.a});
         }
     }
@@ -214,11 +214,11 @@ void Picture::draw_lines(const Widget& widget, const Box& box, Color color) {
     const TextAlign align = widget.text_align == "left"    ? TextAlign::left
                             : widget.text_align == "right" ? TextAlign::right
                                                            : TextAlign::middle;
-    const double x = align == TextAlign::left    ? box.lower.x()
-                     : align == TextAlign::right ? box.upper.x()
-                                                 : box.center().x();
+    const double x = align == TextAlign::left    ? box.lower.x
+                     : align == TextAlign::right ? box.upper.x
+                                                 : box.center().x;
     const double height = Lettering::of(widget).line_height();
-    double y = box.center().y() - 0.5 * height * (static_cast<double>(widget.lines.size()) - 1);
+    double y = box.center().y - 0.5 * height * (static_cast<double>(widget.lines.size()) - 1);
     for (const std::string& line : widget.lines) {
         draw_text({x, y}, line, widget, color, align);
         y += height;
@@ -229,9 +229,9 @@ void Picture::draw_image(const Widget& widget, const Box& box, Color tint) {
     if (widget.image.empty()) return;
     const property::Picture& picture = layout_.media().picture("Image.image", widget.image);
     const Vec2 size(picture.width(), picture.height());
-    if (size.minCoeff() <= 0) return;
-    const Vec2 half = 0.5 * box.size().cwiseQuotient(size).minCoeff() * size;
-    painter_->picture(picture, {0, 0, size.x(), size.y()}, box.center() - half, box.center() + half,
+    if (size.smallest() <= 0) return;
+    const Vec2 half = 0.5 * box.size().over(size).smallest() * size;
+    painter_->picture(picture, {0, 0, size.x, size.y}, box.center() - half, box.center() + half,
                       tint, true);
 }
 

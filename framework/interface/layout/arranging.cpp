@@ -61,7 +61,7 @@ void Layout::arrange_panel(Widget& widget, const Box& inner, const Box& clip) {
         Vec2 size = one.wanted;
         for (const int axis : {0, 1})
             if (fills(one, axis)) size[axis] = std::max(inner.size()[axis], one.min_size[axis]);
-        const Vec2 lower = inner.lower + part.cwiseProduct(inner.size() - size);
+        const Vec2 lower = inner.lower + part.times(inner.size() - size);
         arrange(child, {lower, lower + size}, clip);
     }
 }
@@ -115,14 +115,13 @@ void Layout::arrange_list(Widget& widget) {
         }
         return;
     }
-    double at = inner.lower.y() - scrolled(widget);
+    double at = inner.lower.y - scrolled(widget);
     for (const Row child : widget.children) {
         Widget& one = widgets_[child];
-        double width = one.wanted.x();
-        if (!(one.size.x() > 0)) width = std::max(inner.width() - bar, one.min_size.x());
-        arrange(child, {{inner.lower.x(), at}, {inner.lower.x() + width, at + one.wanted.y()}},
-                clip);
-        at += one.wanted.y() + spacing_of(widget);
+        double width = one.wanted.x;
+        if (!(one.size.x > 0)) width = std::max(inner.width() - bar, one.min_size.x);
+        arrange(child, {{inner.lower.x, at}, {inner.lower.x + width, at + one.wanted.y}}, clip);
+        at += one.wanted.y + spacing_of(widget);
     }
 }
 

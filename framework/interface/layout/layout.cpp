@@ -30,7 +30,7 @@ double height_of(const property::Tree& tree, Handle instance) {
 
 void Layout::update(const Vec2& screen) {
     const double scale =
-        widgets_.board.scale > 0 ? widgets_.board.scale : std::clamp(screen.y() / 720, 0.5, 8.0);
+        widgets_.board.scale > 0 ? widgets_.board.scale : std::clamp(screen.y / 720, 0.5, 8.0);
     if (screen != screen_ || scale != scale_) widgets_.stale = true;
     if (!widgets_.stale) return sort_tops();
     widgets_.stale = false;
@@ -162,10 +162,10 @@ double Layout::scrolled(const Widget& list) {
 /// Edges lie on whole pixels of the screen, so that they are sharp.
 Box Layout::snapped(const Box& box) const {
     const auto whole = [this](const Vec2& p) {
-        return Vec2(std::round(p.x() * scale_) / scale_, std::round(p.y() * scale_) / scale_);
+        return Vec2(std::round(p.x * scale_) / scale_, std::round(p.y * scale_) / scale_);
     };
     const Vec2 lower = whole(box.lower);
-    return {lower, lower.cwiseMax(whole(box.upper))};
+    return {lower, lower.max(whole(box.upper))};
 }
 
 }  // namespace fettle::interface

@@ -14,11 +14,11 @@ using property::Vec2;
 /// `width`: what is there for it.
 Vec2 Layout::measure(Row row, double width) {
     Widget& widget = widgets_[row];
-    if (widget.size.x() > 0) width = widget.size.x();
+    if (widget.size.x > 0) width = widget.size.x;
     Vec2 wanted = natural(widget, width);
     for (const int axis : {0, 1})
         if (widget.size[axis] > 0) wanted[axis] = widget.size[axis];
-    widget.wanted = wanted.cwiseMax(widget.min_size);
+    widget.wanted = wanted.max(widget.min_size);
     return widget.wanted;
 }
 
@@ -66,8 +66,7 @@ Vec2 Layout::natural(Widget& widget, double width) {
 Vec2 Layout::natural_panel(Widget& widget, double width) {
     const double padding = padding_of(widget);
     Vec2 most(0, 0);
-    for (const Row child : widget.children)
-        most = most.cwiseMax(measure(child, width - 2 * padding));
+    for (const Row child : widget.children) most = most.max(measure(child, width - 2 * padding));
     return most + 2 * Vec2(padding, padding);
 }
 
@@ -82,7 +81,7 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
         const Vec2 one = measure(child, given);
         wanted[along] += one[along];
         wanted[1 - along] = std::max(wanted[1 - along], one[1 - along]);
-        if (along == 0) left = std::max(0.0, left - one.x());
+        if (along == 0) left = std::max(0.0, left - one.x);
     };
     // In a row, those that grow get what the others leave.
     double shares = 0;
@@ -109,8 +108,8 @@ Vec2 Layout::natural_list(Widget& widget, double width) {
     } else {
         for (const Row child : widget.children) {
             const Vec2 one = measure(child, width - 2 * padding - measure::scroll_bar);
-            height += one.y() + (height > 0 ? spacing : 0);
-            widest = std::max(widest, one.x() + 2 * padding + measure::scroll_bar);
+            height += one.y + (height > 0 ? spacing : 0);
+            widest = std::max(widest, one.x + 2 * padding + measure::scroll_bar);
         }
     }
     widget.content = height;

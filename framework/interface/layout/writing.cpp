@@ -50,7 +50,7 @@ Lettering Lettering::of(const Widget& widget) {
 }
 
 double Lettering::width(property::Media& media, std::string_view text) const {
-    return text.empty() ? 0 : media.text_size(text, style()).x();
+    return text.empty() ? 0 : media.text_size(text, style()).x;
 }
 
 std::vector<std::string> fitted(property::Media& media, const Lettering& lettering,

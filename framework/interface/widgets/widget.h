@@ -32,18 +32,16 @@ enum class Kind : std::uint8_t {
 struct Box {
     property::Vec2 lower{0, 0}, upper{0, 0};
     property::Vec2 size() const { return upper - lower; }
-    double width() const { return upper.x() - lower.x(); }
-    double height() const { return upper.y() - lower.y(); }
+    double width() const { return upper.x - lower.x; }
+    double height() const { return upper.y - lower.y; }
     property::Vec2 center() const { return 0.5 * (lower + upper); }
     bool contains(const property::Vec2& p) const {
-        return p.x() >= lower.x() && p.x() < upper.x() && p.y() >= lower.y() && p.y() < upper.y();
+        return p.x >= lower.x && p.x < upper.x && p.y >= lower.y && p.y < upper.y;
     }
     Box smaller(double by) const {
         return {lower + property::Vec2(by, by), upper - property::Vec2(by, by)};
     }
-    Box within(const Box& other) const {
-        return {lower.cwiseMax(other.lower), upper.cwiseMin(other.upper)};
-    }
+    Box within(const Box& other) const { return {lower.max(other.lower), upper.min(other.upper)}; }
 };
 
 struct Widget {

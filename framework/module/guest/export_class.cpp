@@ -96,8 +96,7 @@ void pose(void* context, fettle_handle self, fettle_row row, double alpha, doubl
     c.tree->answer([&] {
         const property::Transform at =
             c.lifecycle.pose(c.lifecycle.context, *c.tree->self, received(self), row, alpha);
-        const double values[] = {at.x.x(), at.x.y(),      at.y.x(),
-                                 at.y.y(), at.origin.x(), at.origin.y()};
+        const double values[] = {at.x.x, at.x.y, at.y.x, at.y.y, at.origin.x, at.origin.y};
         std::copy(std::begin(values), std::end(values), matrix);
     });
 }

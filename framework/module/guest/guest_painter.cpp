@@ -9,8 +9,8 @@ using property::Vec2;
 
 // The base class counts what the module pushed; the program's painter has the transforms.
 void GuestPainter::push(const property::Transform& transform) {
-    const double matrix[] = {transform.x.x(), transform.x.y(),      transform.y.x(),
-                             transform.y.y(), transform.origin.x(), transform.origin.y()};
+    const double matrix[] = {transform.x.x, transform.x.y,      transform.y.x,
+                             transform.y.y, transform.origin.x, transform.origin.y};
     Painter::push(transform);
     table_.push(table_.self, matrix);
 }
@@ -43,7 +43,7 @@ void GuestPainter::polygon(std::span<const Vec2> vertices, double rounding,
                            const property::Paint& paint) {
     std::vector<double> flat;
     flat.reserve(2 * vertices.size());
-    for (const Vec2& v : vertices) flat.insert(flat.end(), {v.x(), v.y()});
+    for (const Vec2& v : vertices) flat.insert(flat.end(), {v.x, v.y});
     table_.polygon(table_.self, flat.data(), static_cast<std::uint32_t>(vertices.size()), rounding,
                    &paint.fill.r, &paint.border.r, paint.border_width);
 }

@@ -217,7 +217,7 @@ class Coercion {
                                             " (write vec(" + shown(value.list()[0]) + ", " +
                                             shown(value.list()[1]) + "))");
         if (!value.is(Type::vec2)) wrong_type(value);
-        return Vec2(component(value.vec2().x(), value), component(value.vec2().y(), value));
+        return Vec2(component(value.vec2().x, value), component(value.vec2().y, value));
     }
 
     Value color(const Value& value) const {
@@ -267,7 +267,7 @@ class Coercion {
         const auto is_nan = [](double x) { return std::isnan(x); };
         bool nan = false;
         if (value.is(Type::number)) nan = is_nan(value.number());
-        if (value.is(Type::vec2)) nan = is_nan(value.vec2().x()) || is_nan(value.vec2().y());
+        if (value.is(Type::vec2)) nan = is_nan(value.vec2().x) || is_nan(value.vec2().y);
         if (value.is(Type::color)) {
             const Color c = value.color();
             nan = is_nan(c.r) || is_nan(c.g) || is_nan(c.b) || is_nan(c.a);
@@ -291,7 +291,7 @@ class Coercion {
     return static_cast<double>(static_cast<float>(x));
 }
 Vec2 narrowed(const Vec2& v) {
-    return {narrowed(v.x()), narrowed(v.y())};
+    return {narrowed(v.x), narrowed(v.y)};
 }
 
 std::string expectation(const Property& property) {

@@ -65,11 +65,11 @@ void write_column(const Property& property, std::byte* at, const Value& value) {
         case Native::boolean:
             return store(at, value.boolean());
         case Native::vec2f:
-            store(at, static_cast<float>(value.vec2().x()));
-            return store(at + sizeof(float), static_cast<float>(value.vec2().y()));
+            store(at, static_cast<float>(value.vec2().x));
+            return store(at + sizeof(float), static_cast<float>(value.vec2().y));
         case Native::vec2d:
-            store(at, value.vec2().x());
-            return store(at + sizeof(double), value.vec2().y());
+            store(at, value.vec2().x);
+            return store(at + sizeof(double), value.vec2().y);
         case Native::color:
             return store(at, value.color());
         case Native::enumeration:

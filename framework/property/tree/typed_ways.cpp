@@ -65,8 +65,8 @@ void fill(PlainWrite& entry, Handle instance, const Property& property, double x
     entry.x = x;
 }
 void fill(PlainWrite& entry, Handle instance, const Property& property, const Vec2& v) {
-    fill(entry, instance, property, v.x());
-    entry.y = v.y();
+    fill(entry, instance, property, v.x);
+    entry.y = v.y;
 }
 
 /// For properties stored in the tree, for setters that may do anything, and for bindings with an

@@ -31,8 +31,8 @@ void ByteWriter::put(const Value& value) {
         case Type::text:
             return put(std::string_view(value.text()));
         case Type::vec2:
-            put(value.vec2().x());
-            return put(value.vec2().y());
+            put(value.vec2().x);
+            return put(value.vec2().y);
         case Type::color:
             return put(value.color());
         case Type::reference:

@@ -122,9 +122,9 @@ std::optional<Value> part(const Tree& tree, const Value& whole, const Lookup::Pa
     }
     if (whole.is(Type::reference)) return member(tree, whole.reference(), wanted.name);
     if (whole.is(Type::vec2)) {
-        if (wanted.name == "x") return Value(whole.vec2().x());
-        if (wanted.name == "y") return Value(whole.vec2().y());
-        if (wanted.name == "length") return Value(whole.vec2().norm());
+        if (wanted.name == "x") return Value(whole.vec2().x);
+        if (wanted.name == "y") return Value(whole.vec2().y);
+        if (wanted.name == "length") return Value(whole.vec2().length());
     }
     if (whole.is(Type::color)) {
         const Color color = whole.color();

@@ -82,8 +82,8 @@ std::string value_text(const Value& value, Precision precision) {
         case Type::text:
             return quoted(value.text());
         case Type::vec2:
-            return "vec(" + number_text(value.vec2().x(), precision) + ", " +
-                   number_text(value.vec2().y(), precision) + ")";
+            return "vec(" + number_text(value.vec2().x, precision) + ", " +
+                   number_text(value.vec2().y, precision) + ")";
         case Type::color:
             return "color(\"" + color_text(value.color()) + "\")";
         case Type::reference:

@@ -110,8 +110,8 @@ Paint paint_at(lua_State* L, int index, const char* what) {
 
 Vec2 point_at(lua_State* L, int index, const char* what) {
     Vec2 v = check_vec(L, index, what);
-    check_finite(v.x(), what);
-    check_finite(v.y(), what);
+    check_finite(v.x, what);
+    check_finite(v.y, what);
     return v;
 }
 
@@ -139,8 +139,7 @@ int box(lua_State* L) {
     const double c = std::cos(angle), s = std::sin(angle);
     std::vector<Vec2> corners;
     for (const Vec2& corner : {Vec2(-w, -h), Vec2(w, -h), Vec2(w, h), Vec2(-w, h)})
-        corners.push_back(center +
-                          Vec2(c * corner.x() - s * corner.y(), s * corner.x() + c * corner.y()));
+        corners.push_back(center + Vec2(c * corner.x - s * corner.y, s * corner.x + c * corner.y));
     painter(L).polygon(corners, 0, paint_at(L, 4, "pen.box"));
     return 0;
 }
@@ -154,8 +153,8 @@ int polygon(lua_State* L) {
     for (const Value& each : value.list()) {
         if (!each.is(Type::vec2))
             throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of vec");
-        check_finite(each.vec2().x(), "pen.polygon");
-        check_finite(each.vec2().y(), "pen.polygon");
+        check_finite(each.vec2().x, "pen.polygon");
+        check_finite(each.vec2().y, "pen.polygon");
         vertices.push_back(each.vec2());
     }
     machine_of(L).budget.charge(L, pair_charge * vertices.size() * vertices.size());
@@ -236,8 +235,8 @@ int text_size(lua_State* L) {
     push_tostring(L, 1);
     const Vec2 size =
         media(L, "pen.text_size").text_size(view_at(L, -1), {.font = font, .size = height});
-    lua_pushnumber(L, size.x());
-    lua_pushnumber(L, size.y());
+    lua_pushnumber(L, size.x);
+    lua_pushnumber(L, size.y);
     return 2;
 }
 

@@ -55,8 +55,8 @@ Value mix(const Value& from, const Value& to, double part, const Property& prope
     if (from.is_numeric()) return between(from.as_double(), to.as_double(), part, property.range);
     if (from.is(Type::vec2)) {
         const Vec2 a = from.vec2(), b = to.vec2();
-        return Vec2(between(a.x(), b.x(), part, property.range),
-                    between(a.y(), b.y(), part, property.range));
+        return Vec2(between(a.x, b.x, part, property.range),
+                    between(a.y, b.y, part, property.range));
     }
     if (from.is(Type::color)) return between(from.color(), to.color(), part);
     List list;

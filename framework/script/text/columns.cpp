@@ -30,7 +30,7 @@ property::Precision shortest_precision(double number) {
 }
 
 property::Precision shortest_precision(const property::Vec2& vec) {
-    return std::max(shortest_precision(vec.x()), shortest_precision(vec.y()));
+    return std::max(shortest_precision(vec.x), shortest_precision(vec.y));
 }
 
 std::string number_for_people(double number) {

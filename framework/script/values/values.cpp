@@ -38,16 +38,16 @@ void push_vec(lua_State* L, const Vec2& v) {
     auto* box = new_box<VecBox>(L, offsetof(VecBox, origin), machine_of(L).boxes.vec);
     box->tag = Tag::vec;
     box->has_origin = false;
-    box->x = v.x();
-    box->y = v.y();
+    box->x = v.x;
+    box->y = v.y;
 }
 
 void push_vec(lua_State* L, const Vec2& v, const Origin& origin) {
     auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).boxes.vec);
     box->tag = Tag::vec;
     box->has_origin = true;
-    box->x = v.x();
-    box->y = v.y();
+    box->x = v.x;
+    box->y = v.y;
     new (&box->origin) Origin(origin);
 }
 
@@ -55,8 +55,8 @@ void push_vec(lua_State* L, const Vec2& v, Handle instance, const Property& prop
     auto* box = new_box<VecBox>(L, sizeof(VecBox), machine_of(L).boxes.vec);
     box->tag = Tag::vec;
     box->has_origin = true;
-    box->x = v.x();
-    box->y = v.y();
+    box->x = v.x;
+    box->y = v.y;
     box->origin.instance = instance;
     box->origin.property = &property;
     box->origin.depth = 0;  // the other members are read only if depth > 0 or `property` is null

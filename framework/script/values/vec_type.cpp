@@ -85,27 +85,27 @@ int vec_tostring(lua_State* L) {
 
 int vec_length(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "length");
-    lua_pushnumber(L, std::hypot(v.x(), v.y()));
+    lua_pushnumber(L, std::hypot(v.x, v.y));
     return 1;
 }
 
 // A zero or infinite vector is returned unchanged.
 int vec_normalized(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "normalized");
-    const double length = std::hypot(v.x(), v.y());
+    const double length = std::hypot(v.x, v.y);
     push_vec(L, length > 0 && std::isfinite(length) ? Vec2(v / length) : v);
     return 1;
 }
 
 int vec_dot(lua_State* L) {
     const Vec2 a = check_vec(L, 1, "dot"), b = check_vec(L, 2, "dot");
-    lua_pushnumber(L, a.x() * b.x() + a.y() * b.y());
+    lua_pushnumber(L, a.x * b.x + a.y * b.y);
     return 1;
 }
 
 int vec_cross(lua_State* L) {
     const Vec2 a = check_vec(L, 1, "cross"), b = check_vec(L, 2, "cross");
-    lua_pushnumber(L, a.x() * b.y() - a.y() * b.x());
+    lua_pushnumber(L, a.x * b.y - a.y * b.x);
     return 1;
 }
 
@@ -113,20 +113,20 @@ int vec_rotated(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "rotated");
     const double angle = check_number(L, 2, "rotated");
     const double c = std::cos(angle), s = std::sin(angle);
-    push_vec(L, {c * v.x() - s * v.y(), s * v.x() + c * v.y()});
+    push_vec(L, {c * v.x - s * v.y, s * v.x + c * v.y});
     return 1;
 }
 
 int vec_lerp(lua_State* L) {
     const Vec2 a = check_vec(L, 1, "lerp"), b = check_vec(L, 2, "lerp");
     const double t = check_number(L, 3, "lerp");
-    push_vec(L, {a.x() + (b.x() - a.x()) * t, a.y() + (b.y() - a.y()) * t});
+    push_vec(L, {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t});
     return 1;
 }
 
 int vec_angle(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "angle");
-    lua_pushnumber(L, std::atan2(v.y(), v.x()));
+    lua_pushnumber(L, std::atan2(v.y, v.x));
     return 1;
 }
 
@@ -155,12 +155,12 @@ void write_component(Machine& machine, VecBox& v, char component, double number)
         throw Error(ErrorKind::wrong_type,
                     origin_path(machine.tree, v.origin) + ": is not a vec any more");
     Vec2 next = whole.vec2();
-    (component == 'x' ? next.x() : next.y()) = number;
+    (component == 'x' ? next.x : next.y) = number;
     write_property(machine, v.origin.instance, property, Value(next));
     const Value now = read();  // as stored, possibly rounded
     if (now.is(Type::vec2)) {
-        v.x = now.vec2().x();
-        v.y = now.vec2().y();
+        v.x = now.vec2().x;
+        v.y = now.vec2().y;
     }
 }
 
@@ -223,8 +223,8 @@ int vec_newindex(lua_State* L) {
         origin_write(machine, v->origin, key, Value(number));
         const Value now = origin_read(machine, v->origin);
         if (now.is(Type::vec2)) {
-            v->x = now.vec2().x();
-            v->y = now.vec2().y();
+            v->x = now.vec2().x;
+            v->y = now.vec2().y;
         }
         return 0;
     }

@@ -14,7 +14,7 @@ using property::Handle;
 namespace {
 
 bool is_finite(const property::Transform& t) {
-    return t.x.allFinite() && t.y.allFinite() && t.origin.allFinite();
+    return t.x.is_finite() && t.y.is_finite() && t.origin.is_finite();
 }
 
 }  // namespace

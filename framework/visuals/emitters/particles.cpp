@@ -24,10 +24,10 @@ Transform between(const Transform& a, const Transform& b, double t) {
 
 Vec2 point_in(EmitterShape shape, const Vec2& area, double r, double s) {
     const double angle = 2 * std::numbers::pi * r;
-    const Vec2 round = 0.5 * area.cwiseProduct(Vec2(std::cos(angle), std::sin(angle)));
+    const Vec2 round = 0.5 * area.times(Vec2(std::cos(angle), std::sin(angle)));
     switch (shape) {
         case EmitterShape::box:
-            return area.cwiseProduct(Vec2(r - 0.5, s - 0.5));
+            return area.times(Vec2(r - 0.5, s - 0.5));
         case EmitterShape::circle:
             return std::sqrt(s) * round;
         case EmitterShape::ring:
@@ -39,8 +39,8 @@ Vec2 point_in(EmitterShape shape, const Vec2& area, double r, double s) {
 }
 
 void move(Particle& p, const Vec2& push, float kept, float dt) {
-    p.velocity_x = (p.velocity_x + static_cast<float>(push.x())) * kept;
-    p.velocity_y = (p.velocity_y + static_cast<float>(push.y())) * kept;
+    p.velocity_x = (p.velocity_x + static_cast<float>(push.x)) * kept;
+    p.velocity_y = (p.velocity_y + static_cast<float>(push.y)) * kept;
     p.x += p.velocity_x * dt;
     p.y += p.velocity_y * dt;
     p.age += dt;
@@ -68,10 +68,10 @@ Particle new_particle(const Birth& birth, const Motion& motion, std::uint64_t nu
     const Vec2 velocity =
         varied(birth.speed, r[3]) * place.direction(Vec2(std::cos(turn), std::sin(turn)));
     Particle p;
-    p.x = static_cast<float>(at.x());
-    p.y = static_cast<float>(at.y());
-    p.velocity_x = static_cast<float>(velocity.x());
-    p.velocity_y = static_cast<float>(velocity.y());
+    p.x = static_cast<float>(at.x);
+    p.y = static_cast<float>(at.y);
+    p.velocity_x = static_cast<float>(velocity.x);
+    p.velocity_y = static_cast<float>(velocity.y);
     p.lifetime = static_cast<float>(std::max(1e-3, varied(birth.lifetime, r[4])));
     p.size = static_cast<float>(varied(1, r[5]));
     if (birth.turns) p.angle = static_cast<float>(2 * std::numbers::pi * (r[1] - 0.5));

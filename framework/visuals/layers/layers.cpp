@@ -117,19 +117,19 @@ bool Layers::begin(const property::Tree& tree, Handle self, property::Painter& p
     const bool screen = read.value(of_.space).text() == "screen";
     Vec2 origin(0, 0), lower = seen.lower, upper = seen.upper;
     if (screen) {
-        origin = anchor_at(read.value(of_.anchor).text()).cwiseProduct(seen.screen);
+        origin = anchor_at(read.value(of_.anchor).text()).times(seen.screen);
         lower = Vec2(0, 0);
         upper = seen.screen;
     } else {
-        origin = (Vec2(1, 1) - read.vec2(of_.parallax)).cwiseProduct(seen.center);
+        origin = (Vec2(1, 1) - read.vec2(of_.parallax)).times(seen.center);
     }
     lower -= origin;
     upper -= origin;
-    const Copies across(read.number(of_.repeat_x), lower.x(), upper.x());
-    const Copies up(read.number(of_.repeat_y), lower.y(), upper.y());
+    const Copies across(read.number(of_.repeat_x), lower.x, upper.x);
+    const Copies up(read.number(of_.repeat_y), lower.y, upper.y);
     if (pass >= across.count * up.count) return false;
-    origin.x() += across.period * (across.first + pass % across.count);
-    origin.y() += up.period * (up.first + pass / across.count);
+    origin.x += across.period * (across.first + pass % across.count);
+    origin.y += up.period * (up.first + pass / across.count);
     if (screen) painter.begin_screen();
     painter.push(Transform::moved(origin));
     if (opacity < 1) painter.fade(static_cast<float>(opacity));

@@ -19,8 +19,8 @@ void draw_letters(property::Painter& painter, const Layout& layout, double size,
         const auto width = static_cast<double>(letter->picture.width());
         const auto height = static_cast<double>(letter->picture.height());
         const double pixel = size / letter->size;  // of the letter
-        const double left = corner.x() + size * each.x + pixel * letter->left;
-        const double top = corner.y() + size * each.y + pixel * letter->top;
+        const double left = corner.x + size * each.x + pixel * letter->left;
+        const double top = corner.y + size * each.y + pixel * letter->top;
         const double begin = down * top, end = down * (top + pixel * height);
         const property::Color tint = letter->colored ? property::Color{1, 1, 1, color.a} : color;
         painter.picture(letter->picture, {0, 0, width, height}, {left, std::min(begin, end)},

@@ -30,7 +30,7 @@ Segments dashes(const std::vector<Vec2>& points, double length) {
     double left = length;  // of the current dash or gap
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         Vec2 at = points[i];
-        double rest = (points[i + 1] - at).norm();
+        double rest = (points[i + 1] - at).length();
         if (rest <= 0) continue;
         const Vec2 along = (points[i + 1] - at) / rest;
         while (rest > 0 && cut.size() < most_dashes) {

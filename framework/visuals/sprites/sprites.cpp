@@ -188,14 +188,14 @@ void Sprites::draw(Row& row, property::Painter& painter, double alpha) {
     const Frame shown = frame(row);
     const bool on_screen = painter.on_screen();
     const Vec2 size = size_of(row, shown, on_screen);
-    if (size.x() <= 0 || size.y() <= 0 || shown.size.x() <= 0 || shown.size.y() <= 0) return;
+    if (size.x <= 0 || size.y <= 0 || shown.size.x <= 0 || shown.size.y <= 0) return;
     // The box of the uncut frame, and in it that of the part that the file contains.
     const Vec2 origin = read.vec2(of_.origin);
-    const double unit_x = size.x() / shown.size.x(), unit_y = size.y() / shown.size.y();
-    double left = unit_x * shown.offset.x() - size.x() * origin.x();
+    const double unit_x = size.x / shown.size.x, unit_y = size.y / shown.size.y;
+    double left = unit_x * shown.offset.x - size.x * origin.x;
     double right = left + unit_x * shown.area.width;
     // From the top of the frame down to the origin.
-    double top = size.y() * (1 - origin.y()) - unit_y * shown.offset.y();
+    double top = size.y * (1 - origin.y) - unit_y * shown.offset.y;
     double bottom = top - unit_y * shown.area.height;
     if (read.flag(of_.flip_x)) left = -left, right = -right;
     if (read.flag(of_.flip_y)) top = -top, bottom = -bottom;

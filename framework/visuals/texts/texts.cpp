@@ -180,7 +180,7 @@ void Texts::draw(Row& row, Painter& painter, double alpha) {
     if (blend != property::Blend::normal) painter.blend(blend);
     const double size = read.number(of_.size);
     const Vec2 anchor = read.vec2(of_.anchor);
-    const Vec2 corner = Vec2(-anchor.x() * placed.width, -(1 - anchor.y()) * placed.height) * size;
+    const Vec2 corner = Vec2(-anchor.x * placed.width, -(1 - anchor.y) * placed.height) * size;
     const Color outline = read.color(of_.outline);
     const double width = size * read.number(of_.outline_width);
     constexpr int directions = 12;

@@ -23,29 +23,26 @@ Outline corners_of(const Object& object) {
     Outline corners;
     const Vec2 size = object.size;
     if (object.kind == ObjectKind::rectangle) {
-        corners = {{0, 0}, {size.x(), 0}, size, {0, size.y()}};
+        corners = {{0, 0}, {size.x, 0}, size, {0, size.y}};
     } else if (object.kind == ObjectKind::ellipse) {
         constexpr int count = 16;
         for (int i = 0; i < count; ++i) {
             const double angle = 2 * std::numbers::pi * i / count;
-            corners.push_back(0.5 *
-                              (size + size.cwiseProduct(Vec2(std::cos(angle), std::sin(angle)))));
+            corners.push_back(0.5 * (size + size.times(Vec2(std::cos(angle), std::sin(angle)))));
         }
     } else if (object.kind == ObjectKind::polygon || object.kind == ObjectKind::polyline) {
         corners = object.points;
     }
     const double turn = object.rotation * std::numbers::pi / 180;
     const double c = std::cos(turn), s = std::sin(turn);
-    for (Vec2& p : corners)
-        p = object.position + Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+    for (Vec2& p : corners) p = object.position + Vec2(c * p.x - s * p.y, s * p.x + c * p.y);
     return corners;
 }
 
 bool is_box(const Outline& corners, const Vec2& lower, const Vec2& upper) {
     if (corners.size() != 4) return false;
     return std::ranges::all_of(corners, [&](const Vec2& p) {
-        return (p.x() == lower.x() || p.x() == upper.x()) &&
-               (p.y() == lower.y() || p.y() == upper.y());
+        return (p.x == lower.x || p.x == upper.x) && (p.y == lower.y || p.y == upper.y);
     });
 }
 
@@ -64,8 +61,7 @@ const maps::Layer* find_layer(const std::vector<maps::Layer>& layers, std::int64
 }
 
 Vec2 size_of(const Tileset& set, const maps::Tile* tile) {
-    if (tile != nullptr && !tile->image.empty() && tile->image_size.x() > 0)
-        return tile->image_size;
+    if (tile != nullptr && !tile->image.empty() && tile->image_size.x > 0) return tile->image_size;
     return Vec2(set.tile_width, set.tile_height);
 }
 
@@ -74,9 +70,8 @@ Vec2 size_of(const Tileset& set, const maps::Tile* tile) {
 LoadedMap::LoadedMap(maps::Map map, Images& images) : map_(std::move(map)), images_(images) {
     for (const Tileset& set : map_.tilesets) {
         Vec2 largest(set.tile_width, set.tile_height);
-        for (const auto& [number, tile] : set.tiles)
-            largest = largest.cwiseMax(size_of(set, &tile));
-        reach_ = reach_.cwiseMax(largest + set.offset.cwiseAbs());
+        for (const auto& [number, tile] : set.tiles) largest = largest.max(size_of(set, &tile));
+        reach_ = reach_.max(largest + set.offset.abs());
         add_shapes(set);
     }
 }
@@ -85,11 +80,11 @@ void LoadedMap::add_shapes(const Tileset& set) {
     const Vec2 cell(map_.tile_width, map_.tile_height);
     for (const auto& [number, tile] : set.tiles) {
         TileShape shape;
-        const double height = size_of(set, &tile).y();
+        const double height = size_of(set, &tile).y;
         for (const Object& object : tile.collision) {
             Outline corners = corners_of(object);
             // From the upper left corner, y down, to the lower left one, y up.
-            for (Vec2& p : corners) p = Vec2(p.x(), height - p.y());
+            for (Vec2& p : corners) p = Vec2(p.x, height - p.y);
             if (object.kind == ObjectKind::polyline && corners.size() > 1)
                 shape.lines.push_back(std::move(corners));
             else if (is_box(corners, Vec2(0, 0), cell))
@@ -116,10 +111,9 @@ TileShape LoadedMap::flipped(const TileShape& shape, std::uint32_t flips, const 
         for (Outline& corners : *group) {
             for (Vec2& p : corners) {
                 // The exchange of x and y is meant with y down.
-                if (cell.has(PackedCell::flip_diagonal))
-                    p = Vec2(size.y() - p.y(), size.x() - p.x());
-                if (cell.has(PackedCell::flip_x)) p.x() = size.x() - p.x();
-                if (cell.has(PackedCell::flip_y)) p.y() = size.y() - p.y();
+                if (cell.has(PackedCell::flip_diagonal)) p = Vec2(size.y - p.y, size.x - p.x);
+                if (cell.has(PackedCell::flip_x)) p.x = size.x - p.x;
+                if (cell.has(PackedCell::flip_y)) p.y = size.y - p.y;
             }
             // A mirrored line would be solid from its other side.
             if (mirrors != cell.has(PackedCell::flip_diagonal)) std::ranges::reverse(corners);

@@ -32,7 +32,7 @@ struct Outer {
     Outer with(const maps::Layer& layer) const {
         Outer all = *this;
         all.offset += layer.offset;
-        all.parallax = all.parallax.cwiseProduct(layer.parallax);
+        all.parallax = all.parallax.times(layer.parallax);
         all.opacity *= layer.opacity;
         all.tint = {tint.r * layer.tint.r, tint.g * layer.tint.g, tint.b * layer.tint.b,
                     tint.a * layer.tint.a};

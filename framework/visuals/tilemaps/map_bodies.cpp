@@ -50,8 +50,8 @@ std::string key_of(const WantedChain& chain) {
     add(chain.friction);
     add(chain.restitution);
     for (const Value& point : chain.points.list()) {
-        add(point.vec2().x());
-        add(point.vec2().y());
+        add(point.vec2().x);
+        add(point.vec2().y);
     }
     return key;
 }
@@ -65,7 +65,7 @@ std::int64_t number_of(const std::vector<WantedChain>& chains, const Vec2& at) {
             hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
     };
     for (const WantedChain& chain : chains) add(key_of(chain));
-    for (const double x : {at.x(), at.y()}) {
+    for (const double x : {at.x, at.y}) {
         char bytes[sizeof x];
         std::memcpy(bytes, &x, sizeof x);
         add({bytes, sizeof x});
@@ -116,7 +116,7 @@ std::vector<WantedChain> Tilemaps::wanted_chains(Handle map) {
             points.reserve(line.points.size());
             for (const Vec2& p : line.points)
                 points.emplace_back(
-                    Vec2(rounded(p.x() * unit + offset.x()), rounded(p.y() * unit + offset.y())));
+                    Vec2(rounded(p.x * unit + offset.x), rounded(p.y * unit + offset.y)));
             chain.points = Value(std::move(points));
             wanted.push_back(std::move(chain));
         }
@@ -162,7 +162,7 @@ void Tilemaps::update_bodies(Handle map) {
     try {
         if (!body) body = make_body(map, *body_class);
         if (file != nullptr &&
-            tree_->get(body, "position").vec2() != Vec2(rounded(at.x()), rounded(at.y())))
+            tree_->get(body, "position").vec2() != Vec2(rounded(at.x), rounded(at.y)))
             tree_->set(body, "position", Value(at));
         // Chains that are as they should be stay, with their contacts.
         std::map<std::string, std::vector<Handle>> there;

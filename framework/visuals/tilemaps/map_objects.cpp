@@ -21,7 +21,7 @@ namespace {
 
 Vec2 turned(const Vec2& p, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
+    return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
 class ObjectMaker {
@@ -89,11 +89,11 @@ class ObjectMaker {
         if (object.kind != ObjectKind::tile) return {0, 0};
         const maps::Tileset* const set = file_.map().tileset_of(object.tile.gid);
         const std::string alignment = set == nullptr ? "" : set->alignment;
-        Vec2 middle(half.x(), -half.y());
-        if (alignment.starts_with("top")) middle.y() = half.y();
-        if (alignment == "left" || alignment == "center" || alignment == "right") middle.y() = 0;
-        if (alignment == "top" || alignment == "center" || alignment == "bottom") middle.x() = 0;
-        if (alignment.ends_with("right")) middle.x() = -half.x();
+        Vec2 middle(half.x, -half.y);
+        if (alignment.starts_with("top")) middle.y = half.y;
+        if (alignment == "left" || alignment == "center" || alignment == "right") middle.y = 0;
+        if (alignment == "top" || alignment == "center" || alignment == "bottom") middle.x = 0;
+        if (alignment.ends_with("right")) middle.x = -half.x;
         return middle;
     }
 
@@ -109,12 +109,12 @@ class ObjectMaker {
         // Every object is somewhere, so the property is added if the class does not have it.
         make_.set_or_add(made, "position", Value(place_.point(middle)));
         if (turn != 0) put("angle", Value(-turn));
-        if (object.size.x() > 0 || object.size.y() > 0) {
+        if (object.size.x > 0 || object.size.y > 0) {
             const property::Property* const size = tree_.find(made, "size");
             if (plain || (size != nullptr && size->type == property::Type::vec2))
                 put("size", Value(size_of(object)));
-            make_.set_if_there(made, "width", Value(size_of(object).x()));
-            make_.set_if_there(made, "height", Value(size_of(object).y()));
+            make_.set_if_there(made, "width", Value(size_of(object).x));
+            make_.set_if_there(made, "height", Value(size_of(object).y));
         }
         if (!object.points.empty()) put("points", points_of(object));
         if (object.kind == ObjectKind::text) put("text", Value(object.text));
@@ -161,7 +161,7 @@ class ObjectMaker {
         const Vec2 size = size_of(object);
         if (object.kind == ObjectKind::polygon) name = "Concave";
         if (object.kind == ObjectKind::polyline) name = "Chain";
-        if (size.x() > 0 && size.y() > 0) {
+        if (size.x > 0 && size.y > 0) {
             if (object.kind == ObjectKind::rectangle || object.kind == ObjectKind::tile)
                 name = "Box";
             if (object.kind == ObjectKind::ellipse) name = "Ellipse";
@@ -169,10 +169,10 @@ class ObjectMaker {
         const Class* const of = name == nullptr ? nullptr : tree_.find_class(name);
         if (of == nullptr) return;
         const Handle shape = make_.add(*of, body, "shape");
-        make_.set_if_there(shape, "width", Value(size.x()));
-        make_.set_if_there(shape, "height", Value(size.y()));
-        make_.set_if_there(shape, "radius_x", Value(0.5 * size.x()));
-        make_.set_if_there(shape, "radius_y", Value(0.5 * size.y()));
+        make_.set_if_there(shape, "width", Value(size.x));
+        make_.set_if_there(shape, "height", Value(size.y));
+        make_.set_if_there(shape, "radius_x", Value(0.5 * size.x));
+        make_.set_if_there(shape, "radius_y", Value(0.5 * size.y));
         if (object.points.empty()) return;
         make_.set_if_there(shape, "vertices", points_of(object));
         make_.set_if_there(shape, "points", points_of(object));

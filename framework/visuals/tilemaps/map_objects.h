@@ -21,7 +21,7 @@ struct MapPlace {
 
     /// Of pixels, y down.
     property::Vec2 length(const property::Vec2& pixels) const {
-        return property::Vec2(pixels.x(), 0.0 - pixels.y()) / pixels_per_unit;
+        return property::Vec2(pixels.x, 0.0 - pixels.y) / pixels_per_unit;
     }
     property::Vec2 point(const property::Vec2& pixels) const { return upper_left + length(pixels); }
     MapPlace moved(const property::Vec2& pixels) const { return {point(pixels), pixels_per_unit}; }

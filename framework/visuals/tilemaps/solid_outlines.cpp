@@ -71,14 +71,14 @@ class Collector {
     }
 
     void add_box(const Run& run, int top, int bottom) {
-        const double left = run.from * cell_.x(), right = run.to * cell_.x();
-        const double upper = -top * cell_.y(), lower = -bottom * cell_.y();
+        const double left = run.from * cell_.x, right = run.to * cell_.x;
+        const double upper = -top * cell_.y, lower = -bottom * cell_.y;
         polygons_.push_back({{left, lower}, {right, lower}, {right, upper}, {left, upper}});
     }
 
     void add_shapes(const TileShape& shape, PackedCell cell, int x, int y) {
         const TileLook* const look = map_.look(cell.tile());
-        const Vec2 corner(x * cell_.x(), -(y + 1) * cell_.y());
+        const Vec2 corner(x * cell_.x, -(y + 1) * cell_.y);
         const TileShape placed =
             LoadedMap::flipped(shape, cell.bits & PackedCell::flips, look->size);
         const auto move = [&](Outline points) {
@@ -92,7 +92,7 @@ class Collector {
     // --- Lines
 
     static std::pair<std::int64_t, std::int64_t> key(const Vec2& p) {
-        return {std::llround(p.x() * 256), std::llround(p.y() * 256)};
+        return {std::llround(p.x * 256), std::llround(p.y * 256)};
     }
 
     /// Joins lines where one begins at the end of another.
@@ -131,8 +131,8 @@ class Collector {
         if (points.size() > 1) {
             const Vec2 before = points.back() - points[points.size() - 2];
             const Vec2 after = p - points.back();
-            const double turn = before.x() * after.y() - before.y() * after.x();
-            if (std::abs(turn) <= 1e-9 * before.norm() * after.norm() && before.dot(after) > 0)
+            const double turn = before.x * after.y - before.y * after.x;
+            if (std::abs(turn) <= 1e-9 * before.length() * after.length() && before.dot(after) > 0)
                 points.pop_back();
         }
         points.push_back(p);

@@ -118,8 +118,8 @@ void Tilemaps::set_tile(Handle map, std::span<const Value> given) {
 Vec2 Tilemaps::cell_at(Handle map, const Vec2& point) {
     const auto file = required(map);
     const Vec2 pixels = (point - upper_left(map, file->map())) * pixels_per_unit(map);
-    return {std::floor(pixels.x() / file->map().tile_width),
-            std::floor(-pixels.y() / file->map().tile_height)};
+    return {std::floor(pixels.x / file->map().tile_width),
+            std::floor(-pixels.y / file->map().tile_height)};
 }
 
 Vec2 Tilemaps::cell_center(Handle map, const Value& x, const Value& y) {

@@ -13,14 +13,14 @@
 namespace fettle::physics_module {
 
 inline property::Vec2 widen(const physics::Vec2& v) {
-    return v.cast<double>();
+    return property::Vec2(v);
 }
 inline property::Vec2 widen(float x, float y) {
     return {static_cast<double>(x), static_cast<double>(y)};
 }
 
 inline physics::Vec2 narrow(const property::Vec2& v) {
-    return v.cast<float>();
+    return physics::Vec2(v);
 }
 
 inline property::Value to_value(bool v) {
@@ -95,8 +95,7 @@ inline float float_argument(const property::Value& value) {
 }
 inline physics::Vec2 vec2_argument(const property::Value& value) {
     physics::Vec2 narrowed = narrow(value.vec2());
-    if (!std::isfinite(narrowed.x()) || !std::isfinite(narrowed.y()))
-        refuse_argument(value, "a vec2");
+    if (!std::isfinite(narrowed.x) || !std::isfinite(narrowed.y)) refuse_argument(value, "a vec2");
     return narrowed;
 }
 /// A list of two corners, in any order. Throws std::invalid_argument for another number of them.
@@ -108,7 +107,7 @@ inline physics::Aabb from_value<physics::Aabb>(const property::Value& value) {
             "expected two corners, lower left and upper right, got a list of " +
             std::to_string(corners.size()));
     const physics::Vec2 a = narrow(corners[0].vec2()), b = narrow(corners[1].vec2());
-    return {a.cwiseMin(b), a.cwiseMax(b)};
+    return {a.min(b), a.max(b)};
 }
 
 }  // namespace fettle::physics_module

@@ -33,7 +33,7 @@ Binding position(Hosting& hosting) {
         hosting,
         [](Hosting& h, Row row) {
             const physics::Vec2& p = h.state(row).position;
-            return widen(p.x(), p.y());
+            return widen(p.x, p.y);
         },
         [](Hosting& h, Row row, const Value& value) {
             h.body(row).set_position(narrow(value.vec2()));
@@ -53,8 +53,8 @@ Binding velocity(Hosting& hosting) {
         hosting, [](Hosting& h, Row row) { return widen(h.velocity(row)); },
         [](Hosting& h, Row row, const Value& value) {
             const physics::Vec2 wanted = narrow(value.vec2());
-            if (!h.set_velocity(row, wanted) && wanted != physics::Vec2::Zero()) {
-                h.set_velocity(row, physics::Vec2::Zero());
+            if (!h.set_velocity(row, wanted) && wanted != physics::Vec2{}) {
+                h.set_velocity(row, physics::Vec2{});
                 require_movable(h.body(row));
             }
         });

@@ -14,9 +14,9 @@ using property::List;
 struct Touch {
     physics::BodyId other;
     physics::ShapeId shape, other_shape;
-    physics::Vec2 point = physics::Vec2::Zero();
-    physics::Vec2 normal = physics::Vec2::Zero();  // to the other shape
-    float impulse = 0, tangent_impulse = 0;        // N s, of the last step
+    physics::Vec2 point = {};
+    physics::Vec2 normal = {};               // to the other shape
+    float impulse = 0, tangent_impulse = 0;  // N s, of the last step
     float friction = 0, restitution = 0;
 };
 

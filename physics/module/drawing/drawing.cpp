@@ -29,7 +29,7 @@ bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
 Vec2 last_motion(const physics::World& world, std::uint32_t body) {
     const auto& before = world.previous(body).position;
     const auto& now = world.state(body).position;
-    return widen(physics::Vec2((now - before).cwiseAbs()));
+    return widen(physics::Vec2((now - before).abs()));
 }
 
 /// The drawn position of a point of contact. It moves with the body that moves; if both move, it is
@@ -70,7 +70,7 @@ void draw_boxes(physics::World& world, Painter& painter, double alpha) {
         if (!body) continue;
         const auto [a, b] = extent_of(shape, Frame(world, body.index(), alpha));
         if (!painter.sees(a, b)) continue;
-        const std::array<Vec2, 4> corners = {a, Vec2(b.x(), a.y()), b, Vec2(a.x(), b.y())};
+        const std::array<Vec2, 4> corners = {a, Vec2(b.x, a.y), b, Vec2(a.x, b.y)};
         painter.polygon(corners, 0, paint);
     }
 }
@@ -104,7 +104,7 @@ void draw_joint(const physics::World& world, const physics::Joint& joint, Painte
     const Vec2 from = anchor_point(world, a, joint.anchor_a(), alpha);
     const Vec2 to = anchor_point(world, b, joint.anchor_b(), alpha);
     const Vec2 reach(1, 1);
-    if (!painter.sees(from.cwiseMin(to) - reach, from.cwiseMax(to) + reach)) return;
+    if (!painter.sees(from.min(to) - reach, from.max(to) + reach)) return;
     const auto type = joint.type();
     if (type == physics::JointType::pulley) {
         const physics::PulleyJoint pulley(&joint.world(), joint.id());

@@ -44,7 +44,7 @@ double rounding_of(const physics::Shape& shape) {
 
 Vec2 radii_of(const physics::Shape& shape) {
     if (shape.type() == ShapeType::ellipse) return widen(shape.radius_x(), shape.radius_y());
-    return Vec2::Constant(shape.radius());
+    return widen(shape.radius(), shape.radius());
 }
 
 bool is_round(const physics::Shape& shape) {
@@ -73,20 +73,21 @@ Extent extent_of(const physics::Shape& shape, const Frame& frame) {
         const Vec2 radii = radii_of(shape), middle = frame.point(shape.center());
         const double turned = frame.angle() + angle_of(shape);
         const double c = std::cos(turned), s = std::sin(turned);
-        const Vec2 reach(std::hypot(radii.x() * c, radii.y() * s),
-                         std::hypot(radii.x() * s, radii.y() * c));
+        const Vec2 reach(std::hypot(radii.x * c, radii.y * s),
+                         std::hypot(radii.x * s, radii.y * c));
         return {middle - reach, middle + reach};
     }
     Extent extent{frame.position(), frame.position()};
     bool first = true;
     for (const physics::Vec2& vertex : shape.vertices()) {
         const Vec2 point = frame.point(vertex);
-        extent.lower = first ? point : Vec2(extent.lower.cwiseMin(point));
-        extent.upper = first ? point : Vec2(extent.upper.cwiseMax(point));
+        extent.lower = first ? point : Vec2(extent.lower.min(point));
+        extent.upper = first ? point : Vec2(extent.upper.max(point));
         first = false;
     }
     const bool lines = shape.type() == ShapeType::chain || shape.type() == ShapeType::concave;
-    const Vec2 reach = Vec2::Constant(lines ? 0.0 : rounding_of(shape));
+    const double rounding = lines ? 0.0 : rounding_of(shape);
+    const Vec2 reach(rounding, rounding);
     return {extent.lower - reach, extent.upper + reach};
 }
 
@@ -113,7 +114,7 @@ void draw_mark(const physics::Shape& shape, const Frame& frame, const Paint& pai
     if (!is_round(shape)) return;
     const Vec2 middle = frame.point(shape.center());
     const double turned = frame.angle() + angle_of(shape);
-    const Vec2 rim = middle + radii_of(shape).x() * Vec2(std::cos(turned), std::sin(turned));
+    const Vec2 rim = middle + radii_of(shape).x * Vec2(std::cos(turned), std::sin(turned));
     painter.line(middle, rim, paint.border, paint.border_width);
 }
 

@@ -24,8 +24,8 @@ class Frame {
         sine_ = std::sin(angle_);
     }
     property::Vec2 point(const physics::Vec2& local) const {
-        const double x = local.x(), y = local.y();
-        return {position_.x() + cosine_ * x - sine_ * y, position_.y() + sine_ * x + cosine_ * y};
+        const double x = local.x, y = local.y;
+        return {position_.x + cosine_ * x - sine_ * y, position_.y + sine_ * x + cosine_ * y};
     }
     double angle() const { return angle_; }
     const property::Vec2& position() const { return position_; }

@@ -30,16 +30,16 @@ double weight_impulse(physics::World& world, double dt) {
     for (const physics::Body& body : world.bodies())
         if (body.type() == physics::BodyType::dynamic_body && std::isfinite(body.mass()))
             mass = std::max(mass, static_cast<double>(body.mass()));
-    const double gravity = static_cast<double>(world.gravity().norm());
+    const double gravity = static_cast<double>(world.gravity().length());
     return mass * (gravity > 0 ? gravity : 10) * dt;
 }
 
 void draw_arrow(const Vec2& from, const Vec2& way, double pixel, Painter& painter) {
     const Vec2 to = from + way;
     painter.line(from, to, ink, 2);
-    const double length = way.norm();
+    const double length = way.length();
     const double head = std::min(7 * pixel, 0.4 * length);
-    const Vec2 back = -head / length * way, side(-0.5 * back.y(), 0.5 * back.x());
+    const Vec2 back = -head / length * way, side(-0.5 * back.y, 0.5 * back.x);
     painter.line(to, to + back + side, ink, 2);
     painter.line(to, to + back - side, ink, 2);
 }
@@ -49,7 +49,7 @@ void draw_scale(double meters_each, double pixel, Painter& painter) {
     const double shown = round_number(120 * pixel / meters_each);
     char text[48];
     std::snprintf(text, sizeof text, "%g N s in a step", shown);
-    const double y = painter.seen().screen.y() - 84, x = 0.4 * painter.seen().screen.x();
+    const double y = painter.seen().screen.y - 84, x = 0.4 * painter.seen().screen.x;
     const double wide = shown * meters_each / pixel;
     painter.begin_screen();
     painter.line({x, y}, {x + wide, y}, ink, 2);
@@ -64,7 +64,7 @@ void draw_impulses(physics::World& world, double dt, Painter& painter) {
     const double reference = weight_impulse(world, dt);
     if (!(reference > 0)) return;
     const property::Seen seen = painter.seen();
-    const double height = seen.upper.y() > seen.lower.y() ? seen.upper.y() - seen.lower.y() : 20;
+    const double height = seen.upper.y > seen.lower.y ? seen.upper.y - seen.lower.y : 20;
     const double pixel = 1 / painter.pixels_per_unit();
     const double meters_each = round_number(height / 12 / reference);
     // The library stores the impulses of a sub-step.
@@ -73,14 +73,14 @@ void draw_impulses(physics::World& world, double dt, Painter& painter) {
         const bool onto_b = world.is_valid(contact.body_b) &&
                             world.body(contact.body_b).type() == physics::BodyType::dynamic_body;
         const double side = onto_b ? 1 : -1;
-        const Vec2 normal = widen(contact.normal), tangent(normal.y(), -normal.x());
+        const Vec2 normal = widen(contact.normal), tangent(normal.y, -normal.x);
         for (int k = 0; k < contact.point_count; ++k) {
             const physics::ContactPoint& point = contact.points[static_cast<std::size_t>(k)];
             const Vec2 way = side * meters_each * substeps *
                              (static_cast<double>(point.normal_impulse) * normal +
                               static_cast<double>(point.tangent_impulse) * tangent);
             const Vec2 at = widen(point.point), end = at + way;
-            if (way.norm() > pixel && painter.sees(at.cwiseMin(end), at.cwiseMax(end)))
+            if (way.length() > pixel && painter.sees(at.min(end), at.max(end)))
                 draw_arrow(at, way, pixel, painter);
         }
     }

@@ -44,8 +44,8 @@ void draw_angle_limits(const physics::RevoluteJoint& joint, const Side& b, const
     if (!std::isfinite(upper)) upper = std::max(now, lower) + pi;
     const physics::Body body = joint.body_b();
     const Vec2 arm = body ? Vec2(b.point(body.center()) - at) : Vec2(0, 0);
-    const double radius = std::clamp(0.6 * arm.norm(), 0.4, 2.0);
-    const double zero = (arm.norm() > 1e-3 ? std::atan2(arm.y(), arm.x()) : b.angle()) - now;
+    const double radius = std::clamp(0.6 * arm.length(), 0.4, 2.0);
+    const double zero = (arm.length() > 1e-3 ? std::atan2(arm.y, arm.x) : b.angle()) - now;
     if (!painter.sees(at - Vec2(radius, radius), at + Vec2(radius, radius))) return;
     const auto rim = [&](double angle) {
         return Vec2(at + radius * Vec2(std::cos(zero + angle), std::sin(zero + angle)));
@@ -67,9 +67,9 @@ void draw_way_limits(const Side& a, const physics::Vec2& anchor, const physics::
     if (!ends_below) lower = std::min(now, upper) - open;
     if (!ends_above) upper = std::max(now, lower) + open;
     const Vec2 zero = a.point(anchor), along = a.direction(axis).normalized();
-    const Vec2 across(-along.y(), along.x());
+    const Vec2 across(-along.y, along.x);
     const Vec2 from = zero + lower * along, to = zero + upper * along, at = zero + now * along;
-    if (!painter.sees(from.cwiseMin(to) - Vec2(1, 1), from.cwiseMax(to) + Vec2(1, 1))) return;
+    if (!painter.sees(from.min(to) - Vec2(1, 1), from.max(to) + Vec2(1, 1))) return;
     painter.line(from, to, allowed, 1.5f);
     const auto tick = [&](const Vec2& end) {
         painter.line(end - 0.2 * across, end + 0.2 * across, allowed, 2.5f);

@@ -148,7 +148,7 @@ void define_fields(Hosting& hosting) {
         h, "Wind", "Moving air: pushes every edge that faces it, by the square of its speed.",
         {vector("velocity", {5, 0}, "m/s", "Velocity of the air.",
                 force_value<&WindField::velocity>(h)),
-         amount("density", widen(1.2f, 0).x(), "kg/m\xC2\xB2", "Density of the air.",
+         amount("density", widen(1.2f, 0).x, "kg/m\xC2\xB2", "Density of the air.",
                 force_value<&WindField::density>(h))});
     define_kind<DragField>(
         h, "Drag", "Slows bodies that move relative to a flow, by the area of their shapes.",

@@ -18,7 +18,7 @@ float settable(float x) {
 physics::BodyDef description(const physics::Body& body) {
     physics::BodyDef def;
     def.type = body.type();
-    def.position = body.position().unaryExpr(&settable);
+    def.position = {settable(body.position().x), settable(body.position().y)};
     def.angle = settable(body.angle());
     def.velocity = body.velocity();
     def.angular_velocity = body.angular_velocity();
@@ -91,7 +91,8 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     set_velocity(row, def.velocity);
     if (!awake) fresh.set_awake(false);
     // Forces that wait for the next step act in the first step of the new world.
-    if (const physics::Vec2 force = old.applied_force(); !force.isZero(0)) fresh.apply_force(force);
+    if (const physics::Vec2 force = old.applied_force(); force != physics::Vec2{})
+        fresh.apply_force(force);
     if (const float torque = old.applied_torque(); torque != 0) fresh.apply_torque(torque);
     hosted(from).velocities.forget(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));

@@ -88,8 +88,8 @@ void define_motor_joint(Hosting& hosting) {
 float rope_now(Hosting& hosting, Row row) {
     const Joints& joints = hosting.joints;
     const auto pulley = joints.at<PulleyJoint>(row);
-    return (joints.world_anchor(row, 0) - pulley.ground_a()).norm() +
-           pulley.ratio() * (joints.world_anchor(row, 1) - pulley.ground_b()).norm();
+    return (joints.world_anchor(row, 0) - pulley.ground_a()).length() +
+           pulley.ratio() * (joints.world_anchor(row, 1) - pulley.ground_b()).length();
 }
 
 float phase_now(Hosting& hosting, Row row) {

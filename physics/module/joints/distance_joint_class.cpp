@@ -8,7 +8,7 @@ void define_distance_joint(Hosting& hosting) {
     using physics::DistanceJoint;
     using physics::JointType;
     constexpr auto length_now = [](Hosting& h, Row row) {
-        return (h.joints.world_anchor(row, 1) - h.joints.world_anchor(row, 0)).norm();
+        return (h.joints.world_anchor(row, 1) - h.joints.world_anchor(row, 0)).length();
     };
     property::ClassDescriptor distance = pair_joint<JointType::distance>(
         hosting, "DistanceJoint", "distance_joint",

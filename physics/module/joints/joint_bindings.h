@@ -15,7 +15,7 @@ inline float bounded(float x, float limit = std::numeric_limits<float>::max()) {
 }
 inline physics::Vec2 bounded(const physics::Vec2& point) {
     constexpr float limit = 1e8f;  // the largest coordinate
-    return {bounded(point.x(), limit), bounded(point.y(), limit)};
+    return {bounded(point.x, limit), bounded(point.y, limit)};
 }
 
 /// A setting of a joint. If no user has set it, it is measured when the joint begins to act. `Look`

@@ -20,7 +20,7 @@ Binding body(Hosting& hosting) {
 
 physics::Vec2 mouse_anchor_now(Hosting& hosting, Row row) {
     const Handle body = hosting.joints.body(row, 1);
-    if (!body) return physics::Vec2::Zero();
+    if (!body) return physics::Vec2{};
     const physics::Vec2 target = hosting.joints.at<physics::MouseJoint>(row).target();
     return hosting.body(hosting.tree.row(body)).local_point(target);
 }

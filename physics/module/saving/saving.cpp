@@ -78,7 +78,7 @@ ModuleData read_module_data(property::ByteReader& from) {
                      "a look");
     for (const auto& color : data.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : data.velocities)
-        from.require(is_optional(velocity) && (!velocity || velocity->allFinite()), "a velocity");
+        from.require(is_optional(velocity) && (!velocity || velocity->is_finite()), "a velocity");
     for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
     data.bodies = get_departed(from);

@@ -37,7 +37,7 @@ struct Way {
 bool moves(const Way& way, double angle) {
     if (std::abs(angle - way.first_angle) > still) return true;
     return std::ranges::any_of(way.points, [&](const physics::Vec2& point) {
-        return (widen(point) - widen(way.points.front())).norm() > still;
+        return (widen(point) - widen(way.points.front())).length() > still;
     });
 }
 

@@ -152,8 +152,7 @@ Result overlap_box(HostedWorld& hosted, Arguments a) {
     const physics::Vec2 p = vec2_argument(a[0]), q = vec2_argument(a[1]);
     physics::QueryFilter all = filter(a[2], a[3], a[4]);
     all.sensors = true;
-    return bodies_of(Instances(hosted),
-                     hosted.world.query_aabb({p.cwiseMin(q), p.cwiseMax(q)}, all));
+    return bodies_of(Instances(hosted), hosted.world.query_aabb({p.min(q), p.max(q)}, all));
 }
 
 /// The shapes for a reference to a shape or to a body.

@@ -29,7 +29,7 @@ void set_bounds(Hosting& hosting, Row row, const Value& value) {
     World& world = hosting.world(row);
     if (value.is_nil()) return world.set_bounds(std::nullopt);
     const auto box = from_value<physics::Aabb>(value);
-    if (box.min.x() == box.max.x() || box.min.y() == box.max.y())
+    if (box.min.x == box.max.x || box.min.y == box.max.y)
         throw std::invalid_argument("expected two corners of a box, got two points in a line");
     world.set_bounds(box);
 }

@@ -4,6 +4,8 @@ foreach(header IN LISTS headers)
   string(REGEX REPLACE "^fettle/([^/]+)/.*" "\\1" library "${header}")
   if(header MATCHES "property/storage")
     set(library storage)
+  elseif(library STREQUAL "vector")  # comes with each library
+    set(library physics)
   elseif(header STREQUAL "fettle/module/guest.h")
     set(library guest)
   endif()

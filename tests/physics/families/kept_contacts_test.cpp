@@ -33,7 +33,7 @@ Body add_ground(World& world, const ShapeDef& surface = {}) {
 
 Body add_box(World& world, Vec2 position, Vec2 size, const ShapeDef& surface = {}) {
     Body box = world.create_body({.position = position});
-    box.add(Box{.width = size.x(), .height = size.y()}, surface);
+    box.add(Box{.width = size.x, .height = size.y}, surface);
     return box;
 }
 
@@ -57,7 +57,7 @@ bool stands(const Stack& stack, unsigned seed, float seconds) {
     const float least = 0.8f * float(stack.count) * stack.height;
     for (int i = 0; i < int(seconds / frame); ++i) {
         world.step(frame);
-        if (!(top.position().y() > least)) return false;
+        if (!(top.position().y > least)) return false;
     }
     return true;
 }
@@ -133,26 +133,26 @@ TEST_CASE("towers of posts and beams come to rest") {
 
 TEST_CASE("an edit of a body or a shape changes a resting contact in the next step") {
     Resting scene(GENERATE(false, true));
-    const float before = scene.upper.position().y();
+    const float before = scene.upper.position().y;
     SECTION("a support moved down by less than the margin") {
         scene.ground.set_position({0, -0.01f});
         scene.run(60);
-        CHECK(scene.upper.position().y() == Approx(before - 0.01f).margin(1e-3));
+        CHECK(scene.upper.position().y == Approx(before - 0.01f).margin(1e-3));
     }
     SECTION("a support moved up") {
         scene.ground.set_position({0, 0.01f});
         scene.run(60);
-        CHECK(scene.upper.position().y() == Approx(before + 0.01f).margin(1e-3));
+        CHECK(scene.upper.position().y == Approx(before + 0.01f).margin(1e-3));
     }
     SECTION("a lower support shape") {
         scene.ground.shapes()[0].set_center({0, -1.01f});
         scene.run(60);
-        CHECK(scene.upper.position().y() == Approx(before - 0.01f).margin(1e-3));
+        CHECK(scene.upper.position().y == Approx(before - 0.01f).margin(1e-3));
     }
     SECTION("a smaller box below") {
         scene.lower.shapes()[0].set_height(0.98f);
         scene.run(60);
-        CHECK(scene.upper.position().y() == Approx(before - 0.02f).margin(1e-3));
+        CHECK(scene.upper.position().y == Approx(before - 0.02f).margin(1e-3));
     }
     SECTION("a narrower box below and another center of mass above") {
         scene.lower.shapes()[0].set_width(0.2f);
@@ -165,24 +165,24 @@ TEST_CASE("an edit of a body or a shape changes a resting contact in the next st
         scene.ground.shapes()[0].set_friction(0.0f);
         scene.ground.set_angle(0.02f);
         scene.run(60);
-        CHECK(scene.lower.velocity().x() == Approx(-10 * std::sin(0.02f)).epsilon(0.05));
+        CHECK(scene.lower.velocity().x == Approx(-10 * std::sin(0.02f)).epsilon(0.05));
     }
     SECTION("no friction and a belt") {
         scene.lower.shapes()[0].set_friction(0.0f);
         scene.ground.shapes()[0].set_surface_speed(1.0f);
         scene.upper.set_velocity({0.01f, 0});
         scene.run(1);
-        CHECK(scene.upper.velocity().x() == Approx(0.01f).epsilon(0.01));
+        CHECK(scene.upper.velocity().x == Approx(0.01f).epsilon(0.01));
     }
     SECTION("a sensor") {
         scene.lower.shapes()[0].set_sensor(true);
         scene.run(30);
-        CHECK(scene.upper.position().y() < before - 0.5f);
+        CHECK(scene.upper.position().y < before - 0.5f);
     }
     SECTION("a filter") {
         scene.lower.shapes()[0].set_mask(0);
         scene.run(30);
-        CHECK(scene.lower.position().y() < 0.0f);
+        CHECK(scene.lower.position().y < 0.0f);
     }
     SECTION("a joint of two bodies that do not collide") {
         MotorJoint joint = scene.world.create_motor_joint(
@@ -196,7 +196,7 @@ TEST_CASE("an edit of a body or a shape changes a resting contact in the next st
     SECTION("another gravity") {
         scene.world.set_gravity({0, 10});
         scene.run(30);
-        CHECK(scene.upper.position().y() > before + 0.5f);
+        CHECK(scene.upper.position().y > before + 0.5f);
     }
     CHECK_FALSE(scene.world.validate());
 }
@@ -208,7 +208,7 @@ TEST_CASE("a resting contact with bounds that move follows them") {
     for (int i = 0; i < 60; ++i) world.step(frame);
     world.set_bounds(Aabb{{-10, -0.01f}, {10, 10}});
     for (int i = 0; i < 60; ++i) world.step(frame);
-    CHECK(box.position().y() == Approx(0.49f).margin(1e-3));
+    CHECK(box.position().y == Approx(0.49f).margin(1e-3));
 }
 
 TEST_CASE("kept contacts are part of a saved world and of a copy") {

@@ -28,7 +28,7 @@ TEST_CASE("thin planks lie flat on the bounds and sleep") {
         const float lengths[] = {1.0f / 60, 1.0f / 50, 1.0f / 30};
         const float length = lengths[random.engine() % 3];
         for (float time = 0; time < 6.0f; time += length) world.step(length);
-        const float depth = 0.5f * height - plank.position().y();
+        const float depth = 0.5f * height - plank.position().y;
         deepest = std::max(deepest, depth);
         awake += plank.awake();
         CAPTURE(seed, width, height, depth, plank.angle());

@@ -84,7 +84,7 @@ TEST_CASE("what is carried slowly stays awake") {
         body.add(Box{.width = 1, .height = 1});
         for (int i = 0; i < 240; ++i) world.step(1.0f / 60);
         CHECK(body.awake());
-        CHECK(body.position().x() == Approx(4 * speed).epsilon(0.02));
+        CHECK(body.position().x == Approx(4 * speed).epsilon(0.02));
     }
 }
 

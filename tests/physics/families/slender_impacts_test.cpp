@@ -41,12 +41,12 @@ TEST_CASE("slender bodies that hit a wall fast come back from it") {
             const Vec2 before = body.position();
             world.step(1.0f / 60);
             const bool in_place =
-                (body.position() - before).norm() < 1e-5f && body.velocity().norm() > 1.0f;
+                (body.position() - before).length() < 1e-5f && body.velocity().length() > 1.0f;
             steps_in_place = in_place ? steps_in_place + 1 : 0;
             longest_in_place = std::max(longest_in_place, steps_in_place);
         }
-        CAPTURE(seed, body.position().x(), body.velocity().x(), longest_in_place);
-        beyond += body.position().x() > 20.0f;
+        CAPTURE(seed, body.position().x, body.velocity().x, longest_in_place);
+        beyond += body.position().x > 20.0f;
         frozen += longest_in_place > 2;
     }
     std::printf("slender bodies: %d of %d beyond the wall, %d frozen at it\n", beyond, seeds,

@@ -68,7 +68,7 @@ TEST_CASE("an edit of the filter of a long chain finds and ends pairs") {
     };
     const auto all_lie = [&](float height) {
         for (const Body& ball : balls)
-            if (std::abs(ball.position().y() - height) > 0.05f) return false;
+            if (std::abs(ball.position().y - height) > 0.05f) return false;
         return true;
     };
     run(30);
@@ -96,13 +96,13 @@ TEST_CASE("a platform that stands still is left where it is") {
     Body box = world.create_body({.position = {5, 1}});
     box.add(Box{});
     for (int i = 0; i < 60; ++i) world.step(1.0f / 60);
-    CHECK(std::abs(box.position().y() - 1.0f) < 0.01f);
+    CHECK(std::abs(box.position().y - 1.0f) < 0.01f);
     platform.set_velocity({0, 1});
     for (int i = 0; i < 60; ++i) world.step(1.0f / 60);
-    CHECK(std::abs(box.position().y() - 2.0f) < 0.05f);
+    CHECK(std::abs(box.position().y - 2.0f) < 0.05f);
     platform.set_velocity({0, 0});
     for (int i = 0; i < 60; ++i) world.step(1.0f / 60);
-    CHECK(std::abs(box.position().y() - platform.position().y() - 1.0f) < 0.01f);
+    CHECK(std::abs(box.position().y - platform.position().y - 1.0f) < 0.01f);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST_CASE("a bat makes ellipses no faster than its own tip can") {
         float fastest = 0.0f;
         for (int step = 0; step < 60; ++step) {
             world.step(lengths[step % 3]);
-            for (const Body& body : struck) fastest = std::max(fastest, body.velocity().norm());
+            for (const Body& body : struck) fastest = std::max(fastest, body.velocity().length());
         }
         // The tip, the way of a fall, and pushes out of an overlap.
         const float possible = spin * (half + 0.5f) + 10 * 2 + 3;

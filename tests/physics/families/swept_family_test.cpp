@@ -62,7 +62,7 @@ bool bullets_miss(unsigned kind, bool both, unsigned seed) {
     shoot(first + random(0.5f, 5.7f), both ? random(30, 150) : random(0, 3), both);
     const Vec2 before = a.velocity();
     run(world, 40);
-    return (a.velocity() - before).norm() < 1e-3f * before.norm();
+    return (a.velocity() - before).length() < 1e-3f * before.length();
 }
 
 /// A paddle that rotates in place, and a body within its reach.
@@ -79,7 +79,7 @@ bool paddle_misses(bool bullet, unsigned seed) {
     Body body = world.create_body({.position = place});
     add_shape(body, seed % 3, random(0.05f, 0.12f));
     run(world, 15);
-    return (body.position() - place).norm() < 0.01f;
+    return (body.position() - place).length() < 0.01f;
 }
 
 /// A wall that moves on its own towards a row of bodies; returns how many it left behind. What goes
@@ -105,7 +105,7 @@ int left_behind(unsigned kind, float speed, int count, bool rotates, unsigned se
     int behind = 0;
     for (int steps = int(60 * 5 / speed) + 1; steps > 0; --steps) {
         run(world, 1);
-        const Vec2 across = direction(wall.angle()), along = {-across.y(), across.x()};
+        const Vec2 across = direction(wall.angle()), along = {-across.y, across.x};
         behind = 0;
         for (size_t i = 0; i < bodies.size(); ++i) {
             const Vec2 place = bodies[i].position() - wall.position();
@@ -189,7 +189,7 @@ TEST_CASE("fast bodies do not pass through a kinematic body that is slow or stan
                                        .velocity = {random(20, 200), 0}});
         add_shape(body, seed % 5, random(0.05f, 0.2f));
         run(world, 60);
-        through += body.position().x() > wall.position().x();
+        through += body.position().x > wall.position().x;
     }
     CHECK(through == 0);
 }
@@ -211,9 +211,9 @@ TEST_CASE("a body between a fast wall and a fixed one stays where the fixed one 
         Body disc = world.create_body({});
         disc.add(Circle{0.1f});
         run(world, 30);
-        CHECK(disc.position().x() < 2);
-        CHECK(disc.position().x() > 1);
-        CHECK(wall.position().x() > 2);
+        CHECK(disc.position().x < 2);
+        CHECK(disc.position().x > 1);
+        CHECK(wall.position().x > 2);
     }
 }
 
@@ -223,13 +223,13 @@ TEST_CASE("a body that bullets hit in every step goes on falling") {
     plate.add(Box{.width = 4, .height = 1}, {.density = 1000});
     for (int i = 0; i < 30; ++i) {
         Body bullet =
-            world.create_body({.position = {0.1f * float(i) - 1.5f, plate.position().y() - 2},
+            world.create_body({.position = {0.1f * float(i) - 1.5f, plate.position().y - 2},
                                .velocity = {0, 90},
                                .bullet = true});
         bullet.add(Circle{0.05f}, {.density = 0.01f});
         world.step(1.0f / 60);
     }
-    CHECK(plate.position().y() == Approx(20 - 5 * 0.5f - 5 * 0.25f).margin(0.1f));
+    CHECK(plate.position().y == Approx(20 - 5 * 0.5f - 5 * 0.25f).margin(0.1f));
 }
 
 TEST_CASE("impacts of moving bodies do not depend on the number of threads") {

@@ -24,7 +24,7 @@ Geometry thin_shape(families::Random& random, int kind) {
 Vec2 seen_from(const Body& bat, Vec2 pin, Vec2 place) {
     const Vec2 d = place - pin;
     const float c = std::cos(bat.angle()), s = std::sin(bat.angle());
-    return {c * d.x() + s * d.y(), c * d.y() - s * d.x()};
+    return {c * d.x + s * d.y, c * d.y - s * d.x};
 }
 
 TEST_CASE("thin bodies do not pass through a thicker bullet") {
@@ -51,8 +51,8 @@ TEST_CASE("thin bodies do not pass through a thicker bullet") {
         for (int step = 0; step < 60; ++step) {
             world.step(1.0f / 60);
             const Vec2 now = seen_from(bat, pin, thin.position());
-            const bool crossed = before.y() > 0 && now.y() < 0;
-            if (crossed && before.x() > 0 && now.x() > 0 && before.x() < 1.8f && now.x() < 1.8f) {
+            const bool crossed = before.y > 0 && now.y < 0;
+            if (crossed && before.x > 0 && now.x > 0 && before.x < 1.8f && now.x < 1.8f) {
                 ++through;
                 break;
             }

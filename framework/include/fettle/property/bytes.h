@@ -19,12 +19,10 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// Types that may be written byte by byte. The condition is not `is_trivially_copyable`, because
-/// Eigen's vectors are not. A type that owns memory is excluded by its non-trivial destructor. The
-/// types must not contain references.
+/// Types that may be written byte by byte. The types must not contain pointers or references.
 template <class T>
 concept Bytewise =
-    std::is_trivially_destructible_v<T> && !std::is_pointer_v<T> && !std::is_reference_v<T>;
+    std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_reference_v<T>;
 
 class ByteWriter {
   public:

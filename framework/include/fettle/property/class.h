@@ -51,7 +51,7 @@ struct Range {
     }
     /// NaN is in no range.
     bool contains(double x) const { return x >= min && x <= max; }
-    bool contains(const Vec2& v) const { return contains(v.x()) && contains(v.y()); }
+    bool contains(const Vec2& v) const { return contains(v.x) && contains(v.y); }
     static constexpr Range nothing() { return {.min = 1, .max = 0}; }
 };
 
@@ -355,7 +355,7 @@ inline bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 inline bool same_bits(const Vec2& a, const Vec2& b) {
-    return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
+    return same_bits(a.x, b.x) && same_bits(a.y, b.y);
 }
 
 /// The typed functions for a `T` at a fixed place in a row, stored as `Kept`s.
@@ -383,8 +383,8 @@ Typed<T> typed_column() {
         if constexpr (count == 1) {
             kept[0] = static_cast<Kept>(value);
         } else {
-            kept[0] = static_cast<Kept>(value.x());
-            kept[1] = static_cast<Kept>(value.y());
+            kept[0] = static_cast<Kept>(value.x);
+            kept[1] = static_cast<Kept>(value.y);
         }
         if (std::memcmp(cell, kept, sizeof kept) == 0) return Put::same;
         std::memcpy(cell, kept, sizeof kept);

@@ -20,7 +20,7 @@ struct Transform {
         const double c = std::cos(angle), s = std::sin(angle);
         return {Vec2(c, s), Vec2(-s, c), Vec2(0, 0)};
     }
-    static Transform scaled(const Vec2& by) { return {Vec2(by.x(), 0), Vec2(0, by.y())}; }
+    static Transform scaled(const Vec2& by) { return {Vec2(by.x, 0), Vec2(0, by.y)}; }
     /// Turned first, then moved.
     static Transform placed(const Vec2& position, double angle) {
         Transform made = turned(angle);
@@ -30,13 +30,13 @@ struct Transform {
 
     Vec2 operator()(const Vec2& p) const { return direction(p) + origin; }
     /// A difference of two points: the origin has no effect.
-    Vec2 direction(const Vec2& d) const { return d.x() * x + d.y() * y; }
+    Vec2 direction(const Vec2& d) const { return d.x * x + d.y * y; }
     /// First `inner`, then this one.
     Transform operator*(const Transform& inner) const {
         return {direction(inner.x), direction(inner.y), (*this)(inner.origin)};
     }
     /// The area of a mapped square of one by one; negative if the map mirrors.
-    double area() const { return x.x() * y.y() - x.y() * y.x(); }
+    double area() const { return x.x * y.y - x.y * y.x; }
     /// The factor of lengths; for different factors in two directions, their geometric mean.
     double scale() const { return std::sqrt(std::abs(area())); }
     bool is_identity() const { return x == Vec2(1, 0) && y == Vec2(0, 1) && origin == Vec2(0, 0); }

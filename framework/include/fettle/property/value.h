@@ -10,17 +10,15 @@
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <fettle/property/export.h>
+#include <fettle/vector/vector2.h>
 
 FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// A vector in the plane; also a point. Meters unless a property says otherwise. Eigen's arithmetic
-/// applies.
-using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+/// A vector in the plane; also a point. Meters unless a property says otherwise.
+using Vec2 = Vector2<double>;
 
 /// Red, green and blue as displayed (sRGB) and opacity, each 0 to 1.
 struct Color {
@@ -69,8 +67,8 @@ class Value {
     Value(double v) : type_(Type::number) { data_.number = v; }
     Value(float v) : Value(static_cast<double>(v)) {}
     Value(const Vec2& v) : type_(Type::vec2) {
-        data_.vec[0] = v.x();
-        data_.vec[1] = v.y();
+        data_.vec[0] = v.x;
+        data_.vec[1] = v.y;
     }
     Value(Color v) : type_(Type::color) { data_.color = v; }
     Value(Handle v) : type_(Type::reference) { data_.reference = v; }

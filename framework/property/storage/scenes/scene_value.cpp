@@ -118,9 +118,9 @@ void ValueWriter::append(std::string& out, Type type, Type element, Precision pr
             return;
         case Type::vec2: {
             out += declared ? "[" : "{\"vec2\": [";
-            append_number(out, value.vec2().x(), precision, true);
+            append_number(out, value.vec2().x, precision, true);
             out += ", ";
-            append_number(out, value.vec2().y(), precision, true);
+            append_number(out, value.vec2().y, precision, true);
             out += declared ? "]" : "]}";
             return;
         }

@@ -58,7 +58,7 @@ class SettingsReader {
         constexpr const char* wanted = "width and height from 1 to 16384 pixels, as in [1280, 800]";
         if (node.kind != Kind::array || document_.count(node) != 2) refuse(node, wanted);
         Vec2 size;
-        Eigen::Index i = 0;
+        int i = 0;
         for (const Node* side = document_.first(node); side != nullptr;
              side = document_.next(*side)) {
             if (side->kind != Kind::integer || side->integer < 1 ||

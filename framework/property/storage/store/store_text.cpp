@@ -34,7 +34,7 @@ StoreJson value_json(const Value& value) {
             return value.text();
         case Type::vec2: {
             const Vec2 v = value.vec2();
-            return {{"$vec2", StoreJson::array({number_json(v.x()), number_json(v.y())})}};
+            return {{"$vec2", StoreJson::array({number_json(v.x), number_json(v.y)})}};
         }
         case Type::color: {
             const Color c = value.color();

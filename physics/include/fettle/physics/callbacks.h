@@ -38,8 +38,8 @@ namespace fettle::physics {
 struct ContactEdit {
     Shape shape_a;
     Shape shape_b;
-    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold of the deepest part
-    Vec2 normal = Vec2::Zero();  ///< from a to b
+    Vec2 point = {};             ///< world, m: middle of the manifold of the deepest part
+    Vec2 normal = {};            ///< from a to b
     float speed = 0.0f;          ///< m/s, approach speed along the normal
     float impulse = 0.0f;        ///< N s, normal impulse of the last step
     float separation = 0.0f;     ///< m, negative when the shapes overlap

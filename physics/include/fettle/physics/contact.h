@@ -10,8 +10,8 @@ FETTLE_PHYSICS_BEGIN
 namespace fettle::physics {
 
 struct ContactPoint {
-    Vec2 point = Vec2::Zero();  ///< world, m
-    float separation = 0.0f;    ///< m, negative: overlap
+    Vec2 point = {};          ///< world, m
+    float separation = 0.0f;  ///< m, negative: overlap
     float normal_impulse =
         0.0f;  ///< N s in one sub-step; multiply by the sub-step rate for newtons
     float tangent_impulse = 0.0f;  ///< N s in one sub-step
@@ -25,7 +25,7 @@ struct Contact {
     BodyId body_b;
     ShapeId shape_a;
     ShapeId shape_b;
-    Vec2 normal = Vec2::Zero();
+    Vec2 normal = {};
     int point_count = 0;
     std::array<ContactPoint, 2> points;
     float friction = 0.0f;      ///< mixed

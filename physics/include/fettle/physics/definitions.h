@@ -51,11 +51,11 @@ struct WorldDef {
 
 struct BodyDef {
     BodyType type = BodyType::dynamic_body;
-    Vec2 position = Vec2::Zero();   ///< m
+    Vec2 position = {};             ///< m
     float angle = 0.0f;             ///< rad
-    Vec2 velocity = Vec2::Zero();   ///< m/s
+    Vec2 velocity = {};             ///< m/s
     float angular_velocity = 0.0f;  ///< rad/s
-    Vec2 force = Vec2::Zero();      ///< N, applied at the center of mass in every step
+    Vec2 force = {};                ///< N, applied at the center of mass in every step
     float torque = 0.0f;            ///< N m, applied in every step
     float gravity_scale = 1.0f;
     float linear_damping = 0.0f;        ///< 1/s
@@ -94,13 +94,13 @@ struct ShapeDef {
 
 struct Circle {
     float radius = 0.5f;
-    Vec2 center = Vec2::Zero();
+    Vec2 center = {};
 };
 
 struct Box {
     float width = 1.0f;  ///< full width, including rounding
     float height = 1.0f;
-    Vec2 center = Vec2::Zero();
+    Vec2 center = {};
     float angle = 0.0f;
     float rounding = 0.0f;  ///< corner radius; at most half of the smaller side is used
 };
@@ -123,7 +123,7 @@ struct Polygon {
 struct Ellipse {
     float radius_x = 0.5f;  ///< half of its width before rotation
     float radius_y = 0.25f;
-    Vec2 center = Vec2::Zero();
+    Vec2 center = {};
     float angle = 0.0f;
 };
 
@@ -148,8 +148,8 @@ using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, C
 struct JointDef {
     BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};
-    Vec2 anchor_a = Vec2::Zero();  ///< body coordinates, m
-    Vec2 anchor_b = Vec2::Zero();
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
     bool collide = false;  ///< whether the two bodies collide with each other
     bool enabled = true;
     uint64_t user_data = 0;
@@ -158,7 +158,7 @@ struct JointDef {
 /// A soft pull of a point of a body towards a target, for dragging with a mouse.
 struct MouseJointDef {
     BodyId body = {};
-    Vec2 target = Vec2::Zero();       ///< world, m
+    Vec2 target = {};                 ///< world, m
     std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point at `target`
     float hertz = 5.0f;               ///< stiffness
     float damping_ratio = 0.7f;

@@ -17,12 +17,12 @@ struct ContactBeginEvent {
     ShapeId shape_b;
     BodyId body_a;
     BodyId body_b;
-    Vec2 point = Vec2::Zero();   ///< world, m: middle of the manifold
-    Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach speed along the normal before the step
-    float impulse = 0.0f;        ///< N s, the impulse that stops the approach and causes the bounce
-    float friction = 0.0f;       ///< mixed
-    float restitution = 0.0f;    ///< mixed
+    Vec2 point = {};           ///< world, m: middle of the manifold
+    Vec2 normal = {};          ///< from a to b
+    float speed = 0.0f;        ///< m/s, approach speed along the normal before the step
+    float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
+    float friction = 0.0f;     ///< mixed
+    float restitution = 0.0f;  ///< mixed
 };
 
 struct ContactEndEvent {
@@ -38,12 +38,12 @@ struct ContactPersistEvent {
     ShapeId shape_b;
     BodyId body_a;
     BodyId body_b;
-    Vec2 point = Vec2::Zero();
-    Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach speed along the normal
-    float impulse = 0.0f;        ///< N s, normal impulse of the last step
-    float friction = 0.0f;       ///< mixed
-    float restitution = 0.0f;    ///< mixed
+    Vec2 point = {};
+    Vec2 normal = {};          ///< from a to b
+    float speed = 0.0f;        ///< m/s, approach speed along the normal
+    float impulse = 0.0f;      ///< N s, normal impulse of the last step
+    float friction = 0.0f;     ///< mixed
+    float restitution = 0.0f;  ///< mixed
 };
 
 /// An impact, for shapes with `hit_events`.
@@ -52,12 +52,12 @@ struct ContactHitEvent {
     ShapeId shape_b;
     BodyId body_a;
     BodyId body_b;
-    Vec2 point = Vec2::Zero();
-    Vec2 normal = Vec2::Zero();  ///< from a to b
-    float speed = 0.0f;          ///< m/s, approach speed along the normal
-    float impulse = 0.0f;        ///< N s, the impulse that stopped the approach
-    float friction = 0.0f;       ///< mixed
-    float restitution = 0.0f;    ///< mixed
+    Vec2 point = {};
+    Vec2 normal = {};          ///< from a to b
+    float speed = 0.0f;        ///< m/s, approach speed along the normal
+    float impulse = 0.0f;      ///< N s, the impulse that stopped the approach
+    float friction = 0.0f;     ///< mixed
+    float restitution = 0.0f;  ///< mixed
 };
 
 struct SensorEvent {
@@ -73,8 +73,8 @@ struct JointBreakEvent {
     JointId joint;
     BodyId body_a;  ///< an invalid id means the world
     BodyId body_b;
-    Vec2 force = Vec2::Zero();  ///< N, on body b, mean over the step
-    float torque = 0.0f;        ///< N m, on body b, without the torque of the force
+    Vec2 force = {};      ///< N, on body b, mean over the step
+    float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
 
 struct Events {

@@ -33,9 +33,9 @@ struct WindField {
 
 /// Slows bodies relative to a flow, in proportion to the area of their shapes.
 struct DragField {
-    Vec2 flow = Vec2::Zero();  ///< m/s
-    float linear = 1.0f;       ///< N s/m per m²
-    float quadratic = 0.0f;    ///< N s²/m² per m²
+    Vec2 flow = {};          ///< m/s
+    float linear = 1.0f;     ///< N s/m per m²
+    float quadratic = 0.0f;  ///< N s²/m² per m²
 };
 
 /// A liquid below a straight surface. Lifts a shape by the exact weight of the displaced liquid, at
@@ -45,15 +45,15 @@ struct BuoyancyField {
     Vec2 normal = {0.0f, 1.0f};  ///< upward normal of the surface, of any length but 0
     float density = 2.0f;        ///< kg/m²
     float drag = 2.0f;           ///< 1/s: share of the displaced mass that resists motion
-    Vec2 flow = Vec2::Zero();    ///< m/s
+    Vec2 flow = {};              ///< m/s
 };
 
 /// Pulls towards a point with an acceleration of strength / distance^falloff.
 struct AttractorField {
-    Vec2 center = Vec2::Zero();  ///< world, m
-    float strength = 10.0f;      ///< m/s² at a distance of 1 m; negative repels
-    int falloff = 2;             ///< 0 … 3
-    float core = 0.5f;           ///< m: nearer, the pull is proportional to the distance
+    Vec2 center = {};        ///< world, m
+    float strength = 10.0f;  ///< m/s² at a distance of 1 m; negative repels
+    int falloff = 2;         ///< 0 … 3
+    float core = 0.5f;       ///< m: nearer, the pull is proportional to the distance
 };
 
 struct FieldDef {

@@ -23,27 +23,27 @@ struct QueryFilter {
 
 struct RayHit {
     Shape shape;
-    Vec2 point = Vec2::Zero();
+    Vec2 point = {};
     /// Outward normal of the surface. Opposite to the motion if a cast shape overlaps the shape at
     /// the start.
-    Vec2 normal = Vec2::Zero();
+    Vec2 normal = {};
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
 
 /// A point on a shape.
 struct PointHit {
     Shape shape;
-    Vec2 point = Vec2::Zero();   ///< on its surface; the query point if that is inside
-    Vec2 normal = Vec2::Zero();  ///< of the surface, outward; zero inside
-    float distance = 0.0f;       ///< m; 0 inside
+    Vec2 point = {};        ///< on its surface; the query point if that is inside
+    Vec2 normal = {};       ///< of the surface, outward; zero inside
+    float distance = 0.0f;  ///< m; 0 inside
 };
 
 /// Distance between two shapes.
 struct Separation {
-    float distance = 0.0f;        ///< m; 0 when they overlap
-    Vec2 point_a = Vec2::Zero();  ///< nearest to b, world, m
-    Vec2 point_b = Vec2::Zero();  ///< nearest to a
-    Vec2 normal = Vec2::Zero();   ///< from a to b; zero when they overlap
+    float distance = 0.0f;  ///< m; 0 when they overlap
+    Vec2 point_a = {};      ///< nearest to b, world, m
+    Vec2 point_b = {};      ///< nearest to a
+    Vec2 normal = {};       ///< from a to b; zero when they overlap
 };
 /// The shapes may be of different worlds. The coordinates of a detached shape are those of the
 /// world.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <fettle/physics/export.h>
+#include <fettle/vector/vector2.h>
+
 #include <cstdint>
 #include <limits>
-
-#include <fettle/physics/export.h>
 
 FETTLE_PHYSICS_BEGIN
 
@@ -12,7 +12,7 @@ namespace fettle::physics {
 
 /// All numbers in the library are single precision and in SI units (m, m/s, N, ...), angles in
 /// radians.
-using Vec2 = Eigen::Vector2f;
+using Vec2 = Vector2<float>;
 
 /// A handle: a slot and the generation of the object in it. A default-constructed id is empty. An
 /// id is valid in its world and in copies of that world. No two worlds of a process use the same
@@ -73,8 +73,8 @@ enum class JointType : uint8_t {
 
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {
-    Vec2 min = Vec2::Zero();
-    Vec2 max = Vec2::Zero();
+    Vec2 min = {};
+    Vec2 max = {};
     friend bool operator==(const Aabb& a, const Aabb& b) {
         return a.min == b.min && a.max == b.max;
     }
@@ -82,7 +82,7 @@ struct Aabb {
 
 /// Pose of a body: its origin, and its angle (rad, counter-clockwise, not wrapped).
 struct Pose {
-    Vec2 position = Vec2::Zero();
+    Vec2 position = {};
     float angle = 0.0f;
 };
 
@@ -90,10 +90,10 @@ struct Pose {
 /// `BodyId::index`. A slot does not move while its body lives: sleeping and waking do not reorder
 /// the array. It can be read freely; writing requires `Body`.
 struct BodyState {
-    Vec2 position = Vec2::Zero();   ///< of the body's origin, m
+    Vec2 position = {};             ///< of the body's origin, m
     float angle = 0.0f;             ///< rad, not wrapped
     float angular_velocity = 0.0f;  ///< rad/s
-    Vec2 velocity = Vec2::Zero();   ///< of the center of mass, m/s
+    Vec2 velocity = {};             ///< of the center of mass, m/s
     float cosine = 1.0f;            ///< of `angle`
     float sine = 0.0f;              ///< of `angle`
 };

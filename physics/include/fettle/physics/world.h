@@ -83,7 +83,7 @@ enum class BodyNumber : uint8_t {
 ///     Body crate = world.create_body({.position = {0, 5}});
 ///     crate.add(Box{});
 ///     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
-///     std::cout << crate.position().y();
+///     std::cout << crate.position().y;
 class World {
   public:
     explicit World(const WorldDef& def = {});

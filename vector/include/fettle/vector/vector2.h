@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+namespace fettle {
+
+/// A vector or a point in the plane, with components of type `T`. The physics library uses
+/// `Vector2<float>` and the property tree `Vector2<double>`; both call it `Vec2`. The components
+/// are 0 unless given. The equations stand here in full and in one order, so every compiler
+/// computes the same bits.
+template <class T>
+struct Vector2 {
+    T x = 0;
+    T y = 0;
+
+    constexpr Vector2() = default;
+    /// Any numbers; they are converted to `T`.
+    template <class X, class Y>
+    requires(std::is_arithmetic_v<X>&& std::is_arithmetic_v<Y>) constexpr Vector2(X x, Y y)
+        : x(static_cast<T>(x)), y(static_cast<T>(y)) {}
+    /// Rounds to the nearest value of `T` when `T` has fewer digits.
+    template <class U>
+    requires(!std::is_same_v<T, U>) explicit constexpr Vector2(const Vector2<U>& other)
+        : x(static_cast<T>(other.x)), y(static_cast<T>(other.y)) {}
+
+    constexpr Vector2& operator+=(const Vector2& other) { return *this = *this + other; }
+    constexpr Vector2& operator-=(const Vector2& other) { return *this = *this - other; }
+    constexpr Vector2& operator*=(T factor) { return *this = factor * *this; }
+    constexpr Vector2& operator/=(T divisor) { return *this = *this / divisor; }
+
+    friend constexpr bool operator==(const Vector2&, const Vector2&) = default;
+    friend constexpr Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
+    friend constexpr Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
+    friend constexpr Vector2 operator-(Vector2 a) { return {-a.x, -a.y}; }
+    friend constexpr Vector2 operator*(T factor, Vector2 a) { return {factor * a.x, factor * a.y}; }
+    friend constexpr Vector2 operator*(Vector2 a, T factor) { return factor * a; }
+    friend constexpr Vector2 operator/(Vector2 a, T divisor) {
+        return {a.x / divisor, a.y / divisor};
+    }
+
+    constexpr T dot(Vector2 other) const { return x * other.x + y * other.y; }
+    /// The z component of the cross product: positive if `other` lies counter-clockwise of this.
+    constexpr T cross(Vector2 other) const { return x * other.y - y * other.x; }
+    constexpr T length_squared() const { return x * x + y * y; }
+    T length() const { return std::sqrt(length_squared()); }
+    /// The vector of length 1 in this direction; a zero vector stays as it is.
+    Vector2 normalized() const {
+        const T of_this = length();
+        return of_this > 0 ? *this / of_this : *this;
+    }
+
+    /// The component along an axis, 0 for x and 1 for y.
+    constexpr T& operator[](int axis) { return axis == 0 ? x : y; }
+    constexpr const T& operator[](int axis) const { return axis == 0 ? x : y; }
+
+    /// x and y one after the other, for interfaces in C.
+    T* data() { return &x; }
+    const T* data() const { return &x; }
+
+    // Component by component:
+    constexpr Vector2 min(Vector2 b) const { return {b.x < x ? b.x : x, b.y < y ? b.y : y}; }
+    constexpr Vector2 max(Vector2 b) const { return {x < b.x ? b.x : x, y < b.y ? b.y : y}; }
+    constexpr Vector2 times(Vector2 b) const { return {x * b.x, y * b.y}; }
+    constexpr Vector2 over(Vector2 b) const { return {x / b.x, y / b.y}; }
+    Vector2 abs() const { return {std::abs(x), std::abs(y)}; }
+    /// True if no component is below that of `low` or above that of `high`.
+    constexpr bool within(Vector2 low, Vector2 high) const {
+        return low.x <= x && x <= high.x && low.y <= y && y <= high.y;
+    }
+    constexpr T smallest() const { return y < x ? y : x; }
+    constexpr T largest() const { return x < y ? y : x; }
+    /// False if a component is infinite or not a number.
+    bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
+};
+
+}  // namespace fettle
