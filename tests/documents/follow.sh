@@ -159,6 +159,8 @@ draw_picture() {
     esac
     rm -f -- "$drawn"
     if [[ $mark == 'picture session '* ]]; then
+        # A moving picture is not compared, so its last frame is enough.
+        if ((!draw)) && [[ $drawn == *.webp ]]; then drawn=$folder/drawn.png; fi
         "$here/draw_session.sh" "${mark#picture session }" "$checkout" "$finished" "$folder/frames" "$drawn" ||
             fail "the session went wrong"
     else
@@ -171,7 +173,10 @@ draw_picture() {
         return
     fi
     [[ -s $kept ]] || fail "there is no picture $kept yet: draw it with follow.sh --draw, and look at it"
-    if [[ $drawn != *.webp ]]; then
+    if [[ $kept == *.webp ]]; then
+        # A page with the picture must load quickly.
+        (($(stat -c %s -- "$kept") <= 3000000)) || fail "$kept has more than 3 MB"
+    else
         "$finished/bin/fettle_pictures" compare "$kept" "$drawn" || fail "look at both pictures; follow.sh --draw writes the new one"
     fi
 }

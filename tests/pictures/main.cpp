@@ -1,6 +1,6 @@
 // fettle_pictures compare KEPT DRAWN              succeeds if the two pictures look the same
 // fettle_pictures session FILE PROJECT FOLDER     plays a session, and writes its frames into
-// FOLDER
+// FOLDER; into a file whose name ends in .png, only the last one
 
 #include <cmath>
 #include <cstdio>
@@ -40,8 +40,8 @@ int compare(const std::string& kept, const std::string& drawn) {
     return 1;
 }
 
-int session(const std::string& file, const std::string& project, const std::string& folder) {
-    std::printf("%d frames\n", fettle::pictures::play_session(file, project, folder));
+int session(const std::string& file, const std::string& project, const std::string& frames) {
+    std::printf("%d frames\n", fettle::pictures::play_session(file, project, frames));
     return 0;
 }
 
@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
         const std::string command = argc > 1 ? argv[1] : "";
         if (command == "compare" && argc == 4) return compare(argv[2], argv[3]);
         if (command == "session" && argc == 5) return session(argv[2], argv[3], argv[4]);
-        std::puts("usage: fettle_pictures compare KEPT DRAWN | session FILE PROJECT FOLDER");
+        std::puts(
+            "usage: fettle_pictures compare KEPT DRAWN | session FILE PROJECT FOLDER|PICTURE");
         return 2;
     } catch (const std::exception& error) {
         std::printf("%s\n", error.what());

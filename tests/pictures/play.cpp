@@ -20,6 +20,10 @@ program::RunOptions options_for(const std::filesystem::path& game, const std::st
 
 }  // namespace
 
+bool is_picture(const std::filesystem::path& frames) {
+    return frames.extension() == ".png";
+}
+
 Play::Play(const std::filesystem::path& game, const std::string& prepare, unsigned width,
            unsigned height, std::filesystem::path frames)
     : options_(options_for(game, prepare)),
@@ -29,7 +33,8 @@ Play::Play(const std::filesystem::path& game, const std::string& prepare, unsign
       folder_(std::move(frames)),
       x_(static_cast<float>(width) / 2),
       y_(static_cast<float>(height) / 2) {
-    std::filesystem::create_directories(folder_);
+    if (is_picture(folder_)) folder_.clear();
+    if (!folder_.empty()) std::filesystem::create_directories(folder_);
     session_.on_output([](std::string_view) {});
     session_.set_screen({static_cast<double>(width), static_cast<double>(height)});
     session_.start();
@@ -44,6 +49,7 @@ void Play::frame() {
     draw_pointer();
     screen_->present();
     std::string number = std::to_string(frame_++);
+    if (folder_.empty()) return;
     number.insert(0, 4 - number.size(), '0');
     screen_->save(folder_ / (number + ".png"));
 }

@@ -17,10 +17,14 @@ namespace fettle::pictures {
 /// Frames a second of the moving picture.
 constexpr int rate = 20;
 
+/// Whether only the last frame is kept, in this file, not all of them in a folder.
+bool is_picture(const std::filesystem::path& frames);
+
 class Play {
   public:
     /// Runs a game in a picture of this size; `prepare` is Lua that runs before its second step.
-    /// Each frame becomes a file of the folder `frames`.
+    /// Each frame becomes a file of the folder `frames`; none does if that is the name of a
+    /// picture.
     Play(const std::filesystem::path& game, const std::string& prepare, unsigned width,
          unsigned height, std::filesystem::path frames);
 
@@ -41,6 +45,8 @@ class Play {
     /// Throws std::runtime_error unless the expression of Lua is true.
     void expect(const std::string& expression);
     int frames() const { return frame_; }
+    /// The frame that was drawn last.
+    void save(const std::filesystem::path& picture) { screen_->save(picture); }
 
   private:
     void frame();

@@ -32,6 +32,9 @@ class Reader {
         }
     }
     int frames() const { return play_ ? play_->frames() : 0; }
+    void save(const std::filesystem::path& picture) {
+        if (play_) play_->save(picture);
+    }
 
   private:
     void play(const std::string& name) {
@@ -100,6 +103,7 @@ int play_session(const std::filesystem::path& session, const std::filesystem::pa
                                      error.what());
         }
     }
+    if (is_picture(frames)) reader.save(frames);
     return reader.frames();
 }
 
