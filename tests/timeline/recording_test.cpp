@@ -144,7 +144,7 @@ TEST_CASE("files that are not recordings are refused with a reason") {
     };
     refused("", "ends before the run begins");
     refused("hello\nworld\n", "is no recording");
-    refused("fettle-recording 3\n", "of format 3");
+    refused("fettle-recording 2\n", "of format 2");
     refused(text.substr(0, 30), "ends before the run begins");
     refused(text + "nonsense 1 2 3\n", "is nothing known");
     refused(text + "step x\n", "is nothing known");

@@ -15,7 +15,7 @@ Recorder::Recorder(const std::filesystem::path& file, const RunStart& start) : f
     out_ = std::fopen(file.c_str(), "wb");
     if (out_ == nullptr)
         throw RecordingError(file.string() + ": cannot be written: " + std::strerror(errno));
-    line("fettle-recording 2");
+    line("fettle-recording " + std::to_string(recording_format));
     line("game " + in_quotes(start.game.string()));
     for (const std::string& module : start.modules) line("module " + in_quotes(module));
     line("seed " + hex(start.seed));

@@ -19,7 +19,6 @@ using property::Writer;
 
 namespace {
 
-constexpr std::int64_t format = 2;
 /// Far above the size of an hour with the fastest possible events.
 constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
@@ -124,9 +123,9 @@ Recording::Recording(const std::filesystem::path& file) : file_(file) {
         if (number == 1) {
             const auto version = words.integer();
             if (word != "fettle-recording" || !version) fail(0, "is no recording of Fettle");
-            if (*version != format)
+            if (*version != recording_format)
                 fail(0, "is a recording of format " + std::to_string(*version) +
-                            ", and this Fettle reads " + std::to_string(format));
+                            ", and this Fettle reads " + std::to_string(recording_format));
         } else if (!begun) {
             begun = word == "begin";
             if (!begun) read_start(word, line.substr(std::min(word.size(), line.size())), number);

@@ -1,6 +1,8 @@
 #include <time/state_hash.h>
 
 #include <bit>
+#include <unordered_map>
+#include <vector>
 
 namespace fettle::app {
 
@@ -68,24 +70,53 @@ void StateHash::add(const property::Value& value, const property::Tree& tree) {
     }
 }
 
+namespace {
+
+/// The saved values of a class that the tree itself stores, and a hash of their names.
+struct StoredValues {
+    bool service = false;
+    std::uint64_t names = 0;
+    std::vector<const property::Property*> properties;
+};
+
+StoredValues stored_values(const property::Class& of) {
+    StoredValues values;
+    values.service = !of.creatable();
+    StateHash names;
+    names.add(std::string_view(of.name()));
+    for (const property::Property* property : of.properties()) {
+        if (property->binding.kind != BindingKind::stored || property->transient) continue;
+        names.add(std::string_view(property->name));
+        values.properties.push_back(property);
+    }
+    values.names = names.result();
+    return values;
+}
+
+}  // namespace
+
 void StateHash::add_stored_values(const property::Tree& tree) {
+    std::unordered_map<const property::Class*, StoredValues> classes;
+    const auto add_value = [&](property::Handle instance, const property::Property& property) {
+        // This settles the value; a formula with an error has its last valid value.
+        (void)tree.problem(instance, property);
+        add(tree.peek(instance, property), tree);
+    };
     tree.each_below(tree.root(), [&](property::Handle instance) {
+        const property::Class& of = tree.class_of(instance);
+        const auto [known, is_new] = classes.try_emplace(&of);
+        if (is_new) known->second = stored_values(of);
         // Services are skipped, because they may differ between programs (a console). Ad hoc
         // properties that a game added to them are included.
-        const bool service = !tree.class_of(instance).creatable();
-        if (!service) {
+        if (const StoredValues& values = known->second; !values.service) {
             add(std::string_view(tree.name(instance)));
-            add(std::string_view(tree.class_of(instance).name()));
+            add(values.names);
+            for (const property::Property* property : values.properties)
+                add_value(instance, *property);
         }
-        for (const property::Property* property : tree.properties(instance)) {
-            const BindingKind kind = property->binding.kind;
-            const bool kept = kind == BindingKind::ad_hoc ||
-                              (kind == BindingKind::stored && !service && !property->transient);
-            if (!kept) continue;
-            add(std::string_view(property->name));
-            // This settles the value; a formula with an error has its last valid value.
-            (void)tree.problem(instance, *property);
-            add(tree.peek(instance, *property), tree);
+        for (const property::Property* own : tree.ad_hoc(instance)) {
+            add(std::string_view(own->name));
+            add_value(instance, *own);
         }
     });
 }

@@ -75,7 +75,7 @@ void Tree::remove_formula(Handle instance, const Property& property) {
 }
 
 std::string Tree::problem(Handle instance, const Property& property) const {
-    state_->instances.require(instance, property);
+    if (!state_->instances.require(instance, property).has_formula) return {};
     return state_->formulas.problem({instance.index, property.symbol});
 }
 
