@@ -21,11 +21,16 @@ float EllipseForm::reach(Vec2 direction) const {
     return std::sqrt(along * along + across * across);
 }
 
-void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool) {
+void write_ellipse(const Ellipse& ellipse, Vec2* vertices, Vec2* normals) {
     const Rotation q = rotation_of(ellipse.angle);
-    pool.local[begin] = ellipse.center;
-    pool.normals[begin] = {q.c, q.s};
-    pool.local[begin + 1] = pool.vertices[begin + 1] = {ellipse.radius_x, ellipse.radius_y};
+    vertices[0] = ellipse.center;
+    normals[0] = {q.c, q.s};
+    vertices[1] = {ellipse.radius_x, ellipse.radius_y};
+}
+
+void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool) {
+    write_ellipse(ellipse, &pool.local[begin], &pool.normals[begin]);
+    pool.vertices[begin + 1] = pool.local[begin + 1];
 }
 
 Vec2 half_box(const EllipseForm& ellipse) {

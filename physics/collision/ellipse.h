@@ -21,7 +21,8 @@ struct EllipseForm {
     float reach(Vec2 direction) const;
 };
 
-// In the pool an ellipse uses two entries: the center, with the axis as its normal; the two radii.
+// An ellipse uses two vertices: the center, with the axis as its normal; the two radii.
+void write_ellipse(const Ellipse& ellipse, Vec2* vertices, Vec2* normals);
 void write_ellipse(const Ellipse& ellipse, uint32_t begin, VertexPool& pool);
 inline EllipseForm ellipse_of(const Convex& form) {
     return {form.vertices[0], form.normals[0], form.vertices[1].x, form.vertices[1].y};

@@ -1,6 +1,6 @@
 #include <collision/ellipse.h>
 #include <edits/edits.h>
-#include <geometry/trigonometry.h>
+#include <forms/corners.h>
 #include <state/active_lists.h>
 #include <state/limits.h>
 #include <state/place_shape.h>
@@ -16,30 +16,6 @@ constexpr double least_mass = 1e-12, greatest_mass = 1e18;
 float bounded_inverse(double value) {
     if (!(value > 0.0) || !(value < greatest_mass)) return 0.0f;
     return float(1.0 / std::max(value, least_mass));
-}
-
-/// The largest rounding that fits into the box. Sides and rounding are set one after the other, in
-/// any order, so a rounding that is too large is stored and limited here instead of being refused.
-float fitting_rounding(const Box& box) {
-    return min(box.rounding, 0.5f * min(box.width, box.height));
-}
-
-/// Corners of a box without its rounding. The core always has an area, so it stays a polygon.
-void box_corners(const Box& box, Vec2* out) {
-    const float least = min(box.width, box.height) * 1e-3f;
-    const float rounding = fitting_rounding(box);
-    const float hx = 0.5f * max(box.width - 2.0f * rounding, least);
-    const float hy = 0.5f * max(box.height - 2.0f * rounding, least);
-    const Rotation q = rotation_of(box.angle);
-    const Vec2 corners[4] = {{-hx, -hy}, {hx, -hy}, {hx, hy}, {-hx, hy}};
-    for (int i = 0; i < 4; ++i) out[i] = box.center + rotate(q, corners[i]);
-}
-
-/// Ends of a segment are set one after the other, too. While they are equal, the segment has a
-/// minimal length.
-Vec2 kept_apart(Vec2 to, Vec2 from) {
-    const float least = 1e-4f + 1e-6f * max(std::fabs(from.x), std::fabs(from.y));
-    return length(to - from) >= least ? to : from + Vec2{least, 0.0f};
 }
 
 void list_body(ObjectState& objects, ActiveLists& active, uint32_t body) {
@@ -258,10 +234,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             form.radius = record.figure.as<PolygonFigure>().rounding;
             break;
     }
-    for (uint32_t i = 0; i < form.count && form.count > 1; ++i) {
-        objects.pool.normals[form.begin + i] =
-            normalized(right_perp(local[(i + 1) % form.count] - local[i]));
-    }
+    write_normals({local, form.count}, objects.pool.normals.data() + form.begin);
     objects.pool.vertices[form.begin] = {infinity,
                                          infinity};  // a large polygon must be centered again
     record.set_moments(record.type == ShapeType::ellipse

@@ -1,3 +1,4 @@
+#include <fettle/physics/outlines.h>
 #include <fettle/physics/physics.h>
 #include <fettle_physics.h>
 
@@ -147,10 +148,25 @@ TEST_CASE("every other name of another function exists in C") {
             INFO(method);
             CHECK(in_c.contains(function));
         }
-    for (const char* function : {"fettle_distance", "fettle_convex_hull", "fettle_describe",
-                                 "fettle_simd_width", "fettle_world_create", "fettle_world_destroy",
-                                 "fettle_world_clone", "fettle_world_assign", "fettle_world_draw"})
+    for (const char* function :
+         {"fettle_distance", "fettle_convex_hull", "fettle_describe", "fettle_simd_width",
+          "fettle_world_create", "fettle_world_destroy", "fettle_world_clone",
+          "fettle_world_assign", "fettle_world_draw", "fettle_join_lines",
+          "fettle_without_straight_points", "fettle_grid_outlines", "fettle_geometry_parts"})
         CHECK(in_c.contains(function));
+}
+
+TEST_CASE("every function on a geometry exists in C") {
+    const std::set<std::string> in_c = header_text::functions_in_c();
+    const std::string text = header_text::of_physics("geometry.h");
+    const std::regex function("\n[\\w:<>]+ (\\w+)\\(const Form&");
+    size_t seen = 0;
+    for (std::sregex_iterator it(text.begin(), text.end(), function), end; it != end;
+         ++it, ++seen) {
+        INFO((*it)[1].str());
+        CHECK(in_c.contains("fettle_geometry_" + (*it)[1].str()));
+    }
+    CHECK(seen == 7);
 }
 
 TEST_CASE("every member of a structure of the library is one in C") {
@@ -188,6 +204,12 @@ TEST_CASE("every member of a structure of the library is one in C") {
         {"query.h", "RayHit", "ray_hit"},
         {"query.h", "PointHit", "point_hit"},
         {"query.h", "Separation", "separation"},
+        {"geometry.h", "MassProperties", "mass_properties"},
+        {"geometry.h", "SurfaceHit", "surface_hit"},
+        {"geometry.h", "ContactManifold", "contact_manifold"},
+        {"geometry.h", "Movement", "movement"},
+        {"outlines.h", "JoinOptions", "join_options"},
+        {"outlines.h", "GridLayout", "grid_layout"},
         {"statistics.h", "StepStatistics", "statistics"},
         {"statistics.h", "MemoryShare", "memory_share"},
         {"types.h", "BodyState", "body_state"},
@@ -222,6 +244,7 @@ TEST_CASE("enumerators in C are those of the library") {
     CHECK(FETTLE_SOLVER_DIRECT == int(Solver::direct));
     CHECK(FETTLE_HULL_COLLINEAR == int(HullStatus::collinear));
     CHECK(FETTLE_HULL_NOT_FINITE == int(HullStatus::not_finite));
+    CHECK(FETTLE_WINDING_COUNTER_CLOCKWISE == int(Winding::counter_clockwise));
     CHECK(FETTLE_REFRESH_SHAPE == int(Refresh::Of::shape));
     CHECK(FETTLE_NUMBER_ANGULAR_DAMPING == int(BodyNumber::angular_damping));
     CHECK(FETTLE_WRITTEN_REFUSED == int(Written::refused));

@@ -134,7 +134,18 @@ class Arguments {
 
     // Pointers to input.
     const char* pointer(const char*) { return "text"; }
-    const float* pointer(const float*) { return store(number()); }
+    const float* pointer(const float*) {
+        for (auto& one : numbers_) one = number();
+        return numbers_;
+    }
+    const fettle_line_point* pointer(const fettle_line_point*) {
+        for (auto& one : line_points_) one = {{number(), number()}, below(3), below(2) == 0};
+        return line_points_;
+    }
+    const fettle_movement* pointer(const fettle_movement*) {
+        const auto pose = [this] { return fettle_pose{{number(), number()}, number()}; };
+        return store(fettle_movement{pose(), pose(), {number(), number()}});
+    }
     const fettle_vec2* pointer(const fettle_vec2*) {
         for (auto& point : points_) point = {number(), number()};
         return points_;
@@ -188,6 +199,12 @@ class Arguments {
     }
     void begin(fettle_geometry& geometry) {
         fettle_geometry_init(&geometry, sizeof geometry, int32_t(below(7)));
+    }
+    void begin(fettle_join_options& options) { fettle_join_options_init(&options, sizeof options); }
+    void begin(fettle_grid_layout& layout) {
+        fettle_grid_layout_init(&layout, sizeof layout);
+        layout.columns = below(4);
+        layout.rows = below(4);
     }
     void begin(fettle_query_filter& filter) { fettle_query_filter_init(&filter, sizeof filter); }
     void begin(fettle_debug_draw& draw) { fettle_debug_draw_init(&draw, sizeof draw); }
@@ -248,6 +265,8 @@ class Arguments {
     std::vector<fettle_id> ids_;
     std::vector<std::byte> scratch_;
     fettle_vec2 points_[64] = {};
+    float numbers_[16] = {};
+    fettle_line_point line_points_[16] = {};
     fettle_id id_list_[128] = {};
     fettle_world* world_list_[16] = {};
     alignas(16) std::byte inputs_[4][512] = {};

@@ -226,6 +226,12 @@ constexpr Call every_call[] = {
     CALL(fettle_world_set_restitution_mix), CALL(fettle_world_persist_events),
     CALL(fettle_world_set_persist_events), CALL(fettle_world_threads),
     CALL(fettle_world_set_threads), CALL(fettle_world_limit_simd_width),
+    CALL(fettle_join_options_init), CALL(fettle_grid_layout_init),
+    CALL(fettle_geometry_mass_properties), CALL(fettle_geometry_bounding_box),
+    CALL(fettle_geometry_contains), CALL(fettle_geometry_cast_ray),
+    CALL(fettle_geometry_distance), CALL(fettle_geometry_contact_manifolds),
+    CALL(fettle_geometry_time_of_impact), CALL(fettle_geometry_parts), CALL(fettle_join_lines),
+    CALL(fettle_without_straight_points), CALL(fettle_grid_outlines),
 };
 // clang-format on
 

@@ -308,6 +308,46 @@ static const char* many_worlds_are_stepped_and_read_at_once(void) {
     return NULL;
 }
 
+static const char* geometries_need_no_world(void) {
+    fettle_geometry circle, box;
+    fettle_mass_properties mass;
+    fettle_separation separation;
+    fettle_contact_manifold manifold;
+    fettle_surface_hit hit;
+    fettle_grid_layout layout;
+    fettle_line_point points[8];
+    const fettle_pose beside = {{3, 0}, 0}, near_it = {{0.99f, 0}, 0};
+    const fettle_movement stays = {{{0, 0}, 0}, {{0, 0}, 0}, {0, 0}};
+    const fettle_movement comes = {{{5, 0}, 0}, {{-5, 0}, 0}, {0, 0}};
+    const float filled[] = {1};
+    uint32_t count;
+    float fraction;
+    bool found;
+    DONE_C(fettle_geometry_init(&circle, sizeof circle, FETTLE_SHAPE_CIRCLE));
+    DONE_C(fettle_geometry_init(&box, sizeof box, FETTLE_SHAPE_BOX));
+    DONE_C(fettle_geometry_mass_properties(&box, 2, &mass));
+    CHECK_C(mass.area == 1 && mass.mass == 2 && fabsf(mass.inertia - 1.0f / 3) < 1e-6f);
+    DONE_C(fettle_geometry_contains(&box, &beside, 3.4f, 0.4f, &found));
+    CHECK_C(found);
+    DONE_C(fettle_geometry_distance(&circle, NULL, &box, &beside, &separation));
+    CHECK_C(fabsf(separation.distance - 2) < 1e-6f && separation.point_b.x == 2.5f);
+    DONE_C(fettle_geometry_contact_manifolds(&box, NULL, &circle, &near_it, 0, &manifold, 1, &count));
+    CHECK_C(count == 1 && manifold.point_count == 1 && manifold.normal.x == 1);
+    DONE_C(fettle_geometry_cast_ray(&box, NULL, -2, 0, 2, 0, &found, &hit));
+    CHECK_C(found && fabsf(hit.fraction - 0.375f) < 1e-6f && hit.normal.x == -1);
+    DONE_C(fettle_geometry_time_of_impact(&circle, &comes, &circle, &stays, &found, &fraction));
+    CHECK_C(found && fabsf(fraction - 0.4f) < 1e-4f);
+    DONE_C(fettle_grid_layout_init(&layout, sizeof layout));
+    CHECK_C(fettle_grid_outlines(filled, 1, &layout, 0.5f, 0, points, 8, &count) == FETTLE_INVALID);
+    CHECK_C(message_has("values"));
+    layout.columns = layout.rows = 1;
+    DONE_C(fettle_grid_outlines(filled, 1, &layout, 0.5f, 0, points, 8, &count));
+    CHECK_C(count == 4 && points[3].closed && points[3].line == 0);
+    DONE_C(fettle_join_lines(points, 4, NULL, points, 8, &count));
+    CHECK_C(count == 4 && !points[0].closed);
+    return NULL;
+}
+
 const struct named_c_test worlds_in_c[] = {
     {"a ball falls on a box", a_ball_falls_on_a_box},
     {"definitions have the defaults of the library", definitions_have_the_defaults_of_the_library},
@@ -320,4 +360,5 @@ const struct named_c_test worlds_in_c[] = {
     {"joints are told apart by their type", joints_are_told_apart_by_their_type},
     {"a liquid lifts what is lighter", a_liquid_lifts_what_is_lighter},
     {"many worlds are stepped and read at once", many_worlds_are_stepped_and_read_at_once},
+    {"geometries need no world", geometries_need_no_world},
     {NULL, NULL}};

@@ -1,0 +1,207 @@
+#include <fettle/physics/geometry.h>
+#include <fettle/physics/outlines.h>
+#include <fettle/physics_c/geometry.h>
+
+#include <algorithm>
+#include <span>
+
+#include "calls.h"
+
+// Geometry without a world.
+
+using namespace fettle::physics;
+using namespace fettle::physics_c;
+
+namespace {
+
+fettle_contact_manifold manifold_in_c(const ContactManifold& manifold) {
+    fettle_contact_manifold told{};
+    told.normal = converted(manifold.normal);
+    told.point_count = manifold.point_count;
+    for (size_t i = 0; i < manifold.points.size(); ++i) {
+        const ContactPoint& point = manifold.points[i];
+        told.points[i] = {converted(point.point), point.separation, point.normal_impulse,
+                          point.tangent_impulse, point.feature};
+    }
+    return told;
+}
+
+/// Writes elements that have their form in C already.
+template <class Element>
+void tell_all(const std::vector<Element>& all, Element* out, uint32_t room, uint32_t* count) {
+    uint32_t& told = needed("count", count);
+    if (room > 0) needed("out", out);
+    std::copy_n(all.begin(), std::min(size_t{room}, all.size()), out);
+    told = uint32_t(all.size());
+}
+
+void add_points(std::vector<fettle_line_point>& all, std::span<const Vec2> points, bool closed,
+                uint32_t line) {
+    for (const Vec2& point : points) all.push_back({converted(point), line, closed});
+}
+
+std::vector<fettle_line_point> points_of_chains(const std::vector<Chain>& chains) {
+    std::vector<fettle_line_point> all;
+    for (size_t i = 0; i < chains.size(); ++i)
+        add_points(all, chains[i].points, chains[i].closed, uint32_t(i));
+    return all;
+}
+
+Movement movement_of(const char* name, const fettle_movement* movement) {
+    const fettle_movement& given = needed(name, movement);
+    return {pose_of(&given.from), pose_of(&given.to), vector_of(given.center)};
+}
+
+JoinOptions options_of(const fettle_join_options* options) {
+    if (options == nullptr) return {};
+    check_size(options->size, sizeof *options);
+    return {options->reach, options->straight,
+            enumerator("closed", options->closed, Winding::counter_clockwise)};
+}
+
+void check_number(const char* name, uint32_t count) {
+    constexpr uint32_t most = 1u << 24;
+    if (count > most)
+        throw Failure{FETTLE_INVALID, std::string(name) + ": expected at most " +
+                                          std::to_string(most) + " of them, got " +
+                                          std::to_string(count)};
+}
+
+}  // namespace
+
+fettle_code fettle_join_options_init(fettle_join_options* options, size_t size) {
+    const JoinOptions none;
+    return init(__func__, options, size,
+                fettle_join_options{0, none.reach, none.straight, int32_t(none.closed)});
+}
+
+fettle_code fettle_grid_layout_init(fettle_grid_layout* layout, size_t size) {
+    return init(__func__, layout, size, fettle_grid_layout{0, 0, 0, {0, 0}, GridLayout().cell});
+}
+
+fettle_code fettle_geometry_mass_properties(const fettle_geometry* geometry, float density,
+                                            fettle_mass_properties* properties) {
+    return guarded(__func__, [&] {
+        fettle_mass_properties& told = needed("mass_properties", properties);
+        const MassProperties found = mass_properties(geometry_of(geometry), density);
+        told = {found.area, found.mass, converted(found.centroid), found.inertia};
+    });
+}
+
+fettle_code fettle_geometry_bounding_box(const fettle_geometry* geometry, const fettle_pose* pose,
+                                         fettle_aabb* box) {
+    return guarded(__func__, [&] {
+        fettle_aabb& told = needed("bounding_box", box);
+        told = converted(bounding_box(geometry_of(geometry), pose_of(pose)));
+    });
+}
+
+fettle_code fettle_geometry_contains(const fettle_geometry* geometry, const fettle_pose* pose,
+                                     float x, float y, bool* is_inside) {
+    return guarded(__func__, [&] {
+        bool& told = needed("contains", is_inside);
+        told = contains(geometry_of(geometry), pose_of(pose), {x, y});
+    });
+}
+
+fettle_code fettle_geometry_cast_ray(const fettle_geometry* geometry, const fettle_pose* pose,
+                                     float from_x, float from_y, float to_x, float to_y,
+                                     bool* found, fettle_surface_hit* hit) {
+    return guarded(__func__, [&] {
+        bool& told = needed("found", found);
+        const auto entry =
+            cast_ray(geometry_of(geometry), pose_of(pose), {from_x, from_y}, {to_x, to_y});
+        told = entry.has_value();
+        if (entry && hit != nullptr)
+            *hit = {converted(entry->point), converted(entry->normal), entry->fraction};
+    });
+}
+
+fettle_code fettle_geometry_distance(const fettle_geometry* a, const fettle_pose* pose_a,
+                                     const fettle_geometry* b, const fettle_pose* pose_b,
+                                     fettle_separation* separation) {
+    return guarded(__func__, [&] {
+        fettle_separation& told = needed("separation", separation);
+        const Separation found =
+            distance(geometry_of(a), pose_of(pose_a), geometry_of(b), pose_of(pose_b));
+        told = {found.distance, converted(found.point_a), converted(found.point_b),
+                converted(found.normal)};
+    });
+}
+
+fettle_code fettle_geometry_contact_manifolds(const fettle_geometry* a, const fettle_pose* pose_a,
+                                              const fettle_geometry* b, const fettle_pose* pose_b,
+                                              float margin, fettle_contact_manifold* out,
+                                              uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        std::vector<fettle_contact_manifold> all;
+        for (const ContactManifold& each : contact_manifolds(
+                 geometry_of(a), pose_of(pose_a), geometry_of(b), pose_of(pose_b), margin))
+            all.push_back(manifold_in_c(each));
+        tell_all(all, out, room, count);
+    });
+}
+
+fettle_code fettle_geometry_time_of_impact(const fettle_geometry* a,
+                                           const fettle_movement* movement_a,
+                                           const fettle_geometry* b,
+                                           const fettle_movement* movement_b, bool* found,
+                                           float* fraction) {
+    return guarded(__func__, [&] {
+        bool& told = needed("found", found);
+        const auto time = time_of_impact(geometry_of(a), movement_of("movement_a", movement_a),
+                                         geometry_of(b), movement_of("movement_b", movement_b));
+        told = time.has_value();
+        if (time && fraction != nullptr) *fraction = *time;
+    });
+}
+
+fettle_code fettle_geometry_parts(const fettle_geometry* geometry, fettle_line_point* out,
+                                  uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        const auto parts = Form(geometry_of(geometry)).parts();
+        std::vector<fettle_line_point> all;
+        for (size_t i = 0; i < parts.size(); ++i)
+            add_points(all, parts[i], parts[i].size() > 2, uint32_t(i));
+        tell_all(all, out, room, count);
+    });
+}
+
+fettle_code fettle_join_lines(const fettle_line_point* points, uint32_t point_count,
+                              const fettle_join_options* options, fettle_line_point* out,
+                              uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        check_number("points", point_count);
+        if (point_count > 0) needed("points", points);
+        std::vector<std::vector<Vec2>> lines;
+        for (uint32_t i = 0; i < point_count; ++i) {
+            if (i == 0 || points[i].line != points[i - 1].line) lines.emplace_back();
+            lines.back().push_back(vector_of(points[i].point));
+        }
+        tell_all(points_of_chains(join_lines(lines, options_of(options))), out, room, count);
+    });
+}
+
+fettle_code fettle_without_straight_points(const fettle_vec2* points, uint32_t point_count,
+                                           bool closed, float straight, fettle_vec2* out,
+                                           uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        tell_list(without_straight_points(points_of(points, point_count), flag(closed), straight),
+                  out, room, count);
+    });
+}
+
+fettle_code fettle_grid_outlines(const float* values, uint32_t value_count,
+                                 const fettle_grid_layout* layout, float threshold, float straight,
+                                 fettle_line_point* out, uint32_t room, uint32_t* count) {
+    return guarded(__func__, [&] {
+        check_number("values", value_count);
+        if (value_count > 0) needed("values", values);
+        const fettle_grid_layout& given = needed("layout", layout);
+        check_size(given.size, sizeof given);
+        const auto chains = grid_outlines(
+            std::span(values, value_count),
+            {given.columns, given.rows, vector_of(given.origin), given.cell}, threshold, straight);
+        tell_all(points_of_chains(chains), out, room, count);
+    });
+}

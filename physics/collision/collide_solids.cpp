@@ -1,0 +1,95 @@
+#include <collision/climb.h>
+#include <collision/collide_solids.h>
+#include <collision/ellipse.h>
+#include <collision/large_polygon.h>
+#include <collision/piece.h>
+#include <collision/turned_copy.h>
+
+#include <utility>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// Converts the manifold of b and a into that of a and b.
+void turn_round(Manifold& m) {
+    m.normal = -m.normal;
+    for (int k = 0; k < m.count; ++k) {
+        ManifoldPoint& p = m.points[k];
+        std::swap(p.anchor_a, p.anchor_b);
+        p.feature = uint16_t(p.feature << 8 | p.feature >> 8);
+    }
+}
+
+void collide_ellipse(const Solid& ellipse, const Solid& other, Vec2 offset, float margin,
+                     Manifold& m) {
+    const EllipseForm form = ellipse_of(ellipse.form);
+    const bool both = other.kind == FormKind::ellipse;
+    const EllipseGap gap = both ? gap_between(form, ellipse_of(other.form), offset)
+                                : gap_between(form, other.form, offset);
+    m.count = 0;
+    m.corner = 0.0f;
+    const float radius = both ? 0.0f : other.form.radius;
+    const float separation = gap.separation - radius;
+    if (separation > margin) return;
+    m.normal = gap.normal;
+    const Vec2 middle = gap.on_ellipse + (0.5f * separation) * gap.normal;
+    const int feature = gap.edge >= 0 ? gap.edge : 128 + (gap.vertex & 127);
+    m.points[0] = {middle, middle - offset, separation, 0.0f, 0.0f, uint16_t(feature & 255)};
+    m.count = 1;
+}
+
+/// Collides two shapes if one is an ellipse or a piece.
+void collide_mixed(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
+                   Manifold& m) {
+    if (a.kind == FormKind::piece) {
+        collide_piece(a, b, offset, margin, held, m);
+    } else if (b.kind == FormKind::piece) {
+        collide_piece(b, a, -offset, margin, held, m);
+        turn_round(m);
+    } else if (a.kind == FormKind::ellipse) {
+        collide_ellipse(a, b, offset, margin, m);
+    } else {
+        collide_ellipse(b, a, -offset, margin, m);
+        turn_round(m);
+    }
+}
+
+/// Like `collide_mixed`, but the other shape is a large polygon. Computed in the frame of its
+/// vertices.
+void collide_mixed_with_large(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held,
+                              Manifold& m) {
+    const bool large_a = a.kind == FormKind::large;
+    const Solid& large = large_a ? a : b;
+    const Rotation q = large.rotation;
+    TurnedCopy turned(large_a ? b : a);
+    const Solid plain = {large.form}, &other = turned.by({q.c, -q.s});
+    collide_mixed(large_a ? plain : other, large_a ? other : plain, unrotate(q, offset), margin,
+                  held, m);
+    m.normal = rotate(q, m.normal);
+    for (int k = 0; k < m.count; ++k) {
+        m.points[k].anchor_a = rotate(q, m.points[k].anchor_a);
+        m.points[k].anchor_b = rotate(q, m.points[k].anchor_b);
+    }
+}
+
+}  // namespace
+
+void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool held, Manifold& m) {
+    const auto is_plain = [](const Solid& s) {
+        return s.kind == FormKind::convex || s.kind == FormKind::large;
+    };
+    const bool large = a.kind == FormKind::large || b.kind == FormKind::large;
+    if (is_plain(a) && is_plain(b)) {
+        if (large)
+            collide_large(a, b, offset, margin, m);
+        else
+            collide(a.form, b.form, offset, margin, m);
+        return;
+    }
+    if (large)
+        collide_mixed_with_large(a, b, offset, margin, held, m);
+    else
+        collide_mixed(a, b, offset, margin, held, m);
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <collision/solid.h>
+#include <fettle/physics/definitions.h>
+#include <geometry/mass.h>
+
+#include <span>
+#include <vector>
+
+// A geometry outside of any world, in the form that collisions and queries compute with.
+
+namespace fettle::physics::detail {
+
+/// A convex part of a geometry, body coordinates.
+struct FormPart {
+    size_t begin = 0;    ///< in the vertices and the normals
+    uint32_t count = 0;  ///< vertices
+    FormKind kind = FormKind::convex;
+};
+
+struct FormData {
+    ShapeType type = ShapeType::circle;
+    std::vector<FormPart> parts;
+    std::vector<Vec2> vertices;  ///< of a piece, its limits are behind them: collision/piece.h
+    std::vector<Vec2> normals;
+    float radius = 0.0f;
+    AreaMoments moments;
+};
+
+/// The geometry must be valid: checks/arguments.h.
+FormData form_of(const Geometry& geometry);
+
+/// A form that is rotated, and whose vertices are relative to a point of its own.
+class PosedForm {
+  public:
+    /// `center`: the point, body coordinates. `form` must outlive the result.
+    PosedForm(const FormData& form, const Pose& pose, Vec2 center = {});
+    PosedForm(const PosedForm&) = delete;
+    PosedForm& operator=(const PosedForm&) = delete;
+
+    std::span<const Solid> solids() const { return solids_; }
+    Vec2 center() const { return center_; }  ///< the point in the world, m
+    float extent() const;                    ///< distance of the farthest point from it, m
+
+  private:
+    Vec2 center_;
+    std::vector<Solid> solids_;
+    std::vector<Vec2> vertices_, normals_;
+    std::vector<float> offsets_;
+};
+
+}  // namespace fettle::physics::detail

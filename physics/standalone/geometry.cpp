@@ -1,0 +1,177 @@
+#include <checks/arguments.h>
+#include <collision/collide_solids.h>
+#include <distance/distance.h>
+#include <fettle/physics/geometry.h>
+#include <forms/form_data.h>
+
+#include <string>
+
+// Functions on geometries without a world.
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace detail {
+
+struct FormAccess {
+    static const FormData& data(const Form& form) { return *form.data_; }
+};
+
+}  // namespace detail
+
+namespace {
+
+const Pose& check_pose(const char* what, const Pose& pose) {
+    check_coordinates((std::string(what) + ".position").c_str(), pose.position);
+    check_range((std::string(what) + ".angle").c_str(), pose.angle, -1e8f, 1e8f);
+    return pose;
+}
+
+PosedForm posed(const Form& form, const char* what, const Pose& pose) {
+    return {FormAccess::data(form), check_pose(what, pose)};
+}
+
+/// Calls `visit(solid of a, solid of b)` for all pairs of parts.
+void for_each_pair(const PosedForm& a, const PosedForm& b, auto&& visit) {
+    for (const Solid& of_a : a.solids())
+        for (const Solid& of_b : b.solids()) visit(of_a, of_b);
+}
+
+}  // namespace
+
+Form::Form(const Geometry& geometry) {
+    check(geometry);
+    data_ = std::make_shared<const FormData>(form_of(geometry));
+}
+
+ShapeType Form::type() const {
+    return data_->type;
+}
+
+std::vector<std::vector<Vec2>> Form::parts() const {
+    std::vector<std::vector<Vec2>> all;
+    for (const FormPart& part : data_->parts) {
+        std::vector<Vec2>& vertices = all.emplace_back();
+        for (uint32_t i = 0; i < part.count; ++i)
+            vertices.push_back(data_->vertices[part.begin + i]);
+    }
+    return all;
+}
+
+MassProperties mass_properties(const Form& form, float density) {
+    check_not_negative("density", density);
+    const AreaMoments& moments = FormAccess::data(form).moments;
+    return {float(moments.area), float(density * moments.area),
+            Vec2(float(moments.center_x), float(moments.center_y)),
+            float(density * moments.moment)};
+}
+
+Aabb bounding_box(const Form& form, const Pose& pose) {
+    const PosedForm at = posed(form, "pose", pose);
+    Box4 box = no_box;
+    for (const Solid& solid : at.solids()) {
+        const auto side = [&](Vec2 direction) { return reach(solid, direction); };
+        box = unite(box, {{-side({-1.0f, 0.0f}), -side({0.0f, -1.0f})},
+                          {side({1.0f, 0.0f}), side({0.0f, 1.0f})}});
+    }
+    return {at.center() + box.low, at.center() + box.high};
+}
+
+bool contains(const Form& form, const Pose& pose, const Vec2& point) {
+    const Vec2 p = check_coordinates("point", point);
+    const PosedForm at = posed(form, "pose", pose);
+    for (const Solid& solid : at.solids())
+        if (signed_distance(solid, p - at.center()) <= 0.0f) return true;
+    return false;
+}
+
+std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Vec2& from,
+                                   const Vec2& to) {
+    const Vec2 start = check_coordinates("from", from);
+    const Vec2 way = check_coordinates("to", to) - start;
+    const PosedForm at = posed(form, "pose", pose);
+    Probe first;
+    for (const Solid& solid : at.solids()) {
+        const Probe probe = cast_segment(solid, start - at.center(), way);
+        if (probe.fraction < first.fraction) first = probe;
+    }
+    if (first.fraction > 1.0f) return {};
+    return SurfaceHit{start + first.fraction * way, first.normal, first.fraction};
+}
+
+Separation distance(const Form& a, const Pose& pose_a, const Form& b, const Pose& pose_b) {
+    const PosedForm at_a = posed(a, "pose_a", pose_a), at_b = posed(b, "pose_b", pose_b);
+    Separation nearest;
+    nearest.distance = infinity;
+    for_each_pair(at_a, at_b, [&](const Solid& of_a, const Solid& of_b) {
+        const Nearest found = nearest_points(of_a, of_b, at_b.center() - at_a.center());
+        if (found.distance >= nearest.distance) return;
+        nearest = {found.distance, at_a.center() + found.on_a, at_a.center() + found.on_b,
+                   found.normal};
+    });
+    return nearest;
+}
+
+std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a, const Form& b,
+                                               const Pose& pose_b, float margin) {
+    check_range("margin", margin, 0.0f, 1e6f);
+    const PosedForm at_a = posed(a, "pose_a", pose_a), at_b = posed(b, "pose_b", pose_b);
+    std::vector<ContactManifold> all;
+    for_each_pair(at_a, at_b, [&](const Solid& of_a, const Solid& of_b) {
+        Manifold found;
+        collide(of_a, of_b, at_b.center() - at_a.center(), margin, false, found);
+        if (found.count == 0) return;
+        ContactManifold& told = all.emplace_back();
+        told.normal = found.normal;
+        told.point_count = found.count;
+        for (int i = 0; i < found.count; ++i) {
+            const detail::ManifoldPoint& point = found.points[i];
+            told.points[size_t(i)].point = at_a.center() + point.anchor_a;
+            told.points[size_t(i)].separation = point.separation;
+            told.points[size_t(i)].feature = uint16_t(point.feature);
+        }
+    });
+    return all;
+}
+
+namespace {
+
+/// A movement of a form: the form at its beginning, and the motion of its center.
+struct Moving {
+    PosedForm form;
+    Motion motion;
+    float extent;
+
+    Moving(const Form& moved, const char* what, const Movement& movement)
+        : form(FormAccess::data(moved), check_pose(what, movement.from),
+               check_point("center", movement.center)),
+          extent(form.extent()) {
+        const Pose& to = check_pose(what, movement.to);
+        const PosedForm end(FormAccess::data(moved), to, movement.center);
+        motion.from = form.center();
+        motion.velocity = end.center() - form.center();
+        motion.turn = to.angle - movement.from.angle;
+    }
+};
+
+}  // namespace
+
+std::optional<float> time_of_impact(const Form& a, const Movement& movement_a, const Form& b,
+                                    const Movement& movement_b) {
+    const Moving moving_a(a, "movement_a", movement_a), moving_b(b, "movement_b", movement_b);
+    constexpr float gap = 1e-4f;
+    float first = 1.0f;
+    for_each_pair(moving_a.form, moving_b.form, [&](const Solid& of_a, const Solid& of_b) {
+        first = min(first, detail::time_of_impact({of_a, moving_a.motion, moving_a.extent},
+                                                  {of_b, moving_b.motion, moving_b.extent}, gap));
+    });
+    if (first < 1.0f) return first;
+    return {};
+}
+
+std::vector<std::vector<Vec2>> convex_pieces(std::span<const Vec2> outline) {
+    return Form(Concave{{outline.begin(), outline.end()}}).parts();
+}
+
+}  // namespace fettle::physics
