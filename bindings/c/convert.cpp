@@ -14,9 +14,9 @@ const char* name_of_kind(uint32_t kind) {
 }
 
 const char* name_of(JointType type) {
-    constexpr const char* names[] = {"mouse", "distance", "revolute", "prismatic",
-                                     "wheel", "weld",     "motor",    "pulley",
-                                     "gear",  "groove",   "pin slot", "ratchet"};
+    constexpr const char* names[] = {"mouse",    "distance", "revolute", "prismatic",   "wheel",
+                                     "weld",     "motor",    "pulley",   "gear",        "groove",
+                                     "pin slot", "ratchet",  "filter",   "rotary limit"};
     return names[size_t(type)];
 }
 

@@ -62,6 +62,8 @@ FETTLE_JOINT_TYPE(GearJoint, gear)
 FETTLE_JOINT_TYPE(GrooveJoint, groove)
 FETTLE_JOINT_TYPE(PinSlotJoint, pin_slot)
 FETTLE_JOINT_TYPE(RatchetJoint, ratchet)
+FETTLE_JOINT_TYPE(FilterJoint, filter)
+FETTLE_JOINT_TYPE(RotaryLimitJoint, rotary_limit)
 #undef FETTLE_JOINT_TYPE
 
 /// Handle to the object with an id; throws Failure if there is none of this type.

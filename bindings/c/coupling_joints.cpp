@@ -196,3 +196,38 @@ fettle_code fettle_ratchet_joint_caught_angle(const fettle_world* world, fettle_
                                               float* caught_angle) {
     return read<&RatchetJoint::caught_angle>(__func__, world, joint, caught_angle);
 }
+
+fettle_code fettle_rotary_limit_joint_angle(const fettle_world* world, fettle_id joint,
+                                            float* angle) {
+    return read<&RotaryLimitJoint::angle>(__func__, world, joint, angle);
+}
+
+fettle_code fettle_rotary_limit_joint_reference_angle(const fettle_world* world, fettle_id joint,
+                                                      float* reference_angle) {
+    return read<&RotaryLimitJoint::reference_angle>(__func__, world, joint, reference_angle);
+}
+
+fettle_code fettle_rotary_limit_joint_set_reference_angle(fettle_world* world, fettle_id joint,
+                                                          float reference_angle) {
+    return edit<&RotaryLimitJoint::set_reference_angle>(__func__, world, joint, reference_angle);
+}
+
+fettle_code fettle_rotary_limit_joint_lower_angle(const fettle_world* world, fettle_id joint,
+                                                  float* lower_angle) {
+    return read<&RotaryLimitJoint::lower_angle>(__func__, world, joint, lower_angle);
+}
+
+fettle_code fettle_rotary_limit_joint_set_lower_angle(fettle_world* world, fettle_id joint,
+                                                      float lower_angle) {
+    return edit<&RotaryLimitJoint::set_lower_angle>(__func__, world, joint, lower_angle);
+}
+
+fettle_code fettle_rotary_limit_joint_upper_angle(const fettle_world* world, fettle_id joint,
+                                                  float* upper_angle) {
+    return read<&RotaryLimitJoint::upper_angle>(__func__, world, joint, upper_angle);
+}
+
+fettle_code fettle_rotary_limit_joint_set_upper_angle(fettle_world* world, fettle_id joint,
+                                                      float upper_angle) {
+    return edit<&RotaryLimitJoint::set_upper_angle>(__func__, world, joint, upper_angle);
+}

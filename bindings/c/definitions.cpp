@@ -152,6 +152,12 @@ JointDef definition_of(const fettle_world* world, const fettle_joint_def* def) {
     taken.collide = flag(given.collide);
     taken.enabled = flag(given.enabled);
     taken.user_data = given.user_data;
+    taken.break_force = given.break_force;
+    taken.break_torque = given.break_torque;
+    taken.report_force = given.report_force;
+    taken.report_torque = given.report_torque;
+    taken.constraint_hertz = given.constraint_hertz;
+    taken.constraint_damping_ratio = given.constraint_damping_ratio;
     return taken;
 }
 
@@ -188,7 +194,14 @@ fettle_code fettle_shape_def_init(fettle_shape_def* def, size_t size) {
 
 fettle_code fettle_joint_def_init(fettle_joint_def* def, size_t size) {
     fettle_joint_def defaults{};
-    defaults.enabled = true;
+    const fettle::physics::JointDef none;
+    defaults.enabled = none.enabled;
+    defaults.break_force = none.break_force;
+    defaults.break_torque = none.break_torque;
+    defaults.report_force = none.report_force;
+    defaults.report_torque = none.report_torque;
+    defaults.constraint_hertz = none.constraint_hertz;
+    defaults.constraint_damping_ratio = none.constraint_damping_ratio;
     return init(__func__, def, size, defaults);
 }
 

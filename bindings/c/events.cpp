@@ -41,6 +41,10 @@ fettle_joint_break_event told_of(const JointBreakEvent& e) {
     return {converted(e.joint), converted(e.body_a), converted(e.body_b), converted(e.force),
             e.torque};
 }
+fettle_joint_load_event told_of(const JointLoadEvent& e) {
+    return {converted(e.joint), converted(e.body_a), converted(e.body_b), converted(e.force),
+            e.torque};
+}
 fettle_id told_of(const BodyId& id) {
     return converted(id);
 }
@@ -76,6 +80,7 @@ fettle_code fettle_world_events(fettle_world* world, fettle_events* events) {
         all(of.sensor_begin, kept.sensor_begin, told.sensor_begin, told.sensor_begin_count);
         all(of.sensor_end, kept.sensor_end, told.sensor_end, told.sensor_end_count);
         all(of.joint_broke, kept.joint_broke, told.joint_broke, told.joint_broke_count);
+        all(of.joint_loaded, kept.joint_loaded, told.joint_loaded, told.joint_loaded_count);
         all(of.slept, kept.slept, told.slept, told.slept_count);
         all(of.woke, kept.woke, told.woke, told.woke_count);
         result = told;

@@ -107,6 +107,51 @@ fettle_code fettle_distance_joint_set_damping_ratio(fettle_world* world, fettle_
     return edit<&DistanceJoint::set_damping_ratio>(__func__, world, joint, damping_ratio);
 }
 
+fettle_code fettle_distance_joint_lower_spring_force(const fettle_world* world, fettle_id joint,
+                                                     float* lower_spring_force) {
+    return read<&DistanceJoint::lower_spring_force>(__func__, world, joint, lower_spring_force);
+}
+
+fettle_code fettle_distance_joint_set_lower_spring_force(fettle_world* world, fettle_id joint,
+                                                         float lower_spring_force) {
+    return edit<&DistanceJoint::set_lower_spring_force>(__func__, world, joint, lower_spring_force);
+}
+
+fettle_code fettle_distance_joint_upper_spring_force(const fettle_world* world, fettle_id joint,
+                                                     float* upper_spring_force) {
+    return read<&DistanceJoint::upper_spring_force>(__func__, world, joint, upper_spring_force);
+}
+
+fettle_code fettle_distance_joint_set_upper_spring_force(fettle_world* world, fettle_id joint,
+                                                         float upper_spring_force) {
+    return edit<&DistanceJoint::set_upper_spring_force>(__func__, world, joint, upper_spring_force);
+}
+
+fettle_code fettle_distance_joint_motor_speed(const fettle_world* world, fettle_id joint,
+                                              float* motor_speed) {
+    return read<&DistanceJoint::motor_speed>(__func__, world, joint, motor_speed);
+}
+
+fettle_code fettle_distance_joint_set_motor_speed(fettle_world* world, fettle_id joint,
+                                                  float motor_speed) {
+    return edit<&DistanceJoint::set_motor_speed>(__func__, world, joint, motor_speed);
+}
+
+fettle_code fettle_distance_joint_max_motor_force(const fettle_world* world, fettle_id joint,
+                                                  float* max_motor_force) {
+    return read<&DistanceJoint::max_motor_force>(__func__, world, joint, max_motor_force);
+}
+
+fettle_code fettle_distance_joint_set_max_motor_force(fettle_world* world, fettle_id joint,
+                                                      float max_motor_force) {
+    return edit<&DistanceJoint::set_max_motor_force>(__func__, world, joint, max_motor_force);
+}
+
+fettle_code fettle_distance_joint_motor_force(const fettle_world* world, fettle_id joint,
+                                              float* motor_force) {
+    return read<&DistanceJoint::motor_force>(__func__, world, joint, motor_force);
+}
+
 fettle_code fettle_distance_joint_distance(const fettle_world* world, fettle_id joint,
                                            float* distance) {
     return read<&DistanceJoint::distance>(__func__, world, joint, distance);

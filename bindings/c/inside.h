@@ -28,6 +28,7 @@ struct GivenEvents {
     std::vector<fettle_contact_end_event> contact_end;
     std::vector<fettle_sensor_event> sensor_begin, sensor_end;
     std::vector<fettle_joint_break_event> joint_broke;
+    std::vector<fettle_joint_load_event> joint_loaded;
     std::vector<fettle_id> slept, woke;
 };
 

@@ -113,6 +113,56 @@ fettle_code fettle_joint_set_break_torque(fettle_world* world, fettle_id joint,
     return edit<&Joint::set_break_torque>(__func__, world, joint, break_torque);
 }
 
+fettle_code fettle_joint_report_force(const fettle_world* world, fettle_id joint,
+                                      float* report_force) {
+    return read<&Joint::report_force>(__func__, world, joint, report_force);
+}
+
+fettle_code fettle_joint_set_report_force(fettle_world* world, fettle_id joint,
+                                          float report_force) {
+    return edit<&Joint::set_report_force>(__func__, world, joint, report_force);
+}
+
+fettle_code fettle_joint_report_torque(const fettle_world* world, fettle_id joint,
+                                       float* report_torque) {
+    return read<&Joint::report_torque>(__func__, world, joint, report_torque);
+}
+
+fettle_code fettle_joint_set_report_torque(fettle_world* world, fettle_id joint,
+                                           float report_torque) {
+    return edit<&Joint::set_report_torque>(__func__, world, joint, report_torque);
+}
+
+fettle_code fettle_joint_constraint_hertz(const fettle_world* world, fettle_id joint,
+                                          float* constraint_hertz) {
+    return read<&Joint::constraint_hertz>(__func__, world, joint, constraint_hertz);
+}
+
+fettle_code fettle_joint_set_constraint_hertz(fettle_world* world, fettle_id joint,
+                                              float constraint_hertz) {
+    return edit<&Joint::set_constraint_hertz>(__func__, world, joint, constraint_hertz);
+}
+
+fettle_code fettle_joint_constraint_damping_ratio(const fettle_world* world, fettle_id joint,
+                                                  float* constraint_damping_ratio) {
+    return read<&Joint::constraint_damping_ratio>(__func__, world, joint, constraint_damping_ratio);
+}
+
+fettle_code fettle_joint_set_constraint_damping_ratio(fettle_world* world, fettle_id joint,
+                                                      float constraint_damping_ratio) {
+    return edit<&Joint::set_constraint_damping_ratio>(__func__, world, joint,
+                                                      constraint_damping_ratio);
+}
+
+fettle_code fettle_joint_separation(const fettle_world* world, fettle_id joint, float* separation) {
+    return read<&Joint::separation>(__func__, world, joint, separation);
+}
+
+fettle_code fettle_joint_angular_separation(const fettle_world* world, fettle_id joint,
+                                            float* angular_separation) {
+    return read<&Joint::angular_separation>(__func__, world, joint, angular_separation);
+}
+
 fettle_code fettle_joint_broken(const fettle_world* world, fettle_id joint, bool* broken) {
     return read<&Joint::broken>(__func__, world, joint, broken);
 }

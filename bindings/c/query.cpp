@@ -210,3 +210,21 @@ fettle_code fettle_world_explode(fettle_world* world, float x, float y, float ra
         editable(world).explode({x, y}, radius, impulse, filter_of(world, filter));
     });
 }
+
+fettle_code fettle_explosion_def_init(fettle_explosion_def* def, size_t size) {
+    const ExplosionDef none;
+    return init(__func__, def, size,
+                fettle_explosion_def{0, converted(none.point), none.radius, none.falloff,
+                                     none.impulse_per_length});
+}
+
+fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_explosion_def* def,
+                                          const fettle_query_filter* filter) {
+    return guarded(__func__, [&] {
+        const fettle_explosion_def& given = needed("def", def);
+        check_size(given.size, sizeof given);
+        editable(world).explode(
+            {vector_of(given.point), given.radius, given.falloff, given.impulse_per_length},
+            filter_of(world, filter));
+    });
+}

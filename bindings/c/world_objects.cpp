@@ -31,7 +31,8 @@ fettle_code fettle_world_create_joint(fettle_world* world, int32_t type, uint64_
                                       fettle_id* joint) {
     return guarded(__func__, [&] {
         World& in = editable(world);
-        give(joint, in.create_joint(enumerator("type", type, JointType::ratchet), user_data).id());
+        give(joint,
+             in.create_joint(enumerator("type", type, JointType::rotary_limit), user_data).id());
     });
 }
 
@@ -122,6 +123,20 @@ fettle_code fettle_world_create_ratchet_joint(fettle_world* world, const fettle_
                                               fettle_id* joint) {
     return guarded(__func__, [&] {
         give(joint, editable(world).create_ratchet_joint(definition_of(world, def)).id());
+    });
+}
+
+fettle_code fettle_world_create_filter_joint(fettle_world* world, const fettle_joint_def* def,
+                                             fettle_id* joint) {
+    return guarded(__func__, [&] {
+        give(joint, editable(world).create_filter_joint(definition_of(world, def)).id());
+    });
+}
+
+fettle_code fettle_world_create_rotary_limit_joint(fettle_world* world, const fettle_joint_def* def,
+                                                   fettle_id* joint) {
+    return guarded(__func__, [&] {
+        give(joint, editable(world).create_rotary_limit_joint(definition_of(world, def)).id());
     });
 }
 

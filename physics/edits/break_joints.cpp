@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-// Joints whose load in a step exceeds what they can bear.
+// Joints whose load in a step exceeds what they can bear, or what is to be reported.
 
 namespace fettle::physics::detail {
 
@@ -11,14 +11,20 @@ void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
         const JointRecord& joint = e.objects.joints[strain.joint];
         const Vec2 force = rate * strain.force;
         const float torque = rate * strain.torque;
-        if (length(force) <= joint.break_force && std::fabs(torque) <= joint.break_torque) continue;
-        const auto [a, b] = joint.bodies;
-        e.activity.events.joint_broke.push_back(
-            {{strain.joint, e.columns.joint_generations[strain.joint]},
-             body_id(e.columns, a),
-             body_id(e.columns, b),
-             force,
-             torque});
+        const auto exceeds = [&](float most_force, float most_torque) {
+            return length(force) > most_force || std::fabs(torque) > most_torque;
+        };
+        const auto tell = [&](auto& list) {
+            const auto [a, b] = joint.bodies;
+            list.push_back({{strain.joint, e.columns.joint_generations[strain.joint]},
+                            body_id(e.columns, a),
+                            body_id(e.columns, b),
+                            force,
+                            torque});
+        };
+        if (exceeds(joint.report_force, joint.report_torque)) tell(e.activity.events.joint_loaded);
+        if (!exceeds(joint.break_force, joint.break_torque)) continue;
+        tell(e.activity.events.joint_broke);
         set_joint_broken(e, strain.joint, true);
     }
 }

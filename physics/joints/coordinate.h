@@ -119,6 +119,15 @@ struct CoordinateSettings {
     }
 };
 
+/// The settings in the definition of a joint that slides along an axis with a motor.
+template <class Def>
+CoordinateSettings driven_translation(const Def& def) {
+    return {{def.lower_translation, def.upper_translation},
+            {def.motor_speed, def.max_motor_force},
+            {def.hertz, def.damping_ratio},
+            def.target_translation};
+}
+
 struct CoordinateImpulses {
     float spring = 0.0f, motor = 0.0f;
     LimitImpulses limits;

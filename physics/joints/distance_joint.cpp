@@ -10,8 +10,8 @@
 //     K = m_a⁻¹ + m_b⁻¹ + I_a⁻¹·(r_a×n)² + I_b⁻¹·(r_b×n)²,   effective mass 1/K.
 //
 // Rod: C = 0, softly. Spring: a force along n. Limits: |d| - min >= 0 and max - |d| >= 0, each with
-// an impulse in one direction only. The axis is computed in each pass, so that a pendulum follows
-// its circle.
+// an impulse in one direction only. Motor: Ċ = speed with a limited force, unless it is a rod. The
+// axis is computed in each pass, so that a pendulum follows its circle.
 
 namespace fettle::physics {
 namespace detail {
@@ -21,8 +21,14 @@ struct DistanceSettings {
     float length = 1.0f;
     Limits limits = {0.0f, infinity};
     Stiffness stiffness = {infinity, 0.0f};
+    float lower_spring_force = -infinity, upper_spring_force = infinity;  ///< N; positive pushes
+    Motor motor;                                                          ///< of the distance
 
     void check() const {
+        check_range("lower_spring_force", lower_spring_force, -infinity, 0.0f);
+        check_range("upper_spring_force", upper_spring_force, 0.0f, infinity);
+        check_finite("motor_speed", motor.speed);
+        check_strength("max_motor_force", motor.greatest);
         check_not_negative("length", length);
         check_not_negative("min_length", limits.lower);
         check_strength("max_length", limits.upper);
@@ -31,18 +37,22 @@ struct DistanceSettings {
     }
 };
 
+struct DistanceImpulses {
+    float along = 0.0f;  ///< impulse of the rod or the spring; positive pushes apart
+    float motor = 0.0f;
+    LimitImpulses limits;
+    void scale(float s) { along *= s, motor *= s, limits.scale(s); }
+    float sum() const { return along + motor + limits.lower - limits.upper; }
+};
+
 struct DistanceConstraint {
     using Settings = DistanceSettings;
-    struct Impulses {
-        float along = 0.0f;  ///< impulse of the rod or the spring; positive pushes apart
-        LimitImpulses limits;
-        void scale(float s) { along *= s, limits.scale(s); }
-        float sum() const { return along + limits.lower - limits.upper; }
-    };
 
     JointEnds ends;
-    Impulses impulses;
-    bool rigid = true, springy = false, limited = false;
+    DistanceImpulses impulses;
+    bool rigid = true, springy = false, limited = false, driven = false, weak = false;
+    float least = 0.0f, most = 0.0f;  ///< impulses of a weak spring
+    Motor motor;
     float length = 0.0f;
     Limits limits;
     Spring spring;
@@ -58,9 +68,15 @@ struct DistanceConstraint {
         if (rigid || !(limits.lower > 0.0f)) limits.lower = -infinity;
         if (rigid) limits.upper = infinity;
         limited = limits.any();
+        driven = !rigid && settings.motor.greatest > 0.0f;
+        motor = {settings.motor.speed, settings.motor.greatest * step.h};
+        weak = settings.lower_spring_force > -infinity || settings.upper_spring_force < infinity;
+        least = settings.lower_spring_force * step.h;
+        most = settings.upper_spring_force * step.h;
         // A part that stops acting begins with impulse 0 when it acts again.
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
+        if (!driven) impulses.motor = 0.0f;
         follow(a, b);
     }
 
@@ -81,8 +97,8 @@ struct DistanceConstraint {
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         const float distance = follow(a, b), error = distance - length;
         if (springy) {
-            const float change =
-                spring.impulse(line.mass, line.velocity(a, b), error, impulses.along);
+            float change = spring.impulse(line.mass, line.velocity(a, b), error, impulses.along);
+            if (weak) change = clamp(impulses.along + change, least, most) - impulses.along;
             impulses.along += change;
             line.push(ends, a, b, change);
         } else if (rigid) {
@@ -91,23 +107,40 @@ struct DistanceConstraint {
         limit<true>(a, b, distance, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (!rigid && !limited) return;
+        if (!rigid && !limited && !driven) return;
         const float distance = follow(a, b);
+        if (driven)
+            line.push(ends, a, b,
+                      push_motor(impulses.motor, line.mass, line.velocity(a, b),
+                                 motor_speed(distance, step.inverse_h), motor.greatest));
         if (rigid) hold<false>(a, b, distance - length, step);
         limit<false>(a, b, distance, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const float distance = follow(a, b), error = distance - length;
         const Jacobian along = line.jacobian(ends);
-        if (springy)
-            rows.spring(along, spring, line.mass, error, impulses.along);
-        else if (rigid)
+        if (springy) {
+            DirectRow& row = rows.spring(along, spring, line.mass, error, impulses.along);
+            if (weak && rows.biased()) row.low = double(least), row.high = double(most);
+        } else if (rigid) {
             rows.hold(along, error, impulses.along);
+        }
+        if (driven)
+            rows.motor(along, motor_speed(distance, 1.0f / float(rows.h())), motor.greatest,
+                       impulses.motor);
         write_limits(limits, impulses.limits, distance, along, rows);
     }
     JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
+    bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
+        return driven && motor.moves_bodies(line.velocity(a, b));
+    }
 
   private:
+    /// Not beyond a limit: see `Coordinate::motor_speed`.
+    float motor_speed(float distance, float inverse_h) const {
+        return clamp(motor.speed, min((limits.lower - distance) * inverse_h, 0.0f),
+                     max((limits.upper - distance) * inverse_h, 0.0f));
+    }
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         line.push(ends, a, b,
@@ -132,11 +165,30 @@ FETTLE_JOINT_NUMBER(Distance, min_length, limits.lower)
 FETTLE_JOINT_NUMBER(Distance, max_length, limits.upper)
 FETTLE_JOINT_NUMBER(Distance, hertz, stiffness.hertz)
 FETTLE_JOINT_NUMBER(Distance, damping_ratio, stiffness.damping_ratio)
+FETTLE_JOINT_NUMBER(Distance, lower_spring_force, lower_spring_force)
+FETTLE_JOINT_NUMBER(Distance, upper_spring_force, upper_spring_force)
+FETTLE_JOINT_NUMBER(Distance, motor_speed, motor.speed)
+FETTLE_JOINT_NUMBER(Distance, max_motor_force, motor.greatest)
+FETTLE_JOINT_FORCE(Distance, motor_force, motor)
 
 float DistanceJoint::distance() const {
     return gap_between(*this).length();
 }
 
-FETTLE_CREATE_JOINT(Distance, create_distance_joint, joint.set_length(joint.distance()))
+namespace {
+
+void define(DistanceSettings& settings, const DistanceJointDef& def) {
+    settings.length = def.length.value_or(settings.length);
+    settings.limits = {def.min_length, def.max_length};
+    settings.stiffness = {def.hertz, def.damping_ratio};
+    settings.lower_spring_force = def.lower_spring_force;
+    settings.upper_spring_force = def.upper_spring_force;
+    settings.motor = {def.motor_speed, def.max_motor_force};
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Distance, create_distance_joint,
+                    if (!def.length) joint.set_length(joint.distance()))
 
 }  // namespace fettle::physics

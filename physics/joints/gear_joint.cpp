@@ -77,6 +77,15 @@ float GearJoint::phase_now() const {
     return (b ? b.angle() : 0.0f) - ratio() * (a ? a.angle() : 0.0f);
 }
 
-FETTLE_CREATE_JOINT(Gear, create_gear_joint, joint.set_phase(joint.phase_now()))
+namespace {
+
+void define(GearSettings& settings, const GearJointDef& def) {
+    settings.ratio = def.ratio;
+    settings.phase = def.phase.value_or(0.0f);
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Gear, create_gear_joint, if (!def.phase) joint.set_phase(joint.phase_now()))
 
 }  // namespace fettle::physics

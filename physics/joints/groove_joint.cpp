@@ -41,6 +41,14 @@ float GrooveJoint::translation() const {
     return translation_along(*this, end() - anchor_a());
 }
 
+namespace {
+
+void define(GrooveSettings& settings, const GrooveJointDef& def) {
+    settings.end = def.end;
+}
+
+}  // namespace
+
 FETTLE_CREATE_JOINT(Groove, create_groove_joint, )
 
 }  // namespace fettle::physics

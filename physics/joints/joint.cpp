@@ -61,6 +61,13 @@ JointRecord checked(const World& world, JointType type, const JointDef& def) {
     record.collide = def.collide;
     record.enabled = def.enabled;
     record.user_data = def.user_data;
+    record.break_force = check_strength("break_force", def.break_force);
+    record.break_torque = check_strength("break_torque", def.break_torque);
+    record.report_force = check_strength("report_force", def.report_force);
+    record.report_torque = check_strength("report_torque", def.report_torque);
+    record.constraint_hertz = check_not_negative("constraint_hertz", def.constraint_hertz);
+    record.constraint_damping_ratio =
+        check_not_negative("constraint_damping_ratio", def.constraint_damping_ratio);
     return record;
 }
 
@@ -200,15 +207,19 @@ void Joint::set_collide(bool collide) {
     detail::set_joint_collide(edited(__func__).editing(), id_.index, collide);
 }
 
-#define FETTLE_JOINT_STRENGTH(name)                                 \
-    FETTLE_JOINT_READ(float, name)                                  \
-    void Joint::set_##name(float value) {                           \
-        WorldData& data = edited(__func__);                         \
-        data.joints[id_.index].name = check_strength(#name, value); \
-        wake_joint(data.activity(), id_.index);                     \
+#define FETTLE_JOINT_VALUE(name, check)                    \
+    FETTLE_JOINT_READ(float, name)                         \
+    void Joint::set_##name(float value) {                  \
+        WorldData& data = edited(__func__);                \
+        data.joints[id_.index].name = check(#name, value); \
+        wake_joint(data.activity(), id_.index);            \
     }
-FETTLE_JOINT_STRENGTH(break_force)
-FETTLE_JOINT_STRENGTH(break_torque)
+FETTLE_JOINT_VALUE(break_force, check_strength)
+FETTLE_JOINT_VALUE(break_torque, check_strength)
+FETTLE_JOINT_VALUE(report_force, check_strength)
+FETTLE_JOINT_VALUE(report_torque, check_strength)
+FETTLE_JOINT_VALUE(constraint_hertz, check_not_negative)
+FETTLE_JOINT_VALUE(constraint_damping_ratio, check_not_negative)
 
 void Joint::set_broken(bool broken) {
     detail::set_joint_broken(edited(__func__).editing(), id_.index, broken);
@@ -230,7 +241,7 @@ void Joint::set_user_data(uint64_t value) {
 
 Joint World::create_joint(JointType type, uint64_t user_data) {
     WorldData& data = populate(__func__);
-    JointRecord record = record_of(check_enumerator("type", type, JointType::ratchet));
+    JointRecord record = record_of(check_enumerator("type", type, JointType::rotary_limit));
     record.user_data = user_data;
     return make_joint<Joint>(*this, data, record);
 }

@@ -21,6 +21,24 @@ JointRecord record_of(JointType type);
 /// Checks a definition, and returns the record of a joint with it.
 JointRecord checked(const World& world, JointType type, const JointDef& def);
 
+/// The settings of all types in the definition of one.
+template <class Def>
+JointDef common_of(const Def& def) {
+    return {def.body_a,
+            def.body_b,
+            def.anchor_a,
+            def.anchor_b,
+            def.collide,
+            def.enabled,
+            def.user_data,
+            def.break_force,
+            def.break_torque,
+            def.report_force,
+            def.report_torque,
+            def.constraint_hertz,
+            def.constraint_damping_ratio};
+}
+
 template <class Handle>
 Handle make_joint(World& world, WorldData& data, const JointRecord& record) {
     const uint32_t slot = create_joint(data.editing(), record);
@@ -82,11 +100,15 @@ Settings& Joint::edit(const char* of, const char* function) const {
     float Of##Joint::angle() const {                          \
         return angle_between(*this) - reference_angle();      \
     }
-// Defines World::create_..._joint; `begin` sets values of the new `joint`.
-#define FETTLE_CREATE_JOINT(Of, function, begin)                                     \
-    Of##Joint World::function(const JointDef& def) {                                 \
-        auto joint = make_joint<Of##Joint>(*this, populate(__func__),                \
-                                           checked(*this, Of##Settings::type, def)); \
-        begin;                                                                       \
-        return joint;                                                                \
+// Defines World::create_..._joint. A function `define(settings, def)` in the file of the type
+// writes the settings of a definition; `begin` measures what it leaves open, on the new `joint`.
+#define FETTLE_CREATE_JOINT(Of, function, begin)                                 \
+    Of##Joint World::function(const Of##JointDef& def) {                         \
+        WorldData& data = populate(__func__);                                    \
+        JointRecord record = checked(*this, Of##Settings::type, common_of(def)); \
+        define(record.settings.as<Of##Settings>(), def);                         \
+        record.settings.as<Of##Settings>().check();                              \
+        auto joint = make_joint<Of##Joint>(*this, data, record);                 \
+        begin;                                                                   \
+        return joint;                                                            \
     }

@@ -14,7 +14,8 @@ namespace fettle::physics::detail {
 /// All types, in the order of `JointType`.
 #define FETTLE_JOINT_TYPES(type)                                                                 \
     type(mouse) type(distance) type(revolute) type(prismatic) type(wheel) type(weld) type(motor) \
-        type(pulley) type(gear) type(groove) type(pin_slot) type(ratchet)
+        type(pulley) type(gear) type(groove) type(pin_slot) type(ratchet) type(filter)           \
+            type(rotary_limit)
 
 #define FETTLE_DECLARE_JOINT(type) extern const JointKind type##_joint;
 FETTLE_JOINT_TYPES(FETTLE_DECLARE_JOINT)

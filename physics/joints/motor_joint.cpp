@@ -158,6 +158,21 @@ FETTLE_JOINT_NUMBER(Motor, angular_offset, angular_offset)
 FETTLE_JOINT_NUMBER(Motor, hertz, stiffness.hertz)
 FETTLE_JOINT_NUMBER(Motor, damping_ratio, stiffness.damping_ratio)
 
-FETTLE_CREATE_JOINT(Motor, create_motor_joint, joint.set_angular_offset(angle_between(joint)))
+namespace {
+
+void define(MotorSettings& settings, const MotorJointDef& def) {
+    settings.linear_velocity = def.linear_velocity;
+    settings.angular_velocity = def.angular_velocity;
+    settings.max_force = def.max_force;
+    settings.max_torque = def.max_torque;
+    settings.linear_offset = def.linear_offset;
+    settings.angular_offset = def.angular_offset.value_or(0.0f);
+    settings.stiffness = {def.hertz, def.damping_ratio};
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Motor, create_motor_joint,
+                    if (!def.angular_offset) joint.set_angular_offset(angle_between(joint)))
 
 }  // namespace fettle::physics

@@ -34,6 +34,14 @@ using namespace detail;
 FETTLE_RAIL(PinSlot)
 FETTLE_RAIL_MOTOR(PinSlot)
 
+namespace {
+
+void define(PinSlotSettings& settings, const PinSlotJointDef& def) {
+    settings.rail = {def.axis, driven_translation(def)};
+}
+
+}  // namespace
+
 FETTLE_CREATE_JOINT(PinSlot, create_pin_slot_joint, )
 
 }  // namespace fettle::physics

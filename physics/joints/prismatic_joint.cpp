@@ -107,7 +107,16 @@ FETTLE_RAIL(Prismatic)
 FETTLE_RAIL_MOTOR(Prismatic)
 FETTLE_JOINT_ANGLE(Prismatic)
 
+namespace {
+
+void define(PrismaticSettings& settings, const PrismaticJointDef& def) {
+    settings.rail = {def.axis, driven_translation(def)};
+    settings.reference_angle = def.reference_angle.value_or(0.0f);
+}
+
+}  // namespace
+
 FETTLE_CREATE_JOINT(Prismatic, create_prismatic_joint,
-                    joint.set_reference_angle(angle_between(joint)))
+                    if (!def.reference_angle) joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

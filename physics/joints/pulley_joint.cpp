@@ -134,6 +134,18 @@ float PulleyJoint::length_now() const {
     return length_a() + ratio() * length_b();
 }
 
-FETTLE_CREATE_JOINT(Pulley, create_pulley_joint, joint.set_length(joint.length_now()))
+namespace {
+
+void define(PulleySettings& settings, const PulleyJointDef& def) {
+    settings.ground_a = def.ground_a;
+    settings.ground_b = def.ground_b;
+    settings.ratio = def.ratio;
+    settings.length = def.length.value_or(settings.length);
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Pulley, create_pulley_joint,
+                    if (!def.length) joint.set_length(joint.length_now()))
 
 }  // namespace fettle::physics

@@ -111,6 +111,17 @@ float RatchetJoint::caught_angle() const {
     return pawl.engaged == 0.0f ? angle() : way * pawl.caught;
 }
 
-FETTLE_CREATE_JOINT(Ratchet, create_ratchet_joint, joint.set_reference_angle(angle_between(joint)))
+namespace {
+
+void define(RatchetSettings& settings, const RatchetJointDef& def) {
+    settings.tooth = def.tooth;
+    settings.way = def.backwards ? -1.0f : 1.0f;
+    settings.reference_angle = def.reference_angle.value_or(0.0f);
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Ratchet, create_ratchet_joint,
+                    if (!def.reference_angle) joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

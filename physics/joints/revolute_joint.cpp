@@ -111,7 +111,19 @@ FETTLE_JOINT_NUMBER(Revolute, damping_ratio, angle.stiffness.damping_ratio)
 FETTLE_JOINT_NUMBER(Revolute, target_angle, angle.target)
 FETTLE_JOINT_FORCE(Revolute, motor_torque, angle.motor)
 
+namespace {
+
+void define(RevoluteSettings& settings, const RevoluteJointDef& def) {
+    settings.reference_angle = def.reference_angle.value_or(0.0f);
+    settings.angle = {{def.lower_angle, def.upper_angle},
+                      {def.motor_speed, def.max_motor_torque},
+                      {def.hertz, def.damping_ratio},
+                      def.target_angle};
+}
+
+}  // namespace
+
 FETTLE_CREATE_JOINT(Revolute, create_revolute_joint,
-                    joint.set_reference_angle(angle_between(joint)))
+                    if (!def.reference_angle) joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

@@ -157,6 +157,17 @@ FETTLE_JOINT_NUMBER(Weld, damping_ratio, point.damping_ratio)
 FETTLE_JOINT_NUMBER(Weld, angular_hertz, angle.hertz)
 FETTLE_JOINT_NUMBER(Weld, angular_damping_ratio, angle.damping_ratio)
 
-FETTLE_CREATE_JOINT(Weld, create_weld_joint, joint.set_reference_angle(angle_between(joint)))
+namespace {
+
+void define(WeldSettings& settings, const WeldJointDef& def) {
+    settings.reference_angle = def.reference_angle.value_or(0.0f);
+    settings.point = {def.hertz, def.damping_ratio};
+    settings.angle = {def.angular_hertz, def.angular_damping_ratio};
+}
+
+}  // namespace
+
+FETTLE_CREATE_JOINT(Weld, create_weld_joint,
+                    if (!def.reference_angle) joint.set_reference_angle(angle_between(joint)))
 
 }  // namespace fettle::physics

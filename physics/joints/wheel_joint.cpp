@@ -83,6 +83,17 @@ FETTLE_JOINT_NUMBER(Wheel, motor_speed, motor.speed)
 FETTLE_JOINT_NUMBER(Wheel, max_motor_torque, motor.greatest)
 FETTLE_JOINT_FORCE(Wheel, motor_torque, motor)
 
+namespace {
+
+void define(WheelSettings& settings, const WheelJointDef& def) {
+    settings.rail.axis = def.axis;
+    settings.rail.along.limits = {def.lower_translation, def.upper_translation};
+    settings.rail.along.stiffness = {def.hertz, def.damping_ratio};
+    settings.motor = {def.motor_speed, def.max_motor_torque};
+}
+
+}  // namespace
+
 FETTLE_CREATE_JOINT(Wheel, create_wheel_joint, )
 
 }  // namespace fettle::physics

@@ -203,7 +203,7 @@ Fault check_joints(const WorldState& data) {
         const bool lives = data.joint_generations[joint] != 0;
         live += lives;
         dormant += lives && record.dormant();
-        const bool active = lives && record.acts() &&
+        const bool active = lives && record.moves() &&
                             (data.bodies[a].solver_index != 0 || data.bodies[b].solver_index != 0);
         const auto& list = data.awake_joints[size_t(record.type)];
         const uint32_t index = record.awake_index;

@@ -157,6 +157,10 @@ void check(const JointRecord& joint, size_t slot) {
     check_finite("torque", joint.torque);
     check_strength("break_force", joint.break_force);
     check_strength("break_torque", joint.break_torque);
+    check_strength("report_force", joint.report_force);
+    check_strength("report_torque", joint.report_torque);
+    check_not_negative("constraint_hertz", joint.constraint_hertz);
+    check_not_negative("constraint_damping_ratio", joint.constraint_damping_ratio);
     joint_kind(joint.type).check(joint);
     for (const float impulse : joint.impulses.as<std::array<float, 6>>())
         require(are_finite(impulse), "the impulses of joint", slot);

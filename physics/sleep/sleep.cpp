@@ -190,7 +190,7 @@ void put_group_to_sleep(const Activity& activity, uint32_t body) {
             group.push_back(other);
         };
         objects.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
-            if (objects.joints[joint].acts()) follow(objects.joints[joint].bodies[side ^ 1]);
+            if (objects.joints[joint].moves()) follow(objects.joints[joint].bodies[side ^ 1]);
         });
         objects.for_each_contact(group[i], [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];

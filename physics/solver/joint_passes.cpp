@@ -16,7 +16,8 @@ constexpr size_t joints_at_a_time = 128;
 /// Notes about an awake joint before it is prepared: its node, and these bits; 0 if it does not
 /// act.
 enum JointNote : uint8_t { node_bits = 0x0f, load_bits = 0x30, one_load = 0x10, can_break = 0x80 };
-static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads <= 4);
+constexpr uint8_t is_tuned = JointScratch::tuned * one_load;
+static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 
 /// How joints under a load are solved. A joint yields by load / (m·ω²), where m is the mass of its
 /// light body: with the usual stiffness, a heavy body would stretch light links on which it hangs.
@@ -79,10 +80,11 @@ struct JointLists {
                         b = bodies.solver_ends[joint.bodies[1]];
         const StripNode node =
             above_both((a.index() != 0 ? a : b).strip(), (b.index() != 0 ? b : a).strip());
-        const uint8_t load =
-            load_between(bodies.solver_bodies[a.index()], bodies.solver_bodies[b.index()]);
+        const uint8_t load = joint.is_tuned() ? uint8_t(JointScratch::tuned)
+                                              : load_between(bodies.solver_bodies[a.index()],
+                                                             bodies.solver_bodies[b.index()]);
         return uint8_t(std::max<StripNode>(node, 1) | load * one_load |
-                       (joint.breakable() ? can_break : 0));
+                       (joint.is_measured() ? can_break : 0));
     }
     /// Returns true if a joint bears a heavy load.
     bool make_notes() {
@@ -94,7 +96,10 @@ struct JointLists {
         for (const auto& awake : active.awake_joints) {
             share_out_range(threads, awake.size(), joints_at_a_time, [&](size_t begin, size_t end) {
                 uint8_t all = 0;
-                for (size_t i = begin; i < end; ++i) all |= notes[i] = note_of(awake[i]);
+                for (size_t i = begin; i < end; ++i) {
+                    notes[i] = note_of(awake[i]);
+                    if ((notes[i] & load_bits) != is_tuned) all |= notes[i];
+                }
                 if ((all & load_bits) != 0) heavy.store(true, std::memory_order_relaxed);
             });
             notes += awake.size();
@@ -115,13 +120,13 @@ struct JointLists {
         std::vector<uint8_t> loads(bodies.solver_bodies.size());
         for_each([&](size_t, uint32_t joint, uint8_t note) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0) return;
+            if (note == 0 || (note & load_bits) == is_tuned) return;
             uint8_t& load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
             load = std::max(load, uint8_t(note & load_bits));
         });
         for_each([&](size_t, uint32_t joint, uint8_t& note) {
             const auto [a, b] = indices_of(joint);
-            if (note == 0) return;
+            if (note == 0 || (note & load_bits) == is_tuned) return;
             const uint8_t load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
             note = uint8_t((note & ~load_bits) | load);
         });
@@ -136,7 +141,7 @@ struct JointLists {
         for_each([&](size_t type, uint32_t, uint8_t note) {
             if (note != 0) joints.joint_arrays[array_of(type, note)].nodes.count(note & node_bits);
         });
-        std::array<NodeRanges::Places, JointScratch::loads * joint_type_count> next;
+        std::array<NodeRanges::Places, (JointScratch::loads + 1) * joint_type_count> next;
         for (size_t i = 0; i < next.size(); ++i) {
             JointArray& array = joints.joint_arrays[i];
             array.nodes.sum_up();
@@ -156,6 +161,19 @@ struct JointLists {
     }
 };
 
+/// The softness of each joint that has a stiffness of its own.
+void soften_tuned(const ObjectState& objects, JointScratch& joints, float h) {
+    for (size_t type = 0; type < joint_type_count; ++type) {
+        JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
+        array.softness.clear();
+        for (const uint32_t slot : array.joints) {
+            const JointRecord& joint = objects.joints[slot];
+            array.softness.push_back(make_softness(min(joint.constraint_hertz, 0.5f / h),
+                                                   joint.constraint_damping_ratio, h));
+        }
+    }
+}
+
 }  // namespace
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
@@ -170,6 +188,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     JointLists lists = {objects, active, bodies, joints, threads};
     if (lists.make_notes()) lists.spread_loads();
     lists.fill();
+    soften_tuned(objects, joints, h);
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
         JointArray& array = joints.joint_arrays[i];
         const JointKind& kind = joint_kind(JointScratch::type_of(i));
@@ -195,6 +214,19 @@ void sweep(JointPass pass, size_t load, JointScratch& joints, std::span<SolverBo
     }
 }
 
+/// The same for the joints that have a stiffness of their own, one by one.
+void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
+                 const JointStep& step, const StripNodes& nodes) {
+    for (size_t type = 0; type < joint_type_count; ++type) {
+        JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
+        JointStep own = step;
+        for (size_t i = array.nodes.begin(nodes); i < array.nodes.end(nodes); ++i) {
+            own.rigid = array.softness[i];
+            (joint_kind(JointType(type)).*pass)(array, bodies, own, {i, i + 1});
+        }
+    }
+}
+
 }  // namespace
 
 void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bodies,
@@ -206,6 +238,7 @@ void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
         const int sweeps = pass == &JointKind::warm_start ? 1 : settings_of_load[load].sweeps;
         for (int i = 0; i < sweeps; ++i) sweep(pass, load, joints, bodies, of_load, nodes);
     }
+    sweep_tuned(pass, joints, bodies, step, nodes);
 }
 
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips) {

@@ -80,9 +80,9 @@ concept ListsMembers = requires(Io& io, T& value) {
 /// Passes the lists of events one by one.
 template <class Io, class Happened>
 void event_members(Io& io, Happened& e) {
-    static_assert(sizeof(Events) == 9 * sizeof(std::vector<int>), "list the new member here");
+    static_assert(sizeof(Events) == 10 * sizeof(std::vector<int>), "list the new member here");
     io(e.contact_begin), io(e.contact_persist), io(e.contact_end), io(e.contact_hit);
-    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke);
+    io(e.sensor_begin), io(e.sensor_end), io(e.joint_broke), io(e.joint_loaded);
     io(e.slept), io(e.woke);
 }
 

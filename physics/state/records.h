@@ -242,7 +242,7 @@ struct ContactLinks {
     uint32_t& next_free() { return edges[0].next; }
 };
 
-inline constexpr size_t joint_type_count = size_t(JointType::ratchet) + 1;
+inline constexpr size_t joint_type_count = size_t(JointType::rotary_limit) + 1;
 
 struct JointRecord {
     JointType type = JointType::mouse;
@@ -255,8 +255,11 @@ struct JointRecord {
     ListEdge edges[2];            ///< in the lists of a and b, or next free slot
     Vec2 force;                   ///< of the last step, on body b
     float torque = 0.0f;
-    float break_force = infinity, break_torque = infinity;  ///< N, N m: it breaks above
-    PlainValue<44> settings;                                ///< `Settings` of its type
+    float break_force = infinity, break_torque = infinity;    ///< N, N m: it breaks above
+    float report_force = infinity, report_torque = infinity;  ///< N, N m: it is reported above
+    float constraint_hertz = 0.0f;  ///< of its rigid rows; 0: as the load needs
+    float constraint_damping_ratio = 2.0f;
+    PlainValue<44> settings;  ///< `Settings` of its type
     PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0 at first
     uint64_t user_data = 0;
 
@@ -264,7 +267,14 @@ struct JointRecord {
     /// Without bodies: it is tied to the world at both ends.
     bool dormant() const { return bodies[0] == 0 && bodies[1] == 0; }
     bool acts() const { return enabled && !broken; }
-    bool breakable() const { return break_force < infinity || break_torque < infinity; }
+    /// It has an effect on its bodies, not on their contacts only.
+    bool moves() const { return acts() && type != JointType::filter; }
+    bool is_tuned() const { return constraint_hertz > 0.0f; }
+    /// Its load is compared with what it bears or with what is to be reported.
+    bool is_measured() const {
+        return break_force < infinity || break_torque < infinity || report_force < infinity ||
+               report_torque < infinity;
+    }
 };
 
 struct FieldRecord {

@@ -69,6 +69,7 @@ struct JointArray {
     NodeRanges nodes;
     std::vector<std::byte> constraints;  ///< of the same joints, as their type defines them
     std::vector<uint8_t> drives;         ///< 1: the motor of the joint moves its bodies
+    std::vector<Softness> softness;      ///< of each joint, if they are tuned one by one
 
     template <class Constraint>
     Constraint* as() {
@@ -80,14 +81,16 @@ struct JointArray {
         return const_cast<JointArray*>(this)->as<Constraint>();
     }
 
-    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives)
+    FETTLE_SCRATCH(JointArray, s.joints, s.nodes, s.constraints, s.drives, s.softness)
 };
 
 struct JointScratch {
     JointShare joint_share;
     /// Joints connected with each other bear usual, heavy or very heavy loads.
     static constexpr size_t loads = 3;
-    std::array<JointArray, loads * joint_type_count> joint_arrays;  ///< by load, then by type
+    /// Behind them: the joints with a stiffness of their own.
+    static constexpr size_t tuned = loads;
+    std::array<JointArray, (loads + 1) * joint_type_count> joint_arrays;  ///< by load, then by type
     std::vector<uint8_t> joint_notes;  ///< of the awake joints, type by type
     std::vector<Strain> strains;
 

@@ -29,6 +29,7 @@ struct Things {
     GrooveJoint groove = {};
     PinSlotJoint pin_slot = {};
     RatchetJoint ratchet = {};
+    RotaryLimitJoint rotary_limit = {};
     Field field = {};
     std::vector<std::byte> bytes = {};  ///< of a saved world
 };
@@ -71,6 +72,7 @@ inline Things make_things(World& world) {
     things.groove = world.create_groove_joint(def);
     things.pin_slot = world.create_pin_slot_joint(def);
     things.ratchet = world.create_ratchet_joint(def);
+    things.rotary_limit = world.create_rotary_limit_joint(def);
     things.field = world.create_field({.force = DragField{.linear = 0.01f}});
     World().save(things.bytes);
     return things;
@@ -256,6 +258,12 @@ inline const std::vector<Method>& every_method() {
         EDIT(Joint, set_break_force, joint, (0.5f)),
         READ(Joint, break_torque, joint, ()),
         EDIT(Joint, set_break_torque, joint, (0.5f)),
+        READ(Joint, report_force, joint, ()), EDIT(Joint, set_report_force, joint, (3.0f)),
+        READ(Joint, report_torque, joint, ()), EDIT(Joint, set_report_torque, joint, (3.0f)),
+        READ(Joint, constraint_hertz, joint, ()), EDIT(Joint, set_constraint_hertz, joint, (30.0f)),
+        READ(Joint, constraint_damping_ratio, joint, ()), EDIT(Joint, set_constraint_damping_ratio, joint, (1.0f)),
+        READ(Joint, separation, joint, ()),
+        READ(Joint, angular_separation, joint, ()),
         READ(Joint, broken, joint, ()),
         EDIT(Joint, set_broken, joint, (true)),
         READ(Joint, force, joint, ()),
@@ -284,6 +292,11 @@ inline const std::vector<Method>& every_method() {
         EDIT(DistanceJoint, set_hertz, distance, (0.5f)),
         READ(DistanceJoint, damping_ratio, distance, ()),
         EDIT(DistanceJoint, set_damping_ratio, distance, (0.5f)),
+        READ(DistanceJoint, lower_spring_force, distance, ()), EDIT(DistanceJoint, set_lower_spring_force, distance, (-3.0f)),
+        READ(DistanceJoint, upper_spring_force, distance, ()), EDIT(DistanceJoint, set_upper_spring_force, distance, (3.0f)),
+        READ(DistanceJoint, motor_speed, distance, ()), EDIT(DistanceJoint, set_motor_speed, distance, (0.5f)),
+        READ(DistanceJoint, max_motor_force, distance, ()), EDIT(DistanceJoint, set_max_motor_force, distance, (0.5f)),
+        READ(DistanceJoint, motor_force, distance, ()),
         READ(DistanceJoint, distance, distance, ()),
         READ(RevoluteJoint, angle, revolute, ()),
         READ(RevoluteJoint, reference_angle, revolute, ()),
@@ -413,6 +426,13 @@ inline const std::vector<Method>& every_method() {
         READ(RatchetJoint, backwards, ratchet, ()),
         EDIT(RatchetJoint, set_backwards, ratchet, (true)),
         READ(RatchetJoint, caught_angle, ratchet, ()),
+        READ(RotaryLimitJoint, angle, rotary_limit, ()),
+        READ(RotaryLimitJoint, reference_angle, rotary_limit, ()),
+        EDIT(RotaryLimitJoint, set_reference_angle, rotary_limit, (0.5f)),
+        READ(RotaryLimitJoint, lower_angle, rotary_limit, ()),
+        EDIT(RotaryLimitJoint, set_lower_angle, rotary_limit, (-0.5f)),
+        READ(RotaryLimitJoint, upper_angle, rotary_limit, ()),
+        EDIT(RotaryLimitJoint, set_upper_angle, rotary_limit, (0.5f)),
         READ(Field, world, field, ()),
         EDIT(Field, destroy, field, ()),
         READ(Field, definition, field, ()),
@@ -460,6 +480,8 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, create_groove_joint, world, (joined(things))),
         EDIT(World, create_pin_slot_joint, world, (joined(things))),
         EDIT(World, create_ratchet_joint, world, (joined(things))),
+        EDIT(World, create_filter_joint, world, (joined(things))),
+        EDIT(World, create_rotary_limit_joint, world, (joined(things))),
         EDIT(World, create_field, world, ({})),
         EDIT(World, clear, world, ()),
         EDIT(World, restore, world, (things.bytes)),

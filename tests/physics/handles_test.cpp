@@ -50,6 +50,8 @@ const std::vector<std::pair<std::string, Create>>& every_joint() {
         {"groove", [](World& w, const JointDef& d) { w.create_groove_joint(d); }},
         {"pin slot", [](World& w, const JointDef& d) { w.create_pin_slot_joint(d); }},
         {"ratchet", [](World& w, const JointDef& d) { w.create_ratchet_joint(d); }},
+        {"filter", [](World& w, const JointDef& d) { w.create_filter_joint(d); }},
+        {"rotary limit", [](World& w, const JointDef& d) { w.create_rotary_limit_joint(d); }},
     };
     return all;
 }

@@ -27,6 +27,7 @@ const std::map<std::string, std::vector<std::string>> other_names = {
     {"World::create_joint", {"fettle_world_create_joint", "fettle_world_create_joint_like"}},
     {"World::query_overlap", {"fettle_world_query_overlap", "fettle_world_query_overlap_geometry"}},
     {"World::cast_shape", {"fettle_world_cast_shape", "fettle_world_cast_geometry"}},
+    {"World::explode", {"fettle_world_explode", "fettle_world_explode_surfaces"}},
     {"World::is_valid",
      {"fettle_body_is_valid", "fettle_shape_is_valid", "fettle_joint_is_valid",
       "fettle_field_is_valid"}},
@@ -199,11 +200,13 @@ TEST_CASE("every member of a structure of the library is one in C") {
         {"events.h", "ContactEndEvent", "contact_end_event"},
         {"events.h", "SensorEvent", "sensor_event"},
         {"events.h", "JointBreakEvent", "joint_break_event"},
+        {"events.h", "JointLoadEvent", "joint_load_event"},
         {"events.h", "Events", "events"},
         {"query.h", "QueryFilter", "query_filter"},
         {"query.h", "RayHit", "ray_hit"},
         {"query.h", "PointHit", "point_hit"},
         {"query.h", "Separation", "separation"},
+        {"query.h", "ExplosionDef", "explosion_def"},
         {"geometry.h", "MassProperties", "mass_properties"},
         {"geometry.h", "SurfaceHit", "surface_hit"},
         {"geometry.h", "ContactManifold", "contact_manifold"},
@@ -238,6 +241,7 @@ TEST_CASE("enumerators in C are those of the library") {
     CHECK(FETTLE_JOINT_WHEEL == int(JointType::wheel));
     CHECK(FETTLE_JOINT_PULLEY == int(JointType::pulley));
     CHECK(FETTLE_JOINT_RATCHET == int(JointType::ratchet));
+    CHECK(FETTLE_JOINT_ROTARY_LIMIT == int(JointType::rotary_limit));
     CHECK(FETTLE_MIX_MAXIMUM == int(MixRule::maximum));
     CHECK(FETTLE_MIX_GEOMETRIC == int(MixRule::geometric));
     CHECK(FETTLE_SOLVER_SEQUENTIAL == int(Solver::sequential));

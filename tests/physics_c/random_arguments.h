@@ -206,6 +206,11 @@ class Arguments {
         layout.columns = below(4);
         layout.rows = below(4);
     }
+    void begin(fettle_explosion_def& def) {
+        fettle_explosion_def_init(&def, sizeof def);
+        def.point = {number(), number()};
+        def.falloff = std::abs(number());
+    }
     void begin(fettle_query_filter& filter) { fettle_query_filter_init(&filter, sizeof filter); }
     void begin(fettle_debug_draw& draw) { fettle_debug_draw_init(&draw, sizeof draw); }
     // Pointers in a definition must lead somewhere.

@@ -232,6 +232,23 @@ constexpr Call every_call[] = {
     CALL(fettle_geometry_distance), CALL(fettle_geometry_contact_manifolds),
     CALL(fettle_geometry_time_of_impact), CALL(fettle_geometry_parts), CALL(fettle_join_lines),
     CALL(fettle_without_straight_points), CALL(fettle_grid_outlines),
+    CALL(fettle_joint_report_force), CALL(fettle_joint_set_report_force),
+    CALL(fettle_joint_report_torque), CALL(fettle_joint_set_report_torque),
+    CALL(fettle_joint_constraint_hertz), CALL(fettle_joint_set_constraint_hertz),
+    CALL(fettle_joint_constraint_damping_ratio), CALL(fettle_joint_set_constraint_damping_ratio),
+    CALL(fettle_joint_separation), CALL(fettle_joint_angular_separation),
+    CALL(fettle_distance_joint_lower_spring_force),
+    CALL(fettle_distance_joint_set_lower_spring_force),
+    CALL(fettle_distance_joint_upper_spring_force),
+    CALL(fettle_distance_joint_set_upper_spring_force), CALL(fettle_distance_joint_motor_speed),
+    CALL(fettle_distance_joint_set_motor_speed), CALL(fettle_distance_joint_max_motor_force),
+    CALL(fettle_distance_joint_set_max_motor_force), CALL(fettle_distance_joint_motor_force),
+    CALL(fettle_rotary_limit_joint_angle), CALL(fettle_rotary_limit_joint_reference_angle),
+    CALL(fettle_rotary_limit_joint_set_reference_angle),
+    CALL(fettle_rotary_limit_joint_lower_angle), CALL(fettle_rotary_limit_joint_set_lower_angle),
+    CALL(fettle_rotary_limit_joint_upper_angle), CALL(fettle_rotary_limit_joint_set_upper_angle),
+    CALL(fettle_explosion_def_init), CALL(fettle_world_explode_surfaces),
+    CALL(fettle_world_create_filter_joint), CALL(fettle_world_create_rotary_limit_joint),
 };
 // clang-format on
 

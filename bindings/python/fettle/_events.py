@@ -45,6 +45,14 @@ class JointBreakEvent(NamedTuple):
     torque: float
 
 
+class JointLoadEvent(NamedTuple):
+    joint: Joint
+    body_a: Body
+    body_b: Body
+    force: Vec2
+    torque: float
+
+
 class Events(NamedTuple):
     """Lists. Objects in them may be destroyed: they can still be compared."""
     contact_begin: list
@@ -54,6 +62,7 @@ class Events(NamedTuple):
     sensor_begin: list
     sensor_end: list
     joint_broke: list
+    joint_loaded: list
     slept: list
     woke: list
 
@@ -83,9 +92,13 @@ def events_of(world):
         return JointBreakEvent(Joint(world, e.joint), body_or_none(world, e.body_a), body_or_none(world, e.body_b),
                                vec2(e.force), e.torque)
 
+    def loaded(e):
+        return JointLoadEvent(Joint(world, e.joint), body_or_none(world, e.body_a), body_or_none(world, e.body_b),
+                              vec2(e.force), e.torque)
+
     def body(id):
         return Body(world, id)
 
     return Events(all("contact_begin", contact), all("contact_persist", contact), all("contact_end", end),
                   all("contact_hit", contact), all("sensor_begin", sensor), all("sensor_end", sensor),
-                  all("joint_broke", broke), all("slept", body), all("woke", body))
+                  all("joint_broke", broke), all("joint_loaded", loaded), all("slept", body), all("woke", body))

@@ -57,7 +57,7 @@ class Joints {
     /// For each type of joint, the function that measures and sets its value; null if the type
     /// measures none.
     using Measure = void (*)(Hosting& hosting, Row row);
-    std::array<Measure, static_cast<std::size_t>(physics::JointType::ratchet) + 1> measures{};
+    std::array<Measure, static_cast<std::size_t>(physics::JointType::rotary_limit) + 1> measures{};
 
     /// To be called when bodies were moved to another world or a joint was edited: `connect` is
     /// needed before the next step.

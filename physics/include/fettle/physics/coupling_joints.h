@@ -99,6 +99,27 @@ class RatchetJoint : public Joint {
     float caught_angle() const;  ///< rad: b does not rotate back beyond this angle
 };
 
+/// The two bodies do not collide with each other. It does nothing else, so its anchors do not
+/// matter, it does not keep bodies awake, and it never breaks.
+class FilterJoint : public Joint {
+  public:
+    using Joint::Joint;
+};
+
+/// Keeps the angle of b relative to a between two angles, wherever the bodies are.
+class RotaryLimitJoint : public Joint {
+  public:
+    using Joint::Joint;
+
+    float angle() const;  ///< rad, of b relative to a, minus the reference angle; not wrapped
+    float reference_angle() const;
+    void set_reference_angle(float angle);
+    float lower_angle() const;  ///< rad; -infinity (the default): no limit
+    void set_lower_angle(float angle);
+    float upper_angle() const;  ///< rad; infinity (the default): no limit. Wins over `lower`
+    void set_upper_angle(float angle);
+};
+
 }  // namespace fettle::physics
 
 FETTLE_PHYSICS_END

@@ -3,6 +3,7 @@
 #include <fettle/physics/export.h>
 #include <fettle/physics/types.h>
 
+#include <concepts>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -144,7 +145,12 @@ struct Chain {
 
 using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, Chain>;
 
-/// Settings of all types of joints; other settings are set on the joint.
+/// A definition of a type of joint: joint_definitions.h.
+template <class Def>
+concept JointDefinition = std::convertible_to<decltype(Def::type), JointType>;
+
+/// Settings that all types of joints have. It converts to the definition of any type of joint with
+/// two bodies, whose other settings are the defaults of the type.
 struct JointDef {
     BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};
@@ -153,6 +159,29 @@ struct JointDef {
     bool collide = false;  ///< whether the two bodies collide with each other
     bool enabled = true;
     uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+
+    template <JointDefinition Def>
+    operator Def() const {
+        return {body_a,
+                body_b,
+                anchor_a,
+                anchor_b,
+                collide,
+                enabled,
+                user_data,
+                break_force,
+                break_torque,
+                report_force,
+                report_torque,
+                constraint_hertz,
+                constraint_damping_ratio};
+    }
 };
 
 /// A soft pull of a point of a body towards a target, for dragging with a mouse.

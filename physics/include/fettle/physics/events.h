@@ -77,6 +77,15 @@ struct JointBreakEvent {
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
 
+/// A joint had more load in this step than its `report_force` or `report_torque`.
+struct JointLoadEvent {
+    JointId joint;
+    BodyId body_a;  ///< an invalid id means the world
+    BodyId body_b;
+    Vec2 force = {};      ///< N, on body b, mean over the step
+    float torque = 0.0f;  ///< N m, on body b, without the torque of the force
+};
+
 struct Events {
     std::vector<ContactBeginEvent> contact_begin;
     std::vector<ContactPersistEvent> contact_persist;
@@ -85,6 +94,7 @@ struct Events {
     std::vector<SensorEvent> sensor_begin;
     std::vector<SensorEvent> sensor_end;
     std::vector<JointBreakEvent> joint_broke;
+    std::vector<JointLoadEvent> joint_loaded;
     std::vector<BodyId> slept;
     std::vector<BodyId> woke;
 };

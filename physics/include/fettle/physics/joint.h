@@ -54,10 +54,27 @@ class Joint {
     void set_break_force(float force);
     float break_torque() const;  ///< N m
     void set_break_torque(float torque);
+    /// N: in each step in which the mean force is higher, `Events::joint_loaded` reports it; the
+    /// joint keeps acting. Infinity (the default): never.
+    float report_force() const;
+    void set_report_force(float force);
+    float report_torque() const;  ///< N m
+    void set_report_torque(float torque);
+    /// Stiffness of the joint itself, Hz: how fast it corrects an error of its position; limited to
+    /// half the rate of sub-steps. 0 (the default): 60 Hz, and more where the joint connects bodies
+    /// of very different masses. The solver `direct` holds joints exactly, whatever this is.
+    float constraint_hertz() const;
+    void set_constraint_hertz(float hertz);
+    float constraint_damping_ratio() const;  ///< 2 by default; only with a `constraint_hertz`
+    void set_constraint_damping_ratio(float ratio);
     bool broken() const;
     void set_broken(bool broken);  ///< false repairs the joint
     Vec2 force() const;            ///< N, on body b in the last step
     float torque() const;          ///< N m, on body b; excludes the torque of the force
+    /// How far the anchors are from where the joint should hold them now, m: what a rigid part or a
+    /// limit has yielded. Springs and motors hold nothing. 0 for a dormant joint.
+    float separation() const;
+    float angular_separation() const;  ///< rad
 
     uint64_t user_data() const;
     void set_user_data(uint64_t value);
@@ -116,7 +133,18 @@ class DistanceJoint : public Joint {
     void set_hertz(float hertz);
     float damping_ratio() const;  ///< of the spring; 1 comes to rest without swinging
     void set_damping_ratio(float ratio);
-    float distance() const;  ///< m, between the anchors now
+    /// N: the spring does not pull with more than this; 0 or negative, -infinity by default. A rod
+    /// ignores it.
+    float lower_spring_force() const;
+    void set_lower_spring_force(float force);
+    float upper_spring_force() const;  ///< N, of pushing; 0 or positive, infinity by default
+    void set_upper_spring_force(float force);
+    float motor_speed() const;  ///< m/s, of the distance; a rod has no motor
+    void set_motor_speed(float speed);
+    float max_motor_force() const;  ///< N; 0 (the default): no motor
+    void set_max_motor_force(float force);
+    float motor_force() const;  ///< N, force of the motor in the last step; positive pushes apart
+    float distance() const;     ///< m, between the anchors now
 };
 
 /// Holds two points together; the bodies rotate about this point.

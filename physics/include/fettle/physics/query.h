@@ -30,6 +30,17 @@ struct RayHit {
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
 
+/// An explosion: `World::explode`.
+struct ExplosionDef {
+    Vec2 point = {};       ///< m
+    float radius = 1.0f;   ///< m, at least 0; nearer shapes get the full impulse
+    float falloff = 0.0f;  ///< m, at least 0: the impulse falls linearly to 0 over this distance
+                           ///< beyond the radius
+    /// N s for each metre of the perimeter of a shape, seen from the center of the explosion. A
+    /// negative impulse pulls.
+    float impulse_per_length = 1.0f;
+};
+
 /// A point on a shape.
 struct PointHit {
     Shape shape;

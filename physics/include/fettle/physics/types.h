@@ -68,7 +68,9 @@ enum class JointType : uint8_t {
     gear,
     groove,
     pin_slot,
-    ratchet
+    ratchet,
+    filter,
+    rotary_limit
 };
 
 /// Axis-aligned box. `min` is the lower left corner.

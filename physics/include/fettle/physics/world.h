@@ -6,6 +6,7 @@
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
+#include <fettle/physics/joint_definitions.h>
 #include <fettle/physics/locked.h>
 #include <fettle/physics/owner.h>
 #include <fettle/physics/query.h>
@@ -200,17 +201,20 @@ class World {
     /// A dormant joint with the settings and user data of another one, of any world.
     Joint create_joint(const Joint& like);
     MouseJoint create_mouse_joint(const MouseJointDef& def);
-    DistanceJoint create_distance_joint(const JointDef& def);    ///< a rod of the current length
-    RevoluteJoint create_revolute_joint(const JointDef& def);    ///< the current angle counts as 0
-    PrismaticJoint create_prismatic_joint(const JointDef& def);  ///< holds the current angle
-    WheelJoint create_wheel_joint(const JointDef& def);
-    WeldJoint create_weld_joint(const JointDef& def);      ///< holds the current angle
-    MotorJoint create_motor_joint(const JointDef& def);    ///< the current angle is its offset
-    PulleyJoint create_pulley_joint(const JointDef& def);  ///< set its wheels, then its length
-    GearJoint create_gear_joint(const JointDef& def);      ///< set its ratio, then its phase
-    GrooveJoint create_groove_joint(const JointDef& def);
-    PinSlotJoint create_pin_slot_joint(const JointDef& def);
-    RatchetJoint create_ratchet_joint(const JointDef& def);  ///< the current angle counts as 0
+    // A joint of each type; joint_definitions.h has the definitions.
+    DistanceJoint create_distance_joint(const DistanceJointDef& def);
+    RevoluteJoint create_revolute_joint(const RevoluteJointDef& def);
+    PrismaticJoint create_prismatic_joint(const PrismaticJointDef& def);
+    WheelJoint create_wheel_joint(const WheelJointDef& def);
+    WeldJoint create_weld_joint(const WeldJointDef& def);
+    MotorJoint create_motor_joint(const MotorJointDef& def);
+    PulleyJoint create_pulley_joint(const PulleyJointDef& def);
+    GearJoint create_gear_joint(const GearJointDef& def);
+    GrooveJoint create_groove_joint(const GrooveJointDef& def);
+    PinSlotJoint create_pin_slot_joint(const PinSlotJointDef& def);
+    RatchetJoint create_ratchet_joint(const RatchetJointDef& def);
+    FilterJoint create_filter_joint(const FilterJointDef& def);
+    RotaryLimitJoint create_rotary_limit_joint(const RotaryLimitJointDef& def);
     Field create_field(const FieldDef& def);
     bool is_valid(FieldId id) const;
     Field field(FieldId id) const { return {self(), id}; }
@@ -295,6 +299,10 @@ class World {
     /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
     /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
     void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
+    /// An explosion that acts on the surfaces which face it: each part of the outline of a dynamic
+    /// body gets an impulse for its length, so that large bodies get more than small ones. It is
+    /// applied at the nearest point of each shape.
+    void explode(const ExplosionDef& def, const QueryFilter& filter = {});
 
     /// Checks that the broad phase, contacts, islands and lists are consistent. Returns a
     /// description of the first error, or nullopt. For tests and debugging: slow.

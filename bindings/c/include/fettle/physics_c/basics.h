@@ -107,7 +107,9 @@ enum fettle_joint_type {
     FETTLE_JOINT_GEAR = 8,
     FETTLE_JOINT_GROOVE = 9,
     FETTLE_JOINT_PIN_SLOT = 10,
-    FETTLE_JOINT_RATCHET = 11
+    FETTLE_JOINT_RATCHET = 11,
+    FETTLE_JOINT_FILTER = 12,
+    FETTLE_JOINT_ROTARY_LIMIT = 13
 };
 
 /** By which rule a contact computes a value from those of its two surfaces. */

@@ -130,4 +130,28 @@ fettle_code fettle_ratchet_joint_set_backwards(fettle_world* world, fettle_id jo
 fettle_code fettle_ratchet_joint_caught_angle(const fettle_world* world, fettle_id joint,
                                               float* caught_angle);
 
+/* --- rotary limit joints --- */
+
+/** Rad, of b relative to a, minus the reference angle; not wrapped. */
+fettle_code fettle_rotary_limit_joint_angle(const fettle_world* world, fettle_id joint,
+                                            float* angle);
+
+/** Rad; finite. */
+fettle_code fettle_rotary_limit_joint_reference_angle(const fettle_world* world, fettle_id joint,
+                                                      float* reference_angle);
+fettle_code fettle_rotary_limit_joint_set_reference_angle(fettle_world* world, fettle_id joint,
+                                                          float reference_angle);
+
+/** Rad, from -infinity (no limit, the default). */
+fettle_code fettle_rotary_limit_joint_lower_angle(const fettle_world* world, fettle_id joint,
+                                                  float* lower_angle);
+fettle_code fettle_rotary_limit_joint_set_lower_angle(fettle_world* world, fettle_id joint,
+                                                      float lower_angle);
+
+/** Rad, to infinity (no limit, the default). It wins over lower_angle. */
+fettle_code fettle_rotary_limit_joint_upper_angle(const fettle_world* world, fettle_id joint,
+                                                  float* upper_angle);
+fettle_code fettle_rotary_limit_joint_set_upper_angle(fettle_world* world, fettle_id joint,
+                                                      float upper_angle);
+
 FETTLE_PHYSICS_C_END

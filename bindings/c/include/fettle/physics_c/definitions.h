@@ -98,13 +98,19 @@ typedef struct fettle_geometry {
 /** A joint of any type but mouse. Id 0 is the world, whose anchor is in world coordinates. */
 typedef struct fettle_joint_def {
     uint32_t size;
-    bool collide;         /* false; whether the two bodies collide with each other */
-    bool enabled;         /* true */
-    fettle_id body_a;     /* 0 */
-    fettle_id body_b;     /* 0 */
-    fettle_vec2 anchor_a; /* (0, 0) m, body coordinates */
-    fettle_vec2 anchor_b; /* (0, 0) m, body coordinates */
-    uint64_t user_data;   /* 0 */
+    bool collide;                   /* false; whether the two bodies collide with each other */
+    bool enabled;                   /* true */
+    fettle_id body_a;               /* 0 */
+    fettle_id body_b;               /* 0 */
+    fettle_vec2 anchor_a;           /* (0, 0) m, body coordinates */
+    fettle_vec2 anchor_b;           /* (0, 0) m, body coordinates */
+    uint64_t user_data;             /* 0 */
+    float break_force;              /* infinity, N; joint.h describes these six */
+    float break_torque;             /* infinity, N m */
+    float report_force;             /* infinity, N */
+    float report_torque;            /* infinity, N m */
+    float constraint_hertz;         /* 0 Hz: as the load needs */
+    float constraint_damping_ratio; /* 2 */
 } fettle_joint_def;
 
 /** A mouse joint. */

@@ -37,6 +37,14 @@ typedef struct fettle_joint_break_event {
     float torque;             /* N m, on body b, without the torque of the force */
 } fettle_joint_break_event;
 
+/** A joint had more load than its report_force or report_torque. */
+typedef struct fettle_joint_load_event {
+    fettle_id joint;
+    fettle_id body_a, body_b; /* 0: the world */
+    fettle_vec2 force;        /* N, on body b, mean over the step */
+    float torque;             /* N m, on body b, without the torque of the force */
+} fettle_joint_load_event;
+
 /** Arrays, each with its length. */
 typedef struct fettle_events {
     const fettle_contact_event* contact_begin;
@@ -46,7 +54,8 @@ typedef struct fettle_events {
     const fettle_sensor_event* sensor_begin;
     const fettle_sensor_event* sensor_end;
     const fettle_joint_break_event* joint_broke;
-    const fettle_id* slept; /* bodies */
+    const fettle_joint_load_event* joint_loaded; /* above report_force or report_torque */
+    const fettle_id* slept;                      /* bodies */
     const fettle_id* woke;
     uint32_t contact_begin_count;
     uint32_t contact_persist_count;
@@ -55,6 +64,7 @@ typedef struct fettle_events {
     uint32_t sensor_begin_count;
     uint32_t sensor_end_count;
     uint32_t joint_broke_count;
+    uint32_t joint_loaded_count;
     uint32_t slept_count;
     uint32_t woke_count;
 } fettle_events;

@@ -66,6 +66,34 @@ fettle_code fettle_distance_joint_damping_ratio(const fettle_world* world, fettl
 fettle_code fettle_distance_joint_set_damping_ratio(fettle_world* world, fettle_id joint,
                                                     float damping_ratio);
 
+/** N, from -infinity (the default) to 0: the spring does not pull with more. */
+fettle_code fettle_distance_joint_lower_spring_force(const fettle_world* world, fettle_id joint,
+                                                     float* lower_spring_force);
+fettle_code fettle_distance_joint_set_lower_spring_force(fettle_world* world, fettle_id joint,
+                                                         float lower_spring_force);
+
+/** N, from 0 to infinity (the default): the spring does not push with more. */
+fettle_code fettle_distance_joint_upper_spring_force(const fettle_world* world, fettle_id joint,
+                                                     float* upper_spring_force);
+fettle_code fettle_distance_joint_set_upper_spring_force(fettle_world* world, fettle_id joint,
+                                                         float upper_spring_force);
+
+/** m/s, of the distance; finite. A rod has no motor. */
+fettle_code fettle_distance_joint_motor_speed(const fettle_world* world, fettle_id joint,
+                                              float* motor_speed);
+fettle_code fettle_distance_joint_set_motor_speed(fettle_world* world, fettle_id joint,
+                                                  float motor_speed);
+
+/** N, from 0 (no motor, the default) to infinity. */
+fettle_code fettle_distance_joint_max_motor_force(const fettle_world* world, fettle_id joint,
+                                                  float* max_motor_force);
+fettle_code fettle_distance_joint_set_max_motor_force(fettle_world* world, fettle_id joint,
+                                                      float max_motor_force);
+
+/** N, of the motor in the last step; positive pushes apart. */
+fettle_code fettle_distance_joint_motor_force(const fettle_world* world, fettle_id joint,
+                                              float* motor_force);
+
 /** m, between the anchors now. */
 fettle_code fettle_distance_joint_distance(const fettle_world* world, fettle_id joint,
                                            float* distance);

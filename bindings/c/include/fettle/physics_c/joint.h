@@ -74,6 +74,38 @@ fettle_code fettle_joint_break_torque(const fettle_world* world, fettle_id joint
                                       float* break_torque);
 fettle_code fettle_joint_set_break_torque(fettle_world* world, fettle_id joint, float break_torque);
 
+/** N, at least 0: in each step in which the mean force is higher, the events have it in
+    joint_loaded. Infinity (the default): never. */
+fettle_code fettle_joint_report_force(const fettle_world* world, fettle_id joint,
+                                      float* report_force);
+fettle_code fettle_joint_set_report_force(fettle_world* world, fettle_id joint, float report_force);
+
+/** N m, at least 0; as report_force. */
+fettle_code fettle_joint_report_torque(const fettle_world* world, fettle_id joint,
+                                       float* report_torque);
+fettle_code fettle_joint_set_report_torque(fettle_world* world, fettle_id joint,
+                                           float report_torque);
+
+/** Hz, at least 0, finite: how fast the joint corrects an error of its position. 0 (the default):
+    60, and more where it connects bodies of very different masses. */
+fettle_code fettle_joint_constraint_hertz(const fettle_world* world, fettle_id joint,
+                                          float* constraint_hertz);
+fettle_code fettle_joint_set_constraint_hertz(fettle_world* world, fettle_id joint,
+                                              float constraint_hertz);
+
+/** At least 0, finite; 2 by default. Only with a constraint_hertz. */
+fettle_code fettle_joint_constraint_damping_ratio(const fettle_world* world, fettle_id joint,
+                                                  float* constraint_damping_ratio);
+fettle_code fettle_joint_set_constraint_damping_ratio(fettle_world* world, fettle_id joint,
+                                                      float constraint_damping_ratio);
+
+/** m: how far the anchors are from where the joint should hold them. Springs hold nothing. */
+fettle_code fettle_joint_separation(const fettle_world* world, fettle_id joint, float* separation);
+
+/** Rad, as separation. */
+fettle_code fettle_joint_angular_separation(const fettle_world* world, fettle_id joint,
+                                            float* angular_separation);
+
 /** Whether it broke; then it has no effect. Setting false repairs it. */
 fettle_code fettle_joint_broken(const fettle_world* world, fettle_id joint, bool* broken);
 fettle_code fettle_joint_set_broken(fettle_world* world, fettle_id joint, bool broken);

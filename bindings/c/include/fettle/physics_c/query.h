@@ -130,6 +130,23 @@ fettle_code fettle_distance(const fettle_world* world_a, fettle_id shape_a,
                             const fettle_world* world_b, fettle_id shape_b,
                             fettle_separation* separation);
 
+/** An explosion that acts on the surfaces which face it. */
+typedef struct fettle_explosion_def {
+    uint32_t size;
+    fettle_vec2 point; /* (0, 0) m */
+    float radius;      /* 1 m, at least 0; nearer shapes get the full impulse */
+    float falloff; /* 0 m, at least 0; the impulse falls to 0 over this distance beyond radius */
+    float impulse_per_length; /* 1 N s for each metre of the perimeter of a shape, seen from the
+                                 center of the explosion; negative pulls */
+} fettle_explosion_def;
+
+/** Writes the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */
+fettle_code fettle_explosion_def_init(fettle_explosion_def* def, size_t size);
+
+/** Pushes the dynamic bodies around a point; each shape at its point that is nearest. */
+fettle_code fettle_world_explode_surfaces(fettle_world* world, const fettle_explosion_def* def,
+                                          const fettle_query_filter* filter);
+
 /** Pushes dynamic bodies away from a point: with `impulse` (N s, finite) at distance 0, falling
     linearly to 0 at `radius` (m, from 0 to 1e8), at the nearest point of the body. */
 fettle_code fettle_world_explode(fettle_world* world, float x, float y, float radius, float impulse,

@@ -92,6 +92,14 @@ fettle_code fettle_world_create_pin_slot_joint(fettle_world* world, const fettle
 fettle_code fettle_world_create_ratchet_joint(fettle_world* world, const fettle_joint_def* def,
                                               fettle_id* joint);
 
+/** The two bodies do not collide with each other; it does nothing else. */
+fettle_code fettle_world_create_filter_joint(fettle_world* world, const fettle_joint_def* def,
+                                             fettle_id* joint);
+
+/** Keeps the angle of b relative to a between two angles; the current angle counts as 0. */
+fettle_code fettle_world_create_rotary_limit_joint(fettle_world* world, const fettle_joint_def* def,
+                                                   fettle_id* joint);
+
 /** Ids of all live objects in slot order, without the border of the world. Lists: see basics.h. */
 fettle_code fettle_world_bodies(const fettle_world* world, fettle_id* out, uint32_t room,
                                 uint32_t* count);

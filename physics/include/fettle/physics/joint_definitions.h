@@ -1,0 +1,320 @@
+#pragma once
+
+#include <fettle/physics/definitions.h>
+#include <fettle/physics/export.h>
+
+#include <optional>
+
+// A definition for each type of joint but the mouse joint (definitions.h): plain aggregates for
+// designated initializers. They begin with the members of `JointDef`, which converts to each of
+// them. The handles (joint.h, sliding_joints.h, coupling_joints.h) describe the values.
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+/// A rod, a rope or a spring between two points.
+struct DistanceJointDef {
+    static constexpr JointType type = JointType::distance;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    std::optional<float> length = {};  ///< m, of the rod, or of the spring at rest; none: the
+                                       ///< current distance
+    float min_length = 0.0f;           ///< m
+    float max_length = infinity;       ///< m
+    float hertz = infinity;            ///< infinity: a rod; 0: slack between the limits
+    float damping_ratio = 0.0f;
+    float lower_spring_force = -infinity;  ///< N; a negative force pulls
+    float upper_spring_force = infinity;   ///< N; a positive force pushes
+    float motor_speed = 0.0f;              ///< m/s, of the distance
+    float max_motor_force = 0.0f;          ///< N; 0: no motor
+};
+
+/// Holds two points together; the bodies rotate about this point.
+struct RevoluteJointDef {
+    static constexpr JointType type = JointType::revolute;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    std::optional<float> reference_angle = {};  ///< rad; none: the current angle counts as 0
+    float lower_angle = -infinity;              ///< rad
+    float upper_angle = infinity;               ///< rad
+    float motor_speed = 0.0f;                   ///< rad/s, of b relative to a
+    float max_motor_torque = 0.0f;              ///< N m; 0: no motor
+    float hertz = 0.0f;                         ///< of a spring to `target_angle`; 0: no spring
+    float damping_ratio = 0.0f;
+    float target_angle = 0.0f;  ///< rad
+};
+
+/// Lets b slide along an axis of a without rotating.
+struct PrismaticJointDef {
+    static constexpr JointType type = JointType::prismatic;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 axis = {1.0f, 0.0f};             ///< coordinates of a, of any length but 0
+    float lower_translation = -infinity;  ///< m
+    float upper_translation = infinity;   ///< m
+    float motor_speed = 0.0f;             ///< m/s, of b relative to a along the axis
+    float max_motor_force = 0.0f;         ///< N; 0: no motor
+    float hertz = 0.0f;                   ///< of a spring to `target_translation`; 0: no spring
+    float damping_ratio = 0.0f;
+    float target_translation = 0.0f;            ///< m
+    std::optional<float> reference_angle = {};  ///< rad; none: the current angle is held
+};
+
+/// A wheel (b) of a vehicle (a).
+struct WheelJointDef {
+    static constexpr JointType type = JointType::wheel;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 axis = {0.0f, 1.0f};  ///< of the suspension, coordinates of a, of any length but 0
+    float lower_translation = -infinity;  ///< m
+    float upper_translation = infinity;   ///< m
+    float hertz = 4.0f;                   ///< of the suspension; 0: none
+    float damping_ratio = 0.7f;
+    float motor_speed = 0.0f;       ///< rad/s, of the wheel relative to the vehicle
+    float max_motor_torque = 0.0f;  ///< N m; 0: no motor
+};
+
+/// Holds two bodies together at a point and at an angle.
+struct WeldJointDef {
+    static constexpr JointType type = JointType::weld;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    std::optional<float> reference_angle = {};  ///< rad; none: the current angle is held
+    float hertz = infinity;                     ///< stiffness at the point; infinity: rigid
+    float damping_ratio = 0.0f;
+    float angular_hertz = infinity;  ///< of the angle; infinity: rigid
+    float angular_damping_ratio = 0.0f;
+};
+
+/// Drives b relative to a, with a limited force and torque.
+struct MotorJointDef {
+    static constexpr JointType type = JointType::motor;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 linear_velocity = {};                 ///< m/s, of anchor b, coordinates of a
+    float angular_velocity = 0.0f;             ///< rad/s
+    float max_force = 0.0f;                    ///< N
+    float max_torque = 0.0f;                   ///< N m
+    Vec2 linear_offset = {};                   ///< m, of anchor b from anchor a, coordinates of a
+    std::optional<float> angular_offset = {};  ///< rad; none: the current angle
+    float hertz = 0.0f;                        ///< stiffness to the offsets; 0: velocities only
+    float damping_ratio = 1.0f;
+};
+
+/// A rope from a over two wheels of the world to b.
+struct PulleyJointDef {
+    static constexpr JointType type = JointType::pulley;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 ground_a = {-1.0f, 1.0f};     ///< the wheel above a; world, m
+    Vec2 ground_b = {1.0f, 1.0f};      ///< the wheel above b
+    float ratio = 1.0f;                ///< force on b divided by the force on a
+    std::optional<float> length = {};  ///< m, with `ratio` times the part at b; none: taut now
+};
+
+/// Rotates b with a.
+struct GearJointDef {
+    static constexpr JointType type = JointType::gear;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    float ratio = 1.0f;               ///< rotation of b divided by the rotation of a
+    std::optional<float> phase = {};  ///< rad; none: that of the current angles
+};
+
+/// A pin of b in a groove of a that begins at anchor a.
+struct GrooveJointDef {
+    static constexpr JointType type = JointType::groove;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 end = {1.0f, 0.0f};  ///< of the groove, coordinates of a, m
+};
+
+/// A pin of b in a straight slot of a.
+struct PinSlotJointDef {
+    static constexpr JointType type = JointType::pin_slot;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    Vec2 axis = {1.0f, 0.0f};             ///< coordinates of a, of any length but 0
+    float lower_translation = -infinity;  ///< m
+    float upper_translation = infinity;   ///< m
+    float motor_speed = 0.0f;             ///< m/s, of b relative to a along the axis
+    float max_motor_force = 0.0f;         ///< N; 0: no motor
+    float hertz = 0.0f;                   ///< of a spring to `target_translation`; 0: no spring
+    float damping_ratio = 0.0f;
+    float target_translation = 0.0f;  ///< m
+};
+
+/// Lets b rotate relative to a in one direction only.
+struct RatchetJointDef {
+    static constexpr JointType type = JointType::ratchet;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    std::optional<float> reference_angle = {};  ///< rad; none: the current angle counts as 0
+    float tooth = 0.0f;                         ///< rad between teeth; 0: it holds at any angle
+    bool backwards = false;                     ///< true: b rotates freely clockwise
+};
+
+/// The two bodies do not collide with each other; nothing else.
+struct FilterJointDef {
+    static constexpr JointType type = JointType::filter;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+};
+
+/// Keeps the angle of b relative to a between two angles, wherever the bodies are.
+struct RotaryLimitJointDef {
+    static constexpr JointType type = JointType::rotary_limit;
+    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};
+    Vec2 anchor_a = {};  ///< body coordinates, m
+    Vec2 anchor_b = {};
+    bool collide = false;  ///< whether the two bodies collide with each other
+    bool enabled = true;
+    uint64_t user_data = 0;
+    float break_force = infinity;    ///< N: `Joint::set_break_force`
+    float break_torque = infinity;   ///< N m
+    float report_force = infinity;   ///< N: `Joint::set_report_force`
+    float report_torque = infinity;  ///< N m
+    float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
+    float constraint_damping_ratio = 2.0f;
+    std::optional<float> reference_angle = {};  ///< rad; none: the current angle counts as 0
+    float lower_angle = -infinity;              ///< rad
+    float upper_angle = infinity;               ///< rad
+};
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END
