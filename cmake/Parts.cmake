@@ -6,7 +6,7 @@
 #   set(FETTLE_PARTS physics)            only rigid bodies
 #   set(FETTLE_PARTS physics console)    and everything the console rests on
 
-set(fettle_parts property storage maps physics physics_c module physics_module visuals script app interface console fettle)
+set(fettle_parts property storage maps physics physics_c module physics_module visuals script app interface console host fettle)
 set(fettle_needs_property)
 set(fettle_needs_storage property)
 set(fettle_needs_maps property)
@@ -19,6 +19,7 @@ set(fettle_needs_script property storage)
 set(fettle_needs_app script property)
 set(fettle_needs_interface app module property)
 set(fettle_needs_console app script storage property)
+set(fettle_needs_host console app script physics_module property physics_c)
 set(fettle_needs_fettle ${fettle_parts})
 
 set(fettle_folder_property framework/property)
@@ -32,6 +33,7 @@ set(fettle_folder_script framework/script)
 set(fettle_folder_app framework/app)
 set(fettle_folder_interface framework/interface)
 set(fettle_folder_console console)
+set(fettle_folder_host bindings/host)
 set(fettle_folder_fettle fettle)
 
 if(PROJECT_IS_TOP_LEVEL)

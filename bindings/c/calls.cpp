@@ -1,5 +1,7 @@
 #include "calls.h"
 
+#include <fettle/physics_c/keep_error.h>
+
 #include <cstdio>
 #include <stdexcept>
 
@@ -52,6 +54,10 @@ using namespace fettle::physics_c;
 
 const char* fettle_last_error(void) {
     return last_error;
+}
+
+void fettle_keep_error(const char* function, const char* message) {
+    keep(FETTLE_FAILED, function == nullptr ? "" : function, message == nullptr ? "" : message);
 }
 
 const char* fettle_physics_version(void) {

@@ -19,7 +19,7 @@ bool is_path(const std::string& code) {
 
 bool exists(const SourceTree& tree, std::string path) {
     for (const char* root : {"", "vector/include/", "framework/include/", "physics/include/",
-                             "bindings/c/include/", "console/include/"})
+                             "bindings/c/include/", "bindings/host/include/", "console/include/"})
         if (tree.contains(root + path))
             return true;  // as in an #include, relative to an include folder
     if (!path.ends_with('/')) path += '/';

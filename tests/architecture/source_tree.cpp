@@ -37,9 +37,10 @@ bool SourceFile::is_cmake() const {
 }
 
 bool SourceFile::is_public_header() const {
-    // `fettle_physics.h` is all of an interface in C, included without a folder.
+    // `fettle_physics.h` is all of an interface in C, included without a folder; so is the other.
     return is_header() && (path.find("/include/fettle/") != std::string::npos ||
-                           path.ends_with("/include/fettle_physics.h"));
+                           path.ends_with("/include/fettle_physics.h") ||
+                           path.ends_with("/include/fettle_host.h"));
 }
 
 std::vector<Include> SourceFile::includes() const {
@@ -90,8 +91,9 @@ std::string SourceTree::resolve(const SourceFile& from, const Include& include) 
     for (fs::path folder = beside; !folder.empty(); folder = folder.parent_path()) {
         roots.push_back(folder);
     }
-    roots.insert(roots.end(), {"vector/include", "framework/include", "physics/include",
-                               "bindings/c/include", "console/include", "tests/include"});
+    roots.insert(roots.end(),
+                 {"vector/include", "framework/include", "physics/include", "bindings/c/include",
+                  "bindings/host/include", "console/include", "tests/include"});
     for (const fs::path& root : roots) {
         const std::string path = (root / include.name).lexically_normal().generic_string();
         if (contains(path)) return path;

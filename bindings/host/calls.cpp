@@ -1,0 +1,69 @@
+#include "calls.h"
+
+#include <fettle/physics_c/keep_error.h>
+#include <fettle/property/exception_text.h>
+
+#include <mutex>
+#include <new>
+#include <stdexcept>
+
+namespace fettle::host {
+
+namespace {
+
+fettle_code code_of(property::ErrorKind kind) {
+    using Kind = property::ErrorKind;
+    switch (kind) {
+        case Kind::deleted:
+            return FETTLE_STALE;
+        case Kind::formula:
+        case Kind::no_barrier_end:
+            return FETTLE_FAILED;
+        default:
+            return FETTLE_INVALID;
+    }
+}
+
+fettle_code keep(fettle_code code, const char* function, const char* message) noexcept {
+    fettle_keep_error(function, message);
+    return code;
+}
+
+}  // namespace
+
+fettle_code told(const char* function) noexcept {
+    try {
+        throw;
+    } catch (const Failure& failure) {
+        return keep(failure.code, function, failure.message.c_str());
+    } catch (const property::Error& error) {
+        return keep(code_of(error.kind()), function, error.what());
+    } catch (const std::bad_alloc&) {
+        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+    } catch (const std::length_error&) {
+        return keep(FETTLE_NO_MEMORY, function, "there is not enough memory");
+    } catch (const std::invalid_argument& error) {
+        return keep(FETTLE_INVALID, function, error.what());
+    } catch (const std::exception& error) {
+        return keep(FETTLE_FAILED, function, error.what());
+    } catch (...) {
+        return keep(FETTLE_FAILED, function, "a function that was called threw an exception");
+    }
+}
+
+Game& live(const fettle_hosted* hosted) {
+    if (hosted == nullptr) throw Failure{FETTLE_INVALID, "game: expected a pointer, got null"};
+    if (hosted->game == nullptr) throw Failure{FETTLE_STALE, "game: it was destroyed"};
+    return *hosted->game;
+}
+
+void refuse_property(fettle_property_id id) {
+    throw Failure{FETTLE_STALE, "property " + std::to_string(id) +
+                                    ": there is no such handle, or it was released"};
+}
+
+}  // namespace fettle::host
+
+const char* fettle_host_version(void) {
+    return FETTLE_VERSION;
+}

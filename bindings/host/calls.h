@@ -1,0 +1,86 @@
+#pragma once
+
+#include "game.h"
+
+// How a function in C calls the game: arguments are checked, results are converted, and every
+// exception becomes a code and a message.
+
+namespace fettle::host {
+
+/// Keeps the message of the exception that is being handled, and returns its code.
+fettle_code told(const char* function) noexcept;
+
+/// The game; throws Failure if it is null or destroyed.
+Game& live(const fettle_hosted* hosted);
+
+/// Runs `act(game)`; `function`: the name of the function in C, for messages.
+template <class Act>
+fettle_code with(const char* function, const fettle_hosted* hosted, Act&& act) noexcept {
+    try {
+        act(live(hosted));
+        return FETTLE_DONE;
+    } catch (...) {
+        return told(function);
+    }
+}
+
+/// The same for a function that must not be called in a callback. `what`: text for the message.
+template <class Act>
+fettle_code outside(const char* function, const fettle_hosted* hosted, const char* what,
+                    Act&& act) noexcept {
+    return with(function, hosted, [&](Game& game) {
+        game.require_outside(what);
+        act(game);
+    });
+}
+
+/// Writes the defaults of a definition.
+template <class Def>
+fettle_code init(const char* function, Def* def, std::size_t size, const Def& defaults) noexcept {
+    try {
+        Def& result = needed("the definition", def);
+        if (size != sizeof(Def))
+            throw Failure{FETTLE_INVALID, "size = " + std::to_string(size) + ": expected " +
+                                              std::to_string(sizeof(Def))};
+        result = defaults;
+        result.size = sizeof(Def);
+        return FETTLE_DONE;
+    } catch (...) {
+        return told(function);
+    }
+}
+template <class Def>
+void check_size(const Def& def) {
+    if (def.size != sizeof(Def))
+        throw Failure{FETTLE_INVALID, "size = " + std::to_string(def.size) + ": expected " +
+                                          std::to_string(sizeof(Def)) +
+                                          "; call the init function of the definition"};
+}
+
+/// A list: the first `room` elements, which `element(i)` gives, and how many there are.
+template <class Out, class Element>
+void tell_list(std::size_t size, Element element, Out* out, std::uint32_t room,
+               std::uint32_t* count) {
+    std::uint32_t& told = needed("count", count);
+    if (room > 0) needed("out", out);
+    for (std::size_t i = 0; i < size && i < room; ++i) out[i] = element(i);
+    told = static_cast<std::uint32_t>(size);
+}
+
+/// Null for 0, and for a released handle.
+inline const HeldProperty* quick(const fettle_hosted* hosted, fettle_property_id id) {
+    const std::vector<HeldProperty>& held = hosted->game->held;
+    const auto place = static_cast<std::uint32_t>(id);
+    if (place >= held.size()) return nullptr;
+    const HeldProperty& found = held[place];
+    return found.generation == id >> 32 && found.property != nullptr ? &found : nullptr;
+}
+[[noreturn]] void refuse_property(fettle_property_id id);
+/// The property that a caller holds; throws Failure if there is none.
+inline const HeldProperty& found(const fettle_hosted* hosted, fettle_property_id id) {
+    const HeldProperty* const known = quick(hosted, id);
+    if (known == nullptr) refuse_property(id);
+    return *known;
+}
+
+}  // namespace fettle::host

@@ -1,0 +1,165 @@
+#include "game.h"
+
+#include <fettle/property/formula_problems.h>
+
+namespace fettle::host {
+
+namespace {
+
+/// The clipboard of the caller.
+class HostClipboard : public app::Clipboard {
+  public:
+    explicit HostClipboard(Game& game) : game_(game) {}
+    std::string read() override {
+        const auto asked = game_.read_clipboard;
+        if (asked.function == nullptr) return kept_;
+        std::string text;
+        game_.call_out([&] {
+            if (const char* const given = asked.function(asked.user)) text = given;
+        });
+        return text;
+    }
+    void write(std::string_view text) override {
+        kept_ = text;
+        const auto told = game_.write_clipboard;
+        if (told.function == nullptr) return;
+        game_.call_out([&] { told.function(told.user, std::string(text).c_str()); });
+    }
+
+  private:
+    Game& game_;
+    std::string kept_;
+};
+
+property::Tree& attached(physics_module::PhysicsModule& physics, property::Tree& tree) {
+    physics.attach(tree);
+    return tree;
+}
+
+script::Options options_of(const fettle_hosted_def& def) {
+    script::Options options;
+    options.seed = def.seed;
+    options.memory_limit = def.lua_memory;
+    options.call_seconds = def.call_seconds;
+    if (def.assets != nullptr) options.assets = def.assets;
+    return options;
+}
+
+property::Vec2 unmapped(const property::Transform& map, property::Vec2 pixel) {
+    const double area = map.area();
+    const double dx = pixel.x - map.origin.x, dy = pixel.y - map.origin.y;
+    return property::Vec2((dx * map.y.y - dy * map.y.x) / area,
+                          (dy * map.x.x - dx * map.x.y) / area);
+}
+
+}  // namespace
+
+Game::Game(const fettle_hosted_def& def)
+    : services(attached(physics, tree)), lua(tree, options_of(def)), loop(tree, lua, services) {
+    loop.add({.name = "physics",
+              .step = [this](double dt) { physics.step(dt); },
+              .report =
+                  [this] {
+                      physics.report(tree);
+                      stepped_ = true;
+                  },
+              .hash = [this] { return physics.hash(); }});
+    listen();
+    if (flag(def.console)) make_console(def);
+}
+
+void Game::listen() {
+    lua.on_error([this](const script::ScriptError& error) { report(error); });
+    loop.on_error([this](const script::ScriptError& error) { report(error); });
+    tree.on_handler_error([this](const property::HandlerError& error) {
+        script::ScriptError found;
+        found.message = error.message;
+        found.context = "handler of " + error.path;
+        report(found);
+    });
+    property::on_formula_problem(tree, [this](const property::FormulaProblem& problem_found) {
+        script::ScriptError found;
+        found.message = problem_found.message;
+        found.context = "formula of " + problem_found.path;
+        report(found);
+    });
+    lua.on_print([this](std::string_view text) {
+        if (console) console->print(text);
+        const auto told = print;
+        if (told.function == nullptr) return;
+        try {
+            call_out([&] { told.function(told.user, std::string(text).c_str()); });
+        } catch (...) {
+            // An exception here would leave the call in the middle of the script.
+            if (!first_problem_)
+                first_problem_ = "the function that gets the output of print failed";
+        }
+    });
+    lua.on_note([this](std::string_view text) {
+        if (console) console->note(text);
+    });
+    loop.after_barrier([this] {
+        if (std::exchange(stepped_, false) && console) console->after_step();
+    });
+    loop.between_frames([this] {
+        if (console) console->between_frames();
+    });
+}
+
+void Game::make_console(const fettle_hosted_def& def) {
+    clipboard = std::make_unique<HostClipboard>(*this);
+    console::Options options{
+        .clipboard = clipboard.get(),
+        .to_world = [this](float x, float y) -> property::Vec2 {
+            if (!view) return services.view.to_world({x, y});
+            return unmapped(*view, property::Vec2(x, y));
+        },
+        .to_pixels = [this](property::Vec2 world) -> property::Vec2 {
+            return view ? (*view)(world) : services.view.to_screen(world);
+        },
+        .review = [this](std::int64_t from,
+                         const auto& look) { loop.timeline().review(from, look); },
+        .branch = [this](std::int64_t from, const auto& change,
+                         const auto& look) { loop.timeline().branch(from, change, look); },
+        .frames = &services.clock.frames};
+    if (def.history_file != nullptr) options.history_file = def.history_file;
+    console = std::make_unique<console::Console>(tree, lua, std::move(options));
+}
+
+Game::Inside::Inside(Game& game) : game_(game) {
+    if (game_.callbacks_ >= 8)
+        throw Failure{FETTLE_LOCKED, "more than eight calls of functions of the host are nested"};
+    ++game_.callbacks_;
+}
+
+void Game::require_outside(const char* what) const {
+    if (callbacks_ > 0)
+        throw Failure{FETTLE_LOCKED, std::string("the game is calling a function: it cannot ") +
+                                         what + " before that has returned"};
+}
+
+void Game::report(const script::ScriptError& error) {
+    if (!first_problem_) first_problem_ = error.message;
+    if (console) console->report(error);
+    const auto told = problem;
+    if (told.function == nullptr) return;
+    const fettle_hosted_problem found{.message = error.message.c_str(),
+                                      .file = error.file.c_str(),
+                                      .source_line = error.source_line.c_str(),
+                                      .traceback = error.traceback.c_str(),
+                                      .context = error.context.c_str(),
+                                      .line = error.line};
+    try {
+        call_out([&] { told.function(told.user, &found); });
+    } catch (...) {
+        // The error that it was to get is reported by the call that runs the script.
+        return;
+    }
+}
+
+console::Console& Game::needed_console() {
+    if (!console) throw Failure{FETTLE_INVALID, "this game was created without a console"};
+    return *console;
+}
+
+}  // namespace fettle::host

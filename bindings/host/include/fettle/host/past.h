@@ -1,0 +1,30 @@
+/* Snapshots, and going back in time. The past of the last minute is kept, unless
+ * `time.rewind_limit` says otherwise. After these functions, the watchers of what is different are
+ * called at the next barrier. None of them may be called in a callback. */
+
+#pragma once
+
+#include <fettle/host/basics.h>
+
+FETTLE_HOST_BEGIN
+
+/** The whole state of the tree and of physics, as a file would have it: with a version and a
+    checksum. Variables of Lua and timers are not in it. The bytes are valid until the next snapshot
+    of the game. */
+fettle_code fettle_hosted_snapshot(fettle_hosted* game, const void** bytes, size_t* size);
+
+/** FETTLE_INVALID, and nothing changes, if a byte was changed, removed or added, or if it has
+    classes that this game does not have. */
+fettle_code fettle_hosted_restore(fettle_hosted* game, const void* bytes, size_t size);
+
+/** Goes back by this simulation time from now, at most to the oldest step that is kept. */
+fettle_code fettle_hosted_rewind(fettle_hosted* game, double seconds);
+
+/** Goes to a step that is kept. Later ones are kept until a step is made from there. */
+fettle_code fettle_hosted_go_to(fettle_hosted* game, int64_t step);
+
+/** The current step, and the first and the last one that are kept. Each may be null. */
+fettle_code fettle_hosted_steps(fettle_hosted* game, int64_t* step, int64_t* oldest,
+                                int64_t* newest);
+
+FETTLE_HOST_END

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <fettle/property/tree.h>
+#include <fettle_host.h>
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Values of the tree as values in C, and the other way round.
+
+namespace fettle::host {
+
+/// An error of a caller in C.
+struct Failure {
+    fettle_code code;
+    std::string message;
+};
+
+template <class Value>
+Value& needed(const char* name, Value* pointer) {
+    if (pointer == nullptr)
+        throw Failure{FETTLE_INVALID, std::string(name) + ": expected a pointer, got null"};
+    return *pointer;
+}
+/// A text that must not be null.
+inline const char* text_of(const char* name, const char* text) {
+    return &needed(name, text);
+}
+
+/// Texts and lists that a caller in C reads.
+class Given {
+  public:
+    const char* text(std::string_view text) { return texts_.emplace_back(text).c_str(); }
+    fettle_hosted_value value(const property::Value& value);
+    fettle_hosted_value result(const property::Result& result);
+    void clear() {
+        texts_.clear();
+        lists_.clear();
+    }
+
+  private:
+    fettle_hosted_value list(const property::List& list);
+
+    std::deque<std::string> texts_;
+    std::deque<std::vector<fettle_hosted_value>> lists_;
+};
+
+inline fettle_instance converted(property::Handle handle) {
+    return fettle_instance{handle.generation} << 32 | handle.index;
+}
+inline property::Handle handle_of(fettle_instance instance) {
+    return {static_cast<std::uint32_t>(instance), static_cast<std::uint32_t>(instance >> 32)};
+}
+
+/// Throws Failure for a type that there is not, a null text or list, and a list that is too long or
+/// nested too deep. `name`: for the message.
+property::Value value_of(const char* name, const fettle_hosted_value& value);
+std::vector<property::Value> values_of(const char* name, const fettle_hosted_value* values,
+                                       std::uint32_t count);
+
+/// A byte that should be 0 or 1: a caller may have left it as it was.
+inline bool flag(const bool& byte) {
+    return *reinterpret_cast<const unsigned char*>(&byte) != 0;
+}
+
+}  // namespace fettle::host
