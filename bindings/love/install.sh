@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Puts the physics library into the folder of a LÖVE game: the modules, the library, and its declarations.
+# Puts Fettle into the folder of a LÖVE game: the modules, the library, and its declarations.
 #
-#   install.sh LIBRARY INCLUDE GAME    LIBRARY is libfettle_physics_c.so, INCLUDE the folder of fettle_physics.h
+#   install.sh LIBRARY INCLUDE GAME [HOST]    LIBRARY is libfettle_physics_c.so, INCLUDE the folder of fettle_physics.h. HOST is
+#                                             libfettle_host.so, for `fettle.host` and `fettle.console`, which need fettle_host.h
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
-library=$1 include=$2 game=$3
-mkdir -p -- "$game/fettle"
-cp -- "$here"/fettle/*.lua "$game/fettle/"
-cp -L -- "$library" "$game/fettle/libfettle_physics_c.so"
-# As fettle/physics_c/basics.h says: without comments, lines that begin with #, and the two words.
-{
+library=$1 include=$2 game=$3 host=${4:-}
+
+# declarations HEADER: all that it includes of its own folder. As its basics.h says: without comments, lines that begin with #,
+# and the two words.
+declarations() {
     echo 'return [['
-    sed -nE 's|^#include <(fettle/physics_c/.*)>|\1|p' "$include/fettle_physics.h" | while read -r header; do cat -- "$include/$header"; done |
+    sed -nE "s|^#include <(fettle/${2}/.*)>|\1|p" "$include/$1" | while read -r header; do cat -- "$include/$header"; done |
         awk '{
             line = $0
             out = ""
@@ -29,7 +29,16 @@ cp -L -- "$library" "$game/fettle/libfettle_physics_c.so"
                     comment = 1
                 }
             }
-            if (out !~ /^#/ && out !~ /^FETTLE_PHYSICS_C_(BEGIN|END)/ && out !~ /^ *$/) print out
+            if (out !~ /^#/ && out !~ /^FETTLE_[A-Z_]+_(BEGIN|END)/ && out !~ /^ *$/) print out
         }'
     echo ']]'
-} >"$game/fettle/declarations.lua"
+}
+
+mkdir -p -- "$game/fettle"
+cp -- "$here"/fettle/*.lua "$game/fettle/"
+cp -L -- "$library" "$game/fettle/libfettle_physics_c.so"
+declarations fettle_physics.h physics_c >"$game/fettle/declarations.lua"
+if [[ -n $host ]]; then
+    cp -L -- "$host" "$game/fettle/libfettle_host.so"
+    declarations fettle_host.h host >"$game/fettle/host_declarations.lua"
+fi

@@ -108,7 +108,7 @@ class Arguments {
                                                 "a b \xff\xfe",
                                                 "[[\"",
                                                 "hear",
-                                                "world.floor:destroy()",
+                                                "world.floor:delete()",
                                                 "1 +",
                                                 "error('x')",
                                                 "world.ball.mass = -1",

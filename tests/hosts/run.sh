@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The physics library in a host of other people: builds or opens it there, runs it and looks at its picture.
+# Fettle in a host of other people: builds or opens it there, runs it and looks at its picture.
 #
 #   run.sh --list                 the names of the cases
-#   run.sh CASE BUILD FOLDER      BUILD has fettle_physics_c; pictures and what is built go to FOLDER
+#   run.sh CASE BUILD FOLDER      BUILD has fettle_physics_c and fettle_host; pictures and what is built go to FOLDER
 #
 # Exit status 77, with the reason in the last line: the case cannot run here.
 set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-cases=(sdl2 python python_installed python_demo love love_demo web web_demo web_speed guide)
+cases=(sdl2 sdl2_host python python_installed python_demo love love_demo love_host love_host_demo web web_demo web_speed guide)
 
 if [[ ${1:-} == --list ]]; then
     printf '%s\n' "${cases[@]}"
@@ -17,6 +17,7 @@ build=$(cd -- "$2" && pwd -P)
 mkdir -p -- "$3"
 folder=$(cd -- "$3" && pwd -P)
 library=$build/bindings/c/libfettle_physics_c.so
+host=$build/bindings/host/libfettle_host.so
 python=/usr/bin/python3  # Debian's, whatever else is in PATH
 export SDL_AUDIODRIVER=dummy SDL_RENDER_DRIVER=software
 
@@ -51,6 +52,21 @@ case_sdl2() {
         -o "$folder/sdl2" "${flags[@]}" "$library" -lm -Wl,-rpath,"${library%/*}"
     in_display "$folder/sdl2" 120 "$folder/sdl2.bmp"
     shows "$folder/sdl2.bmp" "#e0a090" "#70a070"
+}
+
+# A whole game, and its console as triangles. The colors: the console, a path in its output, the game.
+case_sdl2_host() {
+    needs pkg-config
+    pkg-config --exists sdl2 || cannot "SDL2 is not here"
+    needs_python pygame
+    local flags
+    read -r -a flags < <(pkg-config --cflags --libs sdl2)
+    cc -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$project/bindings/host/include" -I"$project/bindings/c/include" \
+        "$project/examples/sdl2_host/main.c" -o "$folder/sdl2_host" "${flags[@]}" "$host" "$library" -lm \
+        -Wl,-rpath,"${host%/*}:${library%/*}"
+    in_display "$folder/sdl2_host" 120 "$folder/sdl2_host.bmp" | tee "$folder/sdl2_host.txt"
+    grep -qx 'gravity is 2, -4' "$folder/sdl2_host.txt"  # as it was typed
+    shows "$folder/sdl2_host.bmp" "#14171e" "#77bdfb" "#fabe46"
 }
 
 # The package in a copy of its folder: what is made for it does not belong into the checkout.
@@ -97,6 +113,30 @@ love_game() {
     mkdir -p -- "$folder/$1"
     cp -- "$project/bindings/love/$1"/*.lua "$folder/$1/"
     "$project/bindings/love/install.sh" "$library" "$project/bindings/c/include" "$folder/$1"
+}
+
+# The same with a whole game. The headers are together, as an installation has them.
+love_host_game() {
+    needs love
+    rm -rf -- "$folder/$1" "$folder/include"
+    mkdir -p -- "$folder/$1" "$folder/include"
+    cp -R -- "$project"/bindings/{c,host}/include/. "$folder/include/"
+    cp -- "$project/bindings/love/$1"/*.lua "$folder/$1/"
+    "$project/bindings/love/install.sh" "$library" "$folder/include" "$folder/$1" "$host"
+}
+
+case_love_host() {
+    love_host_game host_tests
+    timeout 120 love "$folder/host_tests"
+}
+
+case_love_host_demo() {
+    needs_python pygame
+    love_host_game host_demo
+    export XDG_DATA_HOME=$folder/love
+    in_display love "$folder/host_demo" --frames 120 demo.png | tee "$folder/host_demo.txt"
+    grep -qx 'gravity is 2, -4' "$folder/host_demo.txt"  # as it was typed
+    shows "$folder/love/love/host_demo/demo.png" "#14171e" "#77bdfb" "#fabf47"
 }
 
 case_love() {

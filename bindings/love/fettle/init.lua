@@ -19,12 +19,15 @@ function fettle.check(code, level)
     if code ~= lib.FETTLE_DONE then error(ffi.string(lib.fettle_last_error()), (level or 1) + 1) end
 end
 
---- A definition with its defaults: fettle.define("fettle_body_def"), fettle.define("fettle_geometry", type).
-function fettle.define(name, ...)
+--- A definition of a library with its defaults.
+function fettle.define_in(of, name, ...)
     local made = ffi.new(name)
-    fettle.check(lib[name .. "_init"](made, ffi.sizeof(name), ...))
+    fettle.check(of[name .. "_init"](made, ffi.sizeof(name), ...))
     return made
 end
+
+--- The same of this library: fettle.define("fettle_body_def"), fettle.define("fettle_geometry", type).
+function fettle.define(name, ...) return fettle.define_in(lib, name, ...) end
 
 local outs = {}
 
