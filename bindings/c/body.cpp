@@ -61,6 +61,11 @@ fettle_code fettle_body_set_angular_velocity(fettle_world* world, fettle_id body
     return edit<&Body::set_angular_velocity>(__func__, world, body, angular_velocity);
 }
 
+fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, float x, float y,
+                                   float angle, float dt) {
+    return edit<&Body::set_target>(__func__, world, body, Pose{{x, y}, angle}, dt);
+}
+
 fettle_code fettle_body_force(const fettle_world* world, fettle_id body, fettle_vec2* force) {
     return read<&Body::force>(__func__, world, body, force);
 }
@@ -143,6 +148,49 @@ fettle_code fettle_body_angular_damping(const fettle_world* world, fettle_id bod
 fettle_code fettle_body_set_angular_damping(fettle_world* world, fettle_id body,
                                             float angular_damping) {
     return edit<&Body::set_angular_damping>(__func__, world, body, angular_damping);
+}
+
+fettle_code fettle_body_enabled(const fettle_world* world, fettle_id body, bool* enabled) {
+    return read<&Body::enabled>(__func__, world, body, enabled);
+}
+
+fettle_code fettle_body_set_enabled(fettle_world* world, fettle_id body, bool enabled) {
+    return edit<&Body::set_enabled>(__func__, world, body, enabled);
+}
+
+fettle_code fettle_body_name(fettle_world* world, fettle_id body, const char** name) {
+    return guarded(__func__, [&] {
+        const char*& told = needed("name", name);
+        world->name = handle<Body>(world, body).name();
+        told = world->name.c_str();
+    });
+}
+
+fettle_code fettle_body_set_name(fettle_world* world, fettle_id body, const char* name) {
+    return on<Body>(__func__, world, body, [&](Body it) { it.set_name(&needed("name", name)); });
+}
+
+fettle_code fettle_body_max_speed(const fettle_world* world, fettle_id body, float* max_speed) {
+    return read<&Body::max_speed>(__func__, world, body, max_speed);
+}
+
+fettle_code fettle_body_set_max_speed(fettle_world* world, fettle_id body, float max_speed) {
+    return edit<&Body::set_max_speed>(__func__, world, body, max_speed);
+}
+
+fettle_code fettle_body_sleep_speed(const fettle_world* world, fettle_id body, float* sleep_speed) {
+    return read<&Body::sleep_speed>(__func__, world, body, sleep_speed);
+}
+
+fettle_code fettle_body_set_sleep_speed(fettle_world* world, fettle_id body,
+                                        const float* sleep_speed) {
+    return edit<&Body::set_sleep_speed>(__func__, world, body,
+                                        sleep_speed ? std::optional(*sleep_speed) : std::nullopt);
+}
+
+fettle_code fettle_body_sleep_speed_override(const fettle_world* world, fettle_id body,
+                                             bool* is_set, float* sleep_speed) {
+    return read_optional<&Body::sleep_speed_override>(__func__, world, body, is_set, sleep_speed);
 }
 
 fettle_code fettle_body_awake(const fettle_world* world, fettle_id body, bool* awake) {

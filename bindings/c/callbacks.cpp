@@ -25,12 +25,14 @@ ContactCallback contact_callback(const fettle_world* world, fettle_contact_callb
                                  edit.friction,
                                  edit.restitution,
                                  edit.surface_speed,
-                                 edit.enabled};
+                                 edit.enabled,
+                                 edit.ignored};
         function(user, world, &told);
         edit.friction = told.friction;
         edit.restitution = told.restitution;
         edit.surface_speed = told.surface_speed;
         edit.enabled = flag(told.enabled);
+        edit.ignored = flag(told.ignored);
     };
 }
 

@@ -44,6 +44,13 @@ float checked(const Finite& number) {
     return number.value;
 }
 
+uint16_t checked(const Material& material) {
+    if (material.value > 0xffffu)
+        throw Failure{FETTLE_INVALID, "material = " + std::to_string(material.value) +
+                                          ": expected a whole number from 0 to 65535"};
+    return uint16_t(material.value);
+}
+
 physics::Vec2 checked(const FinitePoint& point) {
     return {checked(Finite{"x", point.x}), checked(Finite{"y", point.y})};
 }

@@ -37,6 +37,10 @@ struct Finite {
 struct FinitePoint {
     float x, y;
 };
+/// Number of a material, which the library stores in 16 bits.
+struct Material {
+    uint32_t value;
+};
 template <auto last>
 struct Enumerated {
     const char* name;
@@ -45,6 +49,7 @@ struct Enumerated {
 
 float checked(const Finite& number);
 physics::Vec2 checked(const FinitePoint& point);
+uint16_t checked(const Material& material);
 template <auto last>
 auto checked(const Enumerated<last>& of) {
     return enumerator(of.name, of.value, last);

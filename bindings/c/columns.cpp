@@ -21,6 +21,10 @@ static_assert(offsetof(fettle_body_state, sine) == offsetof(BodyState, sine));
 static_assert(sizeof(fettle_pose) == sizeof(Pose));
 static_assert(offsetof(fettle_pose, angle) == offsetof(Pose, angle));
 
+ContactId contact_named(const fettle_world* world, fettle_id shape_a, fettle_id shape_b) {
+    return ContactId::of(handle<Shape>(world, shape_a).id(), handle<Shape>(world, shape_b).id());
+}
+
 uint32_t body_slot(const World& world, uint32_t slot) {
     if (slot >= world.body_slots() || world.body_generation(slot) == 0)
         throw Failure{FETTLE_STALE,
@@ -91,6 +95,33 @@ fettle_code fettle_world_columns(const fettle_world* world, fettle_columns* colu
 fettle_code fettle_world_contacts(const fettle_world* world, fettle_contact* out, uint32_t room,
                                   uint32_t* count) {
     return list<&World::contacts>(__func__, world, out, room, count);
+}
+
+fettle_code fettle_world_is_touching(const fettle_world* world, fettle_id shape_a,
+                                     fettle_id shape_b, bool* is_touching) {
+    return guarded(__func__, [&] {
+        bool& told = needed("is_touching", is_touching);
+        const World& in = live(world);
+        told = lives<ShapeId>(world, shape_a) && lives<ShapeId>(world, shape_b) &&
+               in.is_touching(contact_named(world, shape_a, shape_b));
+    });
+}
+
+fettle_code fettle_world_contacts_of(const fettle_world* world, fettle_id shape_a,
+                                     fettle_id shape_b, fettle_contact* out, uint32_t room,
+                                     uint32_t* count) {
+    return guarded(__func__, [&] {
+        const World& in = live(world);
+        tell_list(in.contacts_of(contact_named(world, shape_a, shape_b)), out, room, count);
+    });
+}
+
+fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id shape_a,
+                                                fettle_id shape_b) {
+    return guarded(__func__, [&] {
+        editable(world).ignore_until_separated(handle<Shape>(world, shape_a),
+                                               handle<Shape>(world, shape_b));
+    });
 }
 
 fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state) {

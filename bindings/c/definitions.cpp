@@ -48,6 +48,8 @@ fettle_body_def defaults(const BodyDef& def) {
     told.gravity_scale = def.gravity_scale;
     told.awake = def.awake;
     told.can_sleep = def.can_sleep;
+    told.enabled = def.enabled;
+    told.max_speed = def.max_speed;
     return told;
 }
 
@@ -55,6 +57,9 @@ fettle_shape_def defaults(const ShapeDef& def) {
     fettle_shape_def told{};
     told.density = def.density;
     told.friction = def.friction;
+    told.contact_events = def.contact_events;
+    told.sensor_events = def.sensor_events;
+    told.before_solve = def.before_solve;
     told.category = def.category;
     told.mask = def.mask;
     return told;
@@ -119,6 +124,10 @@ BodyDef definition_of(const fettle_body_def* def) {
     taken.locked_x = flag(def->locked_x);
     taken.locked_y = flag(def->locked_y);
     taken.locked_rotation = flag(def->locked_rotation);
+    taken.enabled = flag(def->enabled);
+    if (flag(def->has_sleep_speed)) taken.sleep_speed = def->sleep_speed;
+    taken.max_speed = def->max_speed;
+    if (def->name != nullptr) taken.name = def->name;
     taken.user_data = def->user_data;
     return taken;
 }
@@ -134,6 +143,10 @@ ShapeDef definition_of(const fettle_shape_def* def) {
     taken.surface_speed = def->surface_speed;
     taken.sensor = flag(def->sensor);
     taken.hit_events = flag(def->hit_events);
+    taken.contact_events = flag(def->contact_events);
+    taken.sensor_events = flag(def->sensor_events);
+    taken.before_solve = flag(def->before_solve);
+    taken.material = checked(Material{def->material});
     taken.category = def->category;
     taken.mask = def->mask;
     taken.group = def->group;

@@ -51,6 +51,7 @@ struct fettle_world {
     fettle::physics_c::GivenEvents events;
     std::vector<std::byte> saved;
     std::string fault;
+    std::string name;  ///< the last one that was read
 };
 
 namespace fettle::physics_c {

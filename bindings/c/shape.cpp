@@ -224,6 +224,43 @@ fettle_code fettle_shape_set_hit_events(fettle_world* world, fettle_id shape, bo
     return edit<&Shape::set_hit_events>(__func__, world, shape, hit_events);
 }
 
+fettle_code fettle_shape_contact_events(const fettle_world* world, fettle_id shape,
+                                        bool* contact_events) {
+    return read<&Shape::contact_events>(__func__, world, shape, contact_events);
+}
+
+fettle_code fettle_shape_set_contact_events(fettle_world* world, fettle_id shape,
+                                            bool contact_events) {
+    return edit<&Shape::set_contact_events>(__func__, world, shape, contact_events);
+}
+
+fettle_code fettle_shape_sensor_events(const fettle_world* world, fettle_id shape,
+                                       bool* sensor_events) {
+    return read<&Shape::sensor_events>(__func__, world, shape, sensor_events);
+}
+
+fettle_code fettle_shape_set_sensor_events(fettle_world* world, fettle_id shape,
+                                           bool sensor_events) {
+    return edit<&Shape::set_sensor_events>(__func__, world, shape, sensor_events);
+}
+
+fettle_code fettle_shape_before_solve(const fettle_world* world, fettle_id shape,
+                                      bool* before_solve) {
+    return read<&Shape::before_solve>(__func__, world, shape, before_solve);
+}
+
+fettle_code fettle_shape_set_before_solve(fettle_world* world, fettle_id shape, bool before_solve) {
+    return edit<&Shape::set_before_solve>(__func__, world, shape, before_solve);
+}
+
+fettle_code fettle_shape_material(const fettle_world* world, fettle_id shape, uint32_t* material) {
+    return read<&Shape::material>(__func__, world, shape, material);
+}
+
+fettle_code fettle_shape_set_material(fettle_world* world, fettle_id shape, uint32_t material) {
+    return edit<&Shape::set_material>(__func__, world, shape, Material{material});
+}
+
 fettle_code fettle_shape_category(const fettle_world* world, fettle_id shape, uint64_t* category) {
     return read<&Shape::category>(__func__, world, shape, category);
 }

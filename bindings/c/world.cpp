@@ -37,6 +37,19 @@ fettle_code fettle_world_step(fettle_world* world, float dt) {
     });
 }
 
+fettle_code fettle_world_after_step(fettle_world* world, fettle_after_step function, void* user) {
+    return guarded(__func__, [&] {
+        if (function == nullptr)
+            throw Failure{FETTLE_INVALID, "function: expected a function, got null"};
+        live(world).after_step([world, function, user] { function(user, world); });
+    });
+}
+
+fettle_code fettle_world_reserve(fettle_world* world, uint32_t bodies, uint32_t shapes,
+                                 uint32_t contacts, uint32_t joints) {
+    return edit<&World::reserve>(__func__, world, Capacity{bodies, shapes, contacts, joints});
+}
+
 fettle_code fettle_world_wake_all(fettle_world* world) {
     return edit<&World::wake_all>(__func__, world);
 }
@@ -51,14 +64,14 @@ fettle_code fettle_world_clear(fettle_world* world) {
 fettle_code fettle_world_clone(const fettle_world* world, fettle_world** clone) {
     return guarded(__func__, [&] {
         fettle_world*& made = needed("clone", clone);
-        made = adopt(std::make_unique<World>(live(world)));
+        made = adopt(std::make_unique<World>(live(world).clone()));
     });
 }
 
 fettle_code fettle_world_assign(fettle_world* world, const fettle_world* from) {
     return guarded(__func__, [&] {
         World& to = editable(world);
-        to = live(from);
+        to.restore(live(from));
     });
 }
 

@@ -160,6 +160,11 @@ fettle_code fettle_world_fields(const fettle_world* world, fettle_id* out, uint3
     return list<&World::fields>(__func__, world, out, room, count);
 }
 
+fettle_code fettle_world_moved_bodies(const fettle_world* world, fettle_id* out, uint32_t room,
+                                      uint32_t* count) {
+    return list<&World::moved_bodies>(__func__, world, out, room, count);
+}
+
 fettle_code fettle_world_body_count(const fettle_world* world, uint32_t* body_count) {
     return read<&World::body_count>(__func__, world, body_count);
 }

@@ -839,6 +839,7 @@ World = {}
 ---@field contact_points vec[] Points of the contacts in the world. · m · any length · read-only, simulated
 ---@field contact_shapes Object[] The shapes that it touches now, one for each touch; the world itself for its bounds. `contact_points`, `contact_normals` and `contact_impulses` have as many entries, in the same order. · any length · read-only, simulated
 ---@field contacts Object[] The bodies that it touches now; the world itself if it touches the bounds. Sensors do not count. · any length · read-only, simulated
+---@field enabled boolean False if it takes no part in the world: it does not move, nothing collides with it, no query finds it, and its joints do not act. It is drawn, and keeps its velocity. · true or false · default true
 ---@field force vec Force on its center of mass in every step until it is changed. · N · any finite vec · default vec(0, 0)
 ---@field gravity_scale number Factor of the world's gravity for this body: 0 floats, -1 falls upwards. · any finite number · default 1
 ---@field inertia number Rotational inertia about the center of mass, computed from the shapes unless it is set; nil computes it again. With infinite inertia nothing turns it. · kg m² · 1e-30 to inf · default computed · simulated, may be infinite
@@ -847,7 +848,9 @@ World = {}
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
 ---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass nothing moves it. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
+---@field max_speed number Limit of its speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
+---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
 ---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
 ---@field type "static"|"kinematic"|"dynamic" How it moves. "static": not at all; "kinematic": with its velocity, and no force changes that; "dynamic": by forces, contacts and joints. · "static", "kinematic", "dynamic" · default "dynamic"
 ---@field velocity vec Velocity of its center of mass. A step limits it to 10000 m/s. · m/s · any finite vec · default vec(0, 0) · simulated
@@ -1013,13 +1016,16 @@ Body = {}
 ---@field border color Color of its outline; a darker fill color unless it is set. · channels 0 to 1 · default color("#2c476a")
 ---@field category integer Its categories, as bits. Two shapes collide if each one's mask has a bit of the other's category. · any integer · default 1
 ---@field color color Color of the fill. Unless it is set, the color of the body, or a color for the type of the body. · channels 0 to 1 · default color("#619eeb")
+---@field contact_events boolean True if its touches are reported: contact_begin, contact_persist and contact_end. Both shapes must agree. It holds from the next touch on: a touch whose begin was reported is reported to its end. · true or false · default true
 ---@field density number Mass per area. · kg/m² · at least 0 · default 1
 ---@field friction number Coulomb coefficient: 0 is like ice, 1 like rubber. Two shapes in contact use the geometric mean of their coefficients, or the world's friction_mix. · at least 0 · default 0.6
 ---@field group integer Shapes with an equal group other than 0 always collide (above 0) or never collide (below 0), whatever their masks are. · -2147483648 to 2147483647 · default 0
 ---@field mask integer Categories with which it collides, as bits; -1 is all. · any integer · default -1
+---@field material integer A number for the game, for example to choose the sound of an impact. It has no effect on the simulation. · 0 to 65535 · default 0
 ---@field restitution number Share of the speed of approach with which shapes separate. Two shapes in contact use the greater of their values, or the world's restitution_mix. · 0 to 1 · default 0
 ---@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius. · at least 0 · default 0
 ---@field sensor boolean True if it reports overlapping shapes and does not push them. · true or false · default false
+---@field sensor_events boolean True if sensor_begin and sensor_end about it are reported, from the next touch on. Both shapes must agree. · true or false · default true
 ---@field surface_speed number Speed of the surface, as of a conveyor belt, counter-clockwise around the shape. · m/s · any finite number · default 0
 ---@field visible boolean True if it is drawn; it collides in any case. · true or false · default true
 ---@field world_vertices vec[] Its corners or points in the world, without rounding; a circle or an ellipse has none. · m · any length · read-only, simulated

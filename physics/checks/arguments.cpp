@@ -56,10 +56,23 @@ void refuse_negative(const char* what, float value) {
     refuse(what, text(value), "a finite number of at least 0");
 }
 
+float check_positive(const char* what, float value) {
+    if (!(value > 0.0f) || !std::isfinite(value)) refuse(what, text(value), "a positive number");
+    return value;
+}
+
 float check_range(const char* what, float value, float low, float high) {
     if (!(value >= low && value <= high))
         refuse(what, text(value), "a number from " + text(low) + " to " + text(high));
     return value;
+}
+
+void check_name(const char* what, std::string_view value) {
+    constexpr size_t most = 63;
+    if (value.size() > most)
+        refuse(what, std::to_string(value.size()) + " bytes", "at most 63 bytes");
+    if (value.find('\0') != std::string_view::npos)
+        throw std::invalid_argument(std::string(what) + ": expected a text without a zero byte");
 }
 
 int check_count(const char* what, int value, int low, int high) {
@@ -139,6 +152,9 @@ void check(const BodyDef& def) {
     check_inertial("mass", def.mass);
     check_inertial("inertia", def.inertia);
     if (def.center) check_point("center", *def.center);
+    if (def.sleep_speed) check_not_negative("sleep_speed", *def.sleep_speed);
+    check_inertial("max_speed", def.max_speed);
+    check_name("name", def.name);
 }
 
 void check(const ShapeDef& def) {

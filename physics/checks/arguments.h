@@ -4,6 +4,7 @@
 #include <fettle/physics/field.h>
 #include <fettle/physics/hull.h>
 #include <fettle/physics/shape.h>
+#include <string_view>
 
 #include <cmath>
 
@@ -33,6 +34,8 @@ inline float check_not_negative(const char* what, float value) {
         refuse_negative(what, value);
     return value;
 }
+/// Finite and > 0.
+float check_positive(const char* what, float value);
 float check_range(const char* what, float value, float low, float high);
 inline float check_limit(const char* what, float value) {
     return check_range(what, value, -infinity, std::numeric_limits<float>::infinity());
@@ -43,6 +46,8 @@ inline float check_strength(const char* what, float value) {
 inline float check_stiffness(const char* what, float hertz) {
     return check_range(what, hertz, 0.0f, infinity);
 }
+/// At most 63 bytes without a zero.
+void check_name(const char* what, std::string_view value);
 int check_count(const char* what, int value, int low, int high);
 /// 4, 8 or 16.
 int check_simd_width(const char* what, int value);

@@ -75,7 +75,7 @@ void report_persisting(const ObjectState& objects, const Columns& columns,
                        const ActiveLists& active, uint32_t step, int substeps, Events& events) {
     for (const uint32_t slot : active.awake_contacts) {
         const ContactRecord& c = objects.contacts[slot];
-        if (!c.touching || c.sensor || objects.contact_links[slot].began == step ||
+        if (!c.touching || !c.told || c.sensor || objects.contact_links[slot].began == step ||
             c.manifold.count == 0)
             continue;
         if (!reports_for_pair(objects, slot)) continue;

@@ -20,20 +20,31 @@ bool same_pair(const ObjectState& objects, const ContactRecord& c, const Contact
     return c.sensor == d.sensor && ((a == e && b == f) || (a == f && b == e));
 }
 
-/// True if two other parts of the same two shapes touch.
-bool touch_elsewhere(const ObjectState& objects, uint32_t slot) {
+/// A contact of two other parts of the same two shapes that touch; `none`: there is none.
+uint32_t touching_elsewhere(const ObjectState& objects, uint32_t slot) {
     const ContactRecord& c = objects.contacts[slot];
     const uint32_t side = shorter_list(objects, c);
     const uint32_t body = side == 0 ? c.body_a : c.body_b;
     const ListEdge& own = objects.contact_links[slot].edges[side];
+    uint32_t found = none;
     const auto touches = [&](uint32_t other) {
         const ContactRecord& d = objects.contacts[other];
-        return d.touching && !d.disabled && same_pair(objects, c, d);
+        if (!d.touching || d.disabled || !same_pair(objects, c, d)) return false;
+        found = other;
+        return true;
     };
     // The search begins at its own place in the list, because contacts that are created or
     // destroyed together are near each other.
-    return objects.any_contact(own.next, none, touches) ||
-           objects.any_contact(objects.bodies[body].first_contact, slot, touches);
+    if (!objects.any_contact(own.next, none, touches))
+        objects.any_contact(objects.bodies[body].first_contact, slot, touches);
+    return found;
+}
+
+/// Whether a touch of the two shapes that begins now is reported.
+bool are_told(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b, bool sensor) {
+    const ShapeDef& a = objects.shapes[shape_a].surface;
+    const ShapeDef& b = objects.shapes[shape_b].surface;
+    return sensor ? a.sensor_events && b.sensor_events : a.contact_events && b.contact_events;
 }
 
 void report(const Touching& touching, const ContactRecord& c, bool begins) {
@@ -43,6 +54,7 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
     const uint32_t change = begins ? 1u : ~0u;  // ± 1, modulo 2³²
     objects.shapes[objects.named_shape(c.shape_a)].touching += change;
     objects.shapes[objects.named_shape(c.shape_b)].touching += change;
+    if (!c.told) return;
     const ShapeId a = shape_id(objects, columns, c.shape_a);
     const ShapeId b = shape_id(objects, columns, c.shape_b);
     const BodyId body_a = body_id(columns, c.body_a), body_b = body_id(columns, c.body_b);
@@ -65,6 +77,12 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
     }
 }
 
+void begin_touch(const Touching& touching, uint32_t slot) {
+    ContactRecord& c = touching.objects.contacts[slot];
+    touching.objects.contact_links[slot].began = touching.step;
+    c.told = are_told(touching.objects, c.shape_a, c.shape_b, c.sensor);
+}
+
 }  // namespace
 
 bool is_of_outline(const ObjectState& objects, const ContactRecord& c) {
@@ -81,11 +99,14 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
         objects.bodies[c.body_b].touching += begins ? 1u : ~0u;
     }
     if (!is_of_outline(objects, c)) {
-        if (begins) objects.contact_links[slot].began = touching.step;
+        if (begins) begin_touch(touching, slot);
         report(touching, c, begins);
         return;
     }
-    if (touch_elsewhere(objects, slot)) return;
+    if (const uint32_t other = touching_elsewhere(objects, slot); other != none) {
+        c.told = objects.contacts[other].told;
+        return;
+    }
     if (!begins) {
         if (touching.parted != nullptr)
             touching.parted->push_back(c);
@@ -99,11 +120,12 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
             return same_pair(objects, c, d);
         });
         if (left != parted.end()) {
+            c.told = left->told;
             parted.erase(left);  // the touch only moved to another part
             return;
         }
     }
-    objects.contact_links[slot].began = touching.step;
+    begin_touch(touching, slot);
     report(touching, c, true);
 }
 
@@ -115,6 +137,7 @@ void report_parted(const Touching& touching) {
 void report_crossing(const Touching& touching, Events& later, uint32_t sensor, uint32_t visitor) {
     const ObjectState& objects = touching.objects;
     const Columns& columns = touching.columns;
+    if (!are_told(objects, sensor, visitor, true)) return;
     const SensorEvent event = {shape_id(objects, columns, sensor),
                                shape_id(objects, columns, visitor),
                                body_id(columns, objects.forms[sensor].body),

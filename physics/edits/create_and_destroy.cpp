@@ -99,6 +99,13 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     record.given_inertia = def.inertia.value_or(not_given);
     if (def.center) record.given_center = record.local_center = *def.center;
     record.user_data = def.user_data;
+    record.disabled = !def.enabled;
+    if (def.sleep_speed || def.max_speed < infinity) {
+        BodyTraits& traits = traits_of(e.objects, slot);
+        traits.sleep_speed = def.sleep_speed.value_or(not_given);
+        traits.max_speed = def.max_speed;
+    }
+    set_name(e.objects, slot, def.name);
 
     BodyState& state = e.columns.states[slot];
     const Rotation q = rotation_of(def.angle);
@@ -111,9 +118,10 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     mark_mass(e.objects, e.active, slot);
     refresh_mass(e, slot);  // sets its mobility; the body has no shapes yet
     record.rebuilds = 0;
-    if (record.mobility != Mobility::fixed) {
+    if (record.mobility != Mobility::fixed || keeps_motion(record)) {
         state.velocity = def.velocity;
         state.angular_velocity = def.angular_velocity;
+        if (record.disabled) return slot;
         if (!def.awake && e.settings.sleeping) {
             // A body that was never awake causes no sleep event and gets an island of its own at
             // once.
@@ -140,6 +148,8 @@ void destroy_body(const Editing& e, uint32_t body) {
         destroy_shape(e, objects.bodies[body].first_shape);
     if (objects.bodies[body].solver_index != 0) remove_awake(objects, e.active, body);
     leave_island(objects, body);
+    if (objects.bodies[body].traits != none)
+        objects.trait_slots.give_back(objects.traits, objects.bodies[body].traits);
     objects.kinematic_bodies -= objects.bodies[body].mobility == Mobility::kinematic;
     objects.body_slots.give_back(objects.bodies, body);
     e.columns.body_generations[body] = 0;

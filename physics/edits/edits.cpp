@@ -124,6 +124,11 @@ void set_proxy(ObjectState& objects, BroadPhaseState& broad_phase, uint32_t shap
     record.tree = tree;
 }
 
+void stop(BodyState& state) {
+    state.velocity = {};
+    state.angular_velocity = 0.0f;
+}
+
 /// Sets the mobility: fixed, kinematic or dynamic. A change also changes the tree of its shapes,
 /// and which shapes they collide with.
 void update_mobility(const Editing& e, uint32_t body) {
@@ -133,6 +138,7 @@ void update_mobility(const Editing& e, uint32_t body) {
     if (record.type == BodyType::static_body) mobility = Mobility::fixed;
     if (record.type == BodyType::dynamic_body && !(record.mass < float(greatest_mass)))
         mobility = Mobility::fixed;
+    if (record.disabled) mobility = Mobility::fixed;
     if (mobility == record.mobility) return;
 
     wake_for_edit(e.activity, body);
@@ -143,8 +149,7 @@ void update_mobility(const Editing& e, uint32_t body) {
     record.mobility = mobility;
     if (mobility == Mobility::fixed) {
         if (record.solver_index != 0) remove_awake(e.objects, e.active, body);
-        e.columns.states[body].velocity = {};
-        e.columns.states[body].angular_velocity = 0.0f;
+        if (!record.disabled) stop(e.columns.states[body]);
         e.columns.previous[body] = {e.columns.states[body].position, e.columns.states[body].angle};
     } else if (record.solver_index == 0) {
         add_awake(e.objects, e.active, body);
@@ -165,6 +170,7 @@ void refresh_placement(const Editing& e, uint32_t body) {
     for (uint32_t s = record.first_shape; s != none; s = e.objects.shapes[s].next) {
         if (!e.objects.is_solid(s)) continue;
         place_shape(e.objects, e.broad_phase.boxes, s, q, state.angle);
+        if (record.disabled) continue;
         set_proxy(e.objects, e.broad_phase, s);
         mark_moved(e.objects, e.broad_phase, s);
     }
@@ -176,6 +182,30 @@ void refresh_placement(const Editing& e, uint32_t body) {
 void keep_no_manifold(ObjectState& objects, uint32_t body) {
     objects.for_each_contact(body,
                              [&](uint32_t contact) { objects.contacts[contact].kept = false; });
+}
+
+void set_body_enabled(const Editing& e, uint32_t body, bool enabled) {
+    ObjectState& objects = e.objects;
+    BodyRecord& record = objects.bodies[body];
+    if (record.disabled == !enabled) return;
+    wake_for_edit(e.activity, body);
+    wake_touching(e.activity, body);
+    record.disabled = !enabled;
+    if (!enabled) {
+        destroy_contacts_of_body(e.contacts, body);
+        for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+            if (!objects.is_solid(s)) continue;
+            remove_proxy(objects, e.broad_phase, s);
+            objects.set_crowded(s, false);
+        }
+    }
+    mark_mass(objects, e.active, body);
+    mark_placement(objects, e.active, body);
+    refresh_mass(e, body);
+    if (enabled && record.mobility == Mobility::fixed) stop(e.columns.states[body]);
+    objects.for_each_joint(body,
+                           [&](uint32_t joint, uint32_t) { list_joint(objects, e.active, joint); });
+    wake_touching(e.activity, body);
 }
 
 void refresh(const Editing& e) {

@@ -5,6 +5,8 @@
 #include <state/step_scratch.h>
 #include <state/world_state.h>
 
+#include <string_view>
+
 // Edits of a world. Derived data are computed lazily: an edit marks outdated data and lists them.
 // They are computed when they are read or before the next step, once for any number of edits.
 
@@ -51,6 +53,14 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
     if (activity.objects.bodies[body].mobility != Mobility::dynamic) wake_touching(activity, body);
 }
 
+// traits.cpp
+
+/// The traits of a body, to be edited; `settle_traits` must be called after.
+BodyTraits& traits_of(ObjectState& objects, uint32_t body);
+/// Frees the record of a body whose traits are the usual ones.
+void settle_traits(ObjectState& objects, uint32_t body);
+void set_name(ObjectState& objects, uint32_t body, std::string_view name);
+
 // create_and_destroy.cpp
 
 /// Body 0 belongs to the world: its shapes 0 to 3 are the four half-planes of the bounds.
@@ -58,6 +68,13 @@ void make_border(const Editing& editing);
 void apply_bounds(const Editing& editing);
 uint32_t create_body(const Editing& editing, const BodyDef& def);
 void destroy_body(const Editing& editing, uint32_t body);
+/// True for a disabled body that would move: it stores its velocity until it is enabled.
+inline bool keeps_motion(const BodyRecord& body) {
+    return body.disabled && body.type != BodyType::static_body &&
+           (body.type == BodyType::kinematic_body || body.mass < infinity);
+}
+/// Computes its mass and mobility at once. A disabled body keeps its velocity.
+void set_body_enabled(const Editing& editing, uint32_t body, bool enabled);
 uint32_t create_shape(const Editing& editing, const ShapeDef& def, const Geometry& geometry);
 uint32_t new_shape(const Editing& editing);
 void destroy_shape(const Editing& editing, uint32_t shape);

@@ -26,10 +26,11 @@ constexpr uint32_t layout() {
     uint32_t mixed = 0x811c9dc5u;
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
     for (const size_t size :
-         {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(ShapeRecord),
-          sizeof(ShapeForm), sizeof(ContactRecord), sizeof(ContactLinks), sizeof(ManifoldPose),
-          sizeof(Island), sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics),
-          sizeof(ContactBeginEvent), sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
+         {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(BodyTraits),
+          sizeof(IgnoredPair), sizeof(ShapeRecord), sizeof(ShapeForm), sizeof(ContactRecord),
+          sizeof(ContactLinks), sizeof(ManifoldPose), sizeof(Island), sizeof(JointRecord),
+          sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
+          sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
         add(size);
     return mixed;
 }

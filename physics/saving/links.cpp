@@ -109,13 +109,15 @@ void check_bodies(const WorldState& w, Findings& findings) {
                          w.previous.size() == n && w.body_generations.size() == n,
                      "bodies");
     for (const BodyRecord& body : w.bodies) {
-        findings.require(
-            body.mobility <= Mobility::dynamic && body.type <= BodyType::dynamic_body &&
-                body.solver_index <= w.awake_bodies.size() &&
-                are_bools(body.locked_x, body.locked_y, body.locked_rotation, body.can_sleep,
-                          body.bullet, body.never_awake, body.mass_dirty, body.placement_dirty) &&
-                body.listed <= 1 && optional_index(body.island, w.islands.size()),
-            "a body");
+        findings.require(body.mobility <= Mobility::dynamic &&
+                             body.type <= BodyType::dynamic_body &&
+                             body.solver_index <= w.awake_bodies.size() &&
+                             are_bools(body.locked_x, body.locked_y, body.locked_rotation,
+                                       body.can_sleep, body.bullet, body.never_awake,
+                                       body.mass_dirty, body.placement_dirty, body.disabled) &&
+                             optional_index(body.traits, w.traits.size()) && body.listed <= 1 &&
+                             optional_index(body.island, w.islands.size()),
+                         "a body");
         findings.require(
             optional_index(body.last_shape, shapes) &&
                 list_ends(body.first_shape, shapes, [&](uint32_t s) { return w.shapes[s].next; }),
@@ -124,6 +126,9 @@ void check_bodies(const WorldState& w, Findings& findings) {
         findings.require(edges_end(body.first_joint, w.joints), "the joints of a body");
     }
     findings.require(free_ones_end(w.body_slots, w.bodies), "free bodies");
+    findings.require(free_ones_end(w.trait_slots, w.traits), "free traits of bodies");
+    for (const BodyTraits& traits : w.traits)
+        findings.require(traits.name.back() == 0, "the name of a body");
 }
 
 /// Checks parts: a shape is a piece if it has an owner, and only outlines have parts and are
@@ -190,13 +195,14 @@ void check_shapes(const WorldState& w, Findings& findings) {
     for (size_t i = 0; i < n; ++i) {
         const ShapeRecord& shape = w.shapes[i];
         const ShapeForm& form = w.forms[i];
-        findings.require(
-            optional_index(form.body, w.bodies.size()) && optional_index(shape.previous, n) &&
-                optional_index(shape.next, n) && shape.type <= ShapeType::border &&
-                shape.tree <= Mobility::dynamic &&
-                are_bools(shape.surface.sensor, shape.surface.hit_events, shape.geometry_dirty,
-                          shape.moved, shape.listed, shape.closed, shape.crowded),
-            "a shape");
+        findings.require(optional_index(form.body, w.bodies.size()) &&
+                             optional_index(shape.previous, n) && optional_index(shape.next, n) &&
+                             shape.type <= ShapeType::border && shape.tree <= Mobility::dynamic &&
+                             are_bools(shape.surface.sensor, shape.surface.hit_events,
+                                       shape.surface.contact_events, shape.surface.sensor_events,
+                                       shape.surface.before_solve, shape.geometry_dirty,
+                                       shape.moved, shape.listed, shape.closed, shape.crowded),
+                         "a shape");
         const bool border = shape.type == ShapeType::border;
         const uint64_t taken = std::max<uint64_t>(
             shape.outline, form.count * (form.kind == FormKind::piece ? uint64_t{3} : 1) +
@@ -246,9 +252,9 @@ void check_contacts(const WorldState& w, Findings& findings) {
     const size_t n = w.contacts.size();
     findings.require(w.contact_links.size() == n && w.manifold_poses.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
-        findings.require(
-            are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled, c.curved, c.kept),
-            "a contact");
+        findings.require(are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled,
+                                   c.curved, c.kept, c.told),
+                         "a contact");
         if (findings.result()) return;
         const bool used = c.shape_a != none;
         findings.require(used || !c.touching,

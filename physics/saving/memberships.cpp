@@ -61,7 +61,7 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
 }
 
 Fault check_bodies(const WorldState& data) {
-    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0;
+    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0, traits = 0;
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         if (data.body_generations[body] == 0) {
@@ -71,6 +71,9 @@ Fault check_bodies(const WorldState& data) {
             continue;
         }
         live += body != 0;
+        traits += record.traits != none;
+        if (record.disabled && (record.mobility != Mobility::fixed || record.first_contact != none))
+            return "body " + number(body) + " is disabled but takes part";
         kinematic += record.mobility == Mobility::kinematic;
         if ((record.mass_dirty || record.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
@@ -88,6 +91,8 @@ Fault check_bodies(const WorldState& data) {
     }
     if (live != data.body_slots.count || kinematic != data.kinematic_bodies)
         return std::string("the number of bodies is wrong");
+    if (traits != data.trait_slots.count)
+        return std::string("the number of unusual traits of bodies is wrong");
     if (awake != data.awake_bodies.size())
         return std::string("the list of awake bodies is too long");
     for (uint32_t i = 0; i < data.islands.size(); ++i)
@@ -115,6 +120,8 @@ Fault check_shapes(const WorldState& data) {
             return "shape " + number(shape) + " is out of date but not listed";
         if (record.proxy == Tree::none) continue;
         ++proxies;
+        if (data.forms[shape].body != none && data.bodies[data.forms[shape].body].disabled)
+            return "shape " + number(shape) + " is in a tree, and its body is disabled";
         const Tree& tree = record.tree == Mobility::fixed ? data.fixed_tree : data.moving_tree;
         if (tree.item(record.proxy) != shape || data.forms[shape].body == none)
             return "shape " + number(shape) + " is in a tree as another one";
@@ -203,7 +210,7 @@ Fault check_joints(const WorldState& data) {
         const bool lives = data.joint_generations[joint] != 0;
         live += lives;
         dormant += lives && record.dormant();
-        const bool active = lives && record.moves() &&
+        const bool active = lives && data.may_act(record) &&
                             (data.bodies[a].solver_index != 0 || data.bodies[b].solver_index != 0);
         const auto& list = data.awake_joints[size_t(record.type)];
         const uint32_t index = record.awake_index;

@@ -174,6 +174,10 @@ void check_all(const WorldState& w) {
         check(w.bodies[i], w.rest_poses[i], i);
         check(w.states[i], w.previous[i], i);
     }
+    for (const BodyTraits& traits : w.traits) {
+        if (is_given(traits.sleep_speed)) check_not_negative("sleep_speed", traits.sleep_speed);
+        require(traits.max_speed > 0.0f, "max_speed of traits", size_t(&traits - w.traits.data()));
+    }
     for (size_t i = 0; i < w.shapes.size(); ++i)
         if (w.shape_generations[i] != 0) check_shape(w, i);
     for (size_t i = 0; i < w.contacts.size(); ++i)

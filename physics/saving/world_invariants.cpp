@@ -27,6 +27,7 @@ Fault check_trees(const WorldData& data) {
         const ShapeRecord& record = data.shapes[shape];
         if (record.listed || data.bodies[data.forms[shape].body].listed)
             continue;  // not yet refreshed
+        if (data.bodies[data.forms[shape].body].disabled) continue;
         if (!data.is_solid(shape)) {
             if (record.proxy != Tree::none) return "outline " + number(shape) + " is in a tree";
             continue;
@@ -43,16 +44,19 @@ Fault check_trees(const WorldData& data) {
     return {};
 }
 
+bool collides(const WorldData& data, uint32_t shape) {
+    return data.shape_generations[shape] != 0 && data.forms[shape].body != none &&
+           !data.bodies[data.forms[shape].body].disabled && data.is_solid(shape);
+}
+
 /// Checks that all pairs with overlapping fat boxes have a contact, unless they are in a crowd.
 /// Compares all pairs.
 Fault check_pairs(const WorldData& data) {
     if (!data.edited_bodies.empty() || !data.moved_shapes.empty()) return {};
     for (uint32_t a = 4; a < data.shapes.size(); ++a) {
-        if (data.shape_generations[a] == 0 || data.forms[a].body == none || !data.is_solid(a))
-            continue;
+        if (!collides(data, a)) continue;
         for (uint32_t b = a + 1; b < data.shapes.size(); ++b) {
-            if (data.shape_generations[b] == 0 || data.forms[b].body == none || !data.is_solid(b))
-                continue;
+            if (!collides(data, b)) continue;
             if (!overlap(data.fat_boxes[a], data.fat_boxes[b]) || !data.may_collide(a, b)) continue;
             if (data.shapes[a].crowded || data.shapes[b].crowded) continue;
             if (data.pairs.find(a, b) == PairSet::absent) {

@@ -203,10 +203,11 @@ void put_group_to_sleep(const Activity& activity, uint32_t body) {
 }
 
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
-                       float way) {
+                       const WorldDef& settings, float dt) {
     for (size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
-        if (length_squared(bodies.solver_bodies[i].shift) > way * way)
-            objects.bodies[active.awake_bodies[i - 1]].sleep_time = 0.0f;
+        BodyRecord& body = objects.bodies[active.awake_bodies[i - 1]];
+        const float way = objects.sleep_speed_of(settings, body) * dt;
+        if (length_squared(bodies.solver_bodies[i].shift) > way * way) body.sleep_time = 0.0f;
     }
 }
 

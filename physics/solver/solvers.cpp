@@ -35,6 +35,8 @@ void zero_locked(const SolverInput& input) {
         if (record.locked_x) b.velocity.x = 0.0f;
         if (record.locked_y) b.velocity.y = 0.0f;
         if (record.locked_rotation) b.angular_velocity = 0.0f;
+        const float most = input.objects.max_speed_of(record), speed = length(b.velocity);
+        if (speed > most) b.velocity = (most / speed) * b.velocity;
     }
 }
 

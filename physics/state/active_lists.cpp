@@ -5,7 +5,7 @@ namespace fettle::physics::detail {
 JointRole role_of(const ObjectState& objects, const JointRecord& joint) {
     JointRole role = JointRole::idle;
     for (uint32_t body : joint.bodies) {
-        if (!joint.moves() || objects.bodies[body].mobility != Mobility::dynamic) continue;
+        if (!objects.may_act(joint) || objects.bodies[body].mobility != Mobility::dynamic) continue;
         if (objects.bodies[body].solver_index != 0) return JointRole::acting;
         role = JointRole::asleep;
     }
@@ -49,8 +49,8 @@ void list_joint(ObjectState& objects, ActiveLists& active, uint32_t joint) {
     JointRecord& record = objects.joints[joint];
     auto& list = active.awake_joints[size_t(record.type)];
     const auto [a, b] = record.bodies;
-    const bool wanted = record.moves() && (objects.bodies[a].solver_index != 0 ||
-                                           objects.bodies[b].solver_index != 0);
+    const bool wanted = objects.may_act(record) && (objects.bodies[a].solver_index != 0 ||
+                                                    objects.bodies[b].solver_index != 0);
     if (!wanted && role_of(objects, record) == JointRole::idle) forget_impulses(objects, joint);
     if (wanted == (record.awake_index != none)) return;
     if (wanted) {

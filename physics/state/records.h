@@ -6,6 +6,7 @@
 #include <geometry/mass.h>
 #include <geometry/vector.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -87,6 +88,7 @@ struct BodyRecord {
     bool mass_dirty = false;
     bool placement_dirty =
         false;  ///< moved by an edit: rotated vertices, boxes and proxies are out of date
+    bool disabled = false;  ///< fixed, in no tree, and without contacts
     uint32_t first_shape = none, last_shape = none;
     uint32_t first_contact = none;  ///< edge: contact << 1 | side
     uint32_t contact_count = 0;
@@ -100,6 +102,7 @@ struct BodyRecord {
     float given_mass = not_given, given_inertia = not_given;
     Vec2 given_center = {not_given, not_given};
     uint32_t rebuilds = 0;
+    uint32_t traits = none;  ///< index of its `BodyTraits`; none: it has the usual ones
     uint64_t user_data = 0;
 
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
@@ -108,6 +111,20 @@ struct BodyRecord {
     void prefetch() const {
         for (size_t at = 0; at < sizeof(BodyRecord); at += 64)
             __builtin_prefetch(reinterpret_cast<const char*>(this) + at, 1);
+    }
+};
+
+/// Values that few bodies have. All others have the initial values, and no such record.
+struct BodyTraits {
+    float sleep_speed = not_given;  ///< m/s; not given: that of the world
+    float max_speed = std::numeric_limits<float>::infinity();  ///< m/s
+    uint32_t next = none;            ///< for a free slot: the next free slot
+    std::array<char, 64> name = {};  ///< ends with 0
+
+    uint32_t& next_free() { return next; }
+    bool are_usual() const {
+        return !is_given(sleep_speed) && name[0] == 0 &&
+               max_speed == std::numeric_limits<float>::infinity();
     }
 };
 
@@ -216,6 +233,7 @@ struct alignas(64) ContactRecord {
     bool disabled = false;  ///< disabled in this step by a callback
     bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
     bool kept = false;      ///< the manifold may be kept; edits of a body or its shapes forbid it
+    bool told = false;      ///< the begin of its touch was reported, and its end will be
     float friction = 0.0f;
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;
@@ -283,6 +301,11 @@ struct FieldRecord {
     uint32_t next = none;     ///< for a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
+};
+
+/// Two shapes that have no contact until they have separated.
+struct IgnoredPair {
+    ShapeId shape_a, shape_b;
 };
 
 /// Bodies that fell asleep together and will wake together; linked through their records.

@@ -53,7 +53,7 @@ struct BodyScratch {
     std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
     std::vector<uint8_t> gathered;  ///< results of the pieces of the list of awake bodies
-    std::vector<uint32_t> locked;   ///< bodies with a locked axis
+    std::vector<uint32_t> locked;   ///< bodies with a locked axis or a maximum speed
     std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
     bool axes_locked = false;       ///< some awake body is locked along x or y
     bool driven = false;            ///< an awake body moves on its own

@@ -53,6 +53,7 @@ struct Slots {
 struct ObjectState {
     std::vector<BodyRecord> bodies;
     std::vector<RestPose> rest_poses;  ///< of the bodies
+    std::vector<BodyTraits> traits;    ///< of the few bodies that have unusual ones
     std::vector<Island> islands;
     std::vector<ShapeRecord> shapes;
     std::vector<ShapeForm> forms;  ///< of the shapes
@@ -62,7 +63,8 @@ struct ObjectState {
     std::vector<ManifoldPose> manifold_poses;  ///< of the contacts
     std::vector<JointRecord> joints;
     std::vector<FieldRecord> fields;
-    Slots body_slots, island_slots, shape_slots, contact_slots, joint_slots, field_slots;
+    Slots body_slots, trait_slots, island_slots, shape_slots, contact_slots, joint_slots,
+        field_slots;
     uint32_t dormant_joints = 0;
     uint32_t kinematic_bodies = 0, sensors = 0;  ///< numbers of such bodies and shapes
     uint32_t crowded_shapes = 0;
@@ -137,6 +139,19 @@ struct ObjectState {
         const ContactRecord& c = contacts[contact];
         return c.body_a == body ? c.body_b : c.body_a;
     }
+    float sleep_speed_of(const WorldDef& settings, const BodyRecord& body) const {
+        if (body.traits == none || !is_given(traits[body.traits].sleep_speed))
+            return settings.sleep_speed;
+        return traits[body.traits].sleep_speed;
+    }
+    float max_speed_of(const BodyRecord& body) const {
+        return body.traits == none ? infinity : traits[body.traits].max_speed;
+    }
+    /// False for a joint with a disabled body, too.
+    bool may_act(const JointRecord& joint) const {
+        return joint.moves() && !bodies[joint.bodies[0]].disabled &&
+               !bodies[joint.bodies[1]].disabled;
+    }
     void for_each_asleep(uint32_t island, auto&& visit) const {
         for (uint32_t body = islands[island].first; body != none;) {
             const uint32_t next = bodies[body].next;
@@ -148,8 +163,8 @@ struct ObjectState {
     static void members(auto& io, auto& s) {
         list_members<ObjectState>(
             io,
-            named("bodies", s.bodies, s.rest_poses, s.islands, s.body_slots, s.island_slots,
-                  s.kinematic_bodies),
+            named("bodies", s.bodies, s.rest_poses, s.traits, s.islands, s.body_slots,
+                  s.trait_slots, s.island_slots, s.kinematic_bodies),
             named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
             named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.manifold_poses, s.contact_slots),
@@ -213,6 +228,7 @@ struct ActiveLists {
 
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
+    std::vector<IgnoredPair> ignored_pairs;
     Strips strips;              ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
     float last_length = 0.0f;   ///< s; of the last step, with the usual number of its sub-steps
@@ -232,7 +248,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),
-            named("events", s.events, s.pending));
+            named("contacts", s.ignored_pairs), named("events", s.events, s.pending));
     }
 };
 

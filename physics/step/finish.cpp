@@ -60,7 +60,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
 
     const float speed =
         max(length(state.velocity), std::fabs(state.angular_velocity) * record.extent);
-    count_rest(settings, record, in.objects.rest_poses[slot], state.angle, speed, dt);
+    count_rest(in.objects.sleep_speed_of(settings, record), settings.sleep_delay, record,
+               in.objects.rest_poses[slot], state.angle, speed, dt);
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }
 

@@ -71,6 +71,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
             columns.previous[slot] = {state.position, state.angle};
             found |= gather_body(record, state, gravity, h, bodies.solver_bodies[i + 1],
                                  bodies.solver_forces[i + 1]);
+            if (objects.max_speed_of(record) < infinity) found |= some_locked;
         }
         bodies.gathered[begin / gathered_at_a_time] = found;
     });
@@ -90,7 +91,8 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
         const BodyRecord& record = records[awake[i]];
         if (record.mobility == Mobility::dynamic &&
-            (record.locked_x || record.locked_y || record.locked_rotation))
+            (record.locked_x || record.locked_y || record.locked_rotation ||
+             objects.max_speed_of(record) < infinity))
             bodies.locked.push_back(uint32_t(i + 1));
     }
 }

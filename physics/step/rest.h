@@ -15,13 +15,13 @@ inline constexpr float usual_extent = 0.07f;
 /// speed, and on average slower than this part of it.
 inline constexpr float jerk = 6.0f, mean = 0.4f;
 
-/// Counts the time that the body is at rest. `angle`: of the body, rad. `speed`: of its fastest
-/// point, m/s.
-inline void count_rest(const WorldDef& settings, BodyRecord& body, RestPose& rest, float angle,
-                       float speed, float dt) {
+/// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
+/// rad. `speed`: of its fastest point, m/s.
+inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, RestPose& rest,
+                       float angle, float speed, float dt) {
     // A small body that moves through its own size in the delay is not at rest.
     const float size = min(body.extent / usual_extent, 1.0f);
-    const float slow = settings.sleep_speed * size * size;
+    const float slow = sleep_speed * size * size;
     const bool jerks = speed >= slow && speed < jerk * slow && body.touching > 0;
     if (speed >= slow && !jerks) {
         body.sleep_time = 0.0f;
@@ -31,7 +31,7 @@ inline void count_rest(const WorldDef& settings, BodyRecord& body, RestPose& res
     const auto way = [&] {
         return length(body.center - rest.center) + std::fabs(angle - rest.angle) * body.extent;
     };
-    if (begins || (jerks && way() > mean * slow * size * settings.sleep_delay)) {
+    if (begins || (jerks && way() > mean * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

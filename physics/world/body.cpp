@@ -3,6 +3,7 @@
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <geometry/trigonometry.h>
+#include <state/limits.h>
 #include <world/live.h>
 
 #include <stdexcept>
@@ -82,6 +83,9 @@ FETTLE_BODY_READ(float, applied_torque, record.step_torque)
 FETTLE_BODY_DERIVED(bool, awake, record.solver_index != 0)  // falls asleep with an infinite mass
 FETTLE_BODY_READ(bool, can_sleep, record.can_sleep)
 FETTLE_BODY_READ(bool, bullet, record.bullet)
+FETTLE_BODY_READ(bool, enabled, !record.disabled)
+FETTLE_BODY_READ(float, max_speed, data.max_speed_of(record))
+FETTLE_BODY_READ(float, sleep_speed, data.sleep_speed_of(data.settings, record))
 FETTLE_BODY_READ(bool, is_touching, record.touching > 0)
 FETTLE_BODY_READ(uint64_t, user_data, record.user_data)
 
@@ -133,10 +137,10 @@ void Body::set_pose(const Pose& pose) {
 
 namespace {
 
-/// Whether the body may have a velocity; if so, it is awake afterwards.
+/// Whether the body may have a velocity; if so, it is awake afterwards, unless it is disabled.
 bool moves_after_edit(WorldData& data, uint32_t body) {
     data.read_mass(body);
-    if (data.bodies[body].mobility == Mobility::fixed) return false;
+    if (data.bodies[body].mobility == Mobility::fixed) return keeps_motion(data.bodies[body]);
     wake_for_edit(data.activity(), body);
     return true;
 }
@@ -154,6 +158,23 @@ void Body::set_angular_velocity(float angular_velocity) {
     FETTLE_EDIT_BODY
     check_finite("angular_velocity", angular_velocity);
     if (!moves_after_edit(data, id_.index)) return;
+    state.angular_velocity = angular_velocity;
+}
+
+void Body::set_target(const Pose& target, float dt) {
+    FETTLE_EDIT_BODY
+    check_coordinates("target", target.position);
+    check_range("target", target.angle, -greatest_coordinate, greatest_coordinate);
+    check_positive("dt", dt);
+    data.read_mass(id_.index);
+    const Vec2 center = target.position + rotate(rotation_of(target.angle), record.local_center);
+    const float rate = 1.0f / dt;
+    const Vec2 velocity = bounded(rate * (center - record.center), greatest_speed);
+    const float angular_velocity = bounded(rate * (target.angle - state.angle), 1e6f);
+    const bool rests = record.solver_index == 0 && velocity == state.velocity &&
+                       angular_velocity == state.angular_velocity;
+    if (rests || !moves_after_edit(data, id_.index)) return;
+    state.velocity = velocity;
     state.angular_velocity = angular_velocity;
 }
 
@@ -241,6 +262,44 @@ void Body::set_can_sleep(bool can_sleep) {
     FETTLE_EDIT_BODY
     record.can_sleep = can_sleep;
     if (!can_sleep) wake_body(data.activity(), id_.index);
+}
+
+void Body::set_enabled(bool enabled) {
+    FETTLE_EDIT_BODY
+    set_body_enabled(data.editing(), id_.index, enabled);
+}
+
+std::string Body::name() const {
+    FETTLE_LIVE_BODY
+    return record.traits == none ? std::string() : data.traits[record.traits].name.data();
+}
+
+void Body::set_name(std::string_view name) {
+    FETTLE_EDIT_BODY
+    check_name("name", name);
+    detail::set_name(data, id_.index, name);
+}
+
+void Body::set_max_speed(float speed) {
+    FETTLE_EDIT_BODY
+    check_inertial("max_speed", speed);
+    traits_of(data, id_.index).max_speed = speed;
+    settle_traits(data, id_.index);
+    wake_body(data.activity(), id_.index);
+}
+
+std::optional<float> Body::sleep_speed_override() const {
+    FETTLE_LIVE_BODY
+    if (record.traits == none || !is_given(data.traits[record.traits].sleep_speed)) return {};
+    return data.traits[record.traits].sleep_speed;
+}
+
+void Body::set_sleep_speed(std::optional<float> speed) {
+    FETTLE_EDIT_BODY
+    if (speed) check_not_negative("sleep_speed", *speed);
+    traits_of(data, id_.index).sleep_speed = speed.value_or(not_given);
+    settle_traits(data, id_.index);
+    wake_body(data.activity(), id_.index);
 }
 
 void Body::set_bullet(bool bullet) {

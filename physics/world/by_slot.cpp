@@ -33,7 +33,7 @@ bool is_awake_and_current(const WorldData& data, const BodyRecord& record) {
 
 [[gnu::noinline]] bool stir_and_set(WorldData& data, uint32_t index, const Vec2& velocity) {
     data.self.may_edit("World", "set_velocity");
-    if (!wake_for_write(data, index)) return false;
+    if (!wake_for_write(data, index) && !keeps_motion(data.bodies[index])) return false;
     data.states[index].velocity = velocity;
     return true;
 }

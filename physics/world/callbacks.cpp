@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,7 @@ class ContactCallbacks {
     explicit ContactCallbacks(WorldData& world) : world_(world) {}
 
     void mix_all() {
+        if (!world_.self.see_contacts()) return;
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
             c.disabled = false;
@@ -86,7 +88,7 @@ class ContactCallbacks {
         list_parts();
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            if (!acts(c)) continue;
+            if (!acts(c) || c.disabled || !may_ask(c)) continue;
             const Part part = {pair_of(c), i};
             if (!is_of_outline(world_, c)) {
                 ask({&part, 1});
@@ -99,12 +101,67 @@ class ContactCallbacks {
         }
     }
 
+    /// Disables the contacts of the ignored pairs, and forgets the pairs that have separated.
+    void skip_ignored() {
+        std::vector<IgnoredPair>& pairs = world_.ignored_pairs;
+        if (pairs.empty()) return;
+        std::vector<bool> near(pairs.size());
+        for (const uint32_t slot : world_.awake_contacts) {
+            ContactRecord& c = world_.contacts[slot];
+            const size_t i = ignored_pair_of(c);
+            if (i == pairs.size() || c.sensor) continue;
+            if (acts(c)) {
+                near[i] = true;
+                disable(c, slot);
+            } else {
+                c.disabled = false;
+            }
+        }
+        size_t kept = 0;
+        for (size_t i = 0; i < pairs.size(); ++i)
+            if (near[i] || rests_near(pairs[i])) pairs[kept++] = pairs[i];
+        pairs.resize(kept);
+    }
+
   private:
+    /// Number of the ignored pair of a contact; the number of all pairs if it is not ignored.
+    size_t ignored_pair_of(const ContactRecord& c) const {
+        const ShapeId a = world_.shape_id(c.shape_a), b = world_.shape_id(c.shape_b);
+        size_t i = 0;
+        for (const IgnoredPair& pair : world_.ignored_pairs) {
+            if ((pair.shape_a == a && pair.shape_b == b) ||
+                (pair.shape_a == b && pair.shape_b == a))
+                return i;
+            ++i;
+        }
+        return i;
+    }
+
+    /// True if the shapes of a pair are near each other and both asleep.
+    bool rests_near(const IgnoredPair& pair) const {
+        if (!world_.is_valid(pair.shape_a) || !world_.is_valid(pair.shape_b)) return false;
+        const uint32_t body = world_.forms[pair.shape_a.index].body;
+        if (body == none) return false;
+        return world_.any_contact(world_.bodies[body].first_contact, none, [&](uint32_t slot) {
+            const ContactRecord& c = world_.contacts[slot];
+            const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
+            return c.awake_index == none && acts(c) &&
+                   ((a == pair.shape_a.index && b == pair.shape_b.index) ||
+                    (b == pair.shape_a.index && a == pair.shape_b.index));
+        });
+    }
+
     /// An awake contact and the pair of shapes it belongs to.
     struct Part {
         uint64_t pair;
         uint32_t at;
     };
+
+    /// Both shapes must agree; the parts of an outline have the same answer.
+    bool may_ask(const ContactRecord& c) const {
+        return world_.shapes[c.shape_a].surface.before_solve &&
+               world_.shapes[c.shape_b].surface.before_solve;
+    }
 
     static bool acts(const ContactRecord& c) { return !c.sensor && c.manifold.count > 0; }
 
@@ -173,10 +230,11 @@ class ContactCallbacks {
         edit.impulse = impulse;
         const ContactEdit before = edit;
         if (!world_.self.ask(in_before_solve, [&] { world_.self.before_solve(edit); })) return;
+        if (edit.ignored) world_.ignored_pairs.push_back({edit.shape_a.id(), edit.shape_b.id()});
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
             accept(c, edit, &before);
-            if (!edit.enabled) disable(c, world_.awake_contacts[part.at]);
+            if (!edit.enabled || edit.ignored) disable(c, world_.awake_contacts[part.at]);
         }
     }
 
@@ -194,9 +252,10 @@ class ContactCallbacks {
 }  // namespace
 
 void WorldData::consult_callbacks() {
-    if (!self.see_contacts()) return;
+    if (!self.see_contacts() && ignored_pairs.empty()) return;
     ContactCallbacks contact_callbacks(*this);
     contact_callbacks.mix_all();
+    contact_callbacks.skip_ignored();
     contact_callbacks.before_solve_all();
 }
 
@@ -228,6 +287,17 @@ void World::set_filter(PairFilter filter) {
             mark_moved(data, data, shape);
     }
     lock.finish();
+}
+void World::ignore_until_separated(const Shape& a, const Shape& b) {
+    WorldData& data = edit(__func__);
+    for (const Shape* shape : {&a, &b})
+        if (!data.is_valid(shape->id()))
+            dangling("shape", shape->link_, shape->index(), shape->id().generation);
+    if (a == b) throw std::invalid_argument("expected two shapes, got one twice");
+    for (const Shape* shape : {&a, &b})
+        if (const uint32_t body = data.forms[shape->index()].body; body != none)
+            wake_for_edit(data.activity(), body);
+    data.ignored_pairs.push_back({a.id(), b.id()});
 }
 void World::set_mixing(ContactCallback mix) {
     WorldData& data = edit(__func__);

@@ -101,6 +101,10 @@ FETTLE_SHAPE_READ(ShapeType, type, record.type)
 FETTLE_SHAPE_READ(float, density, record.surface.density)
 FETTLE_SHAPE_READ(bool, sensor, record.surface.sensor)
 FETTLE_SHAPE_READ(bool, hit_events, record.surface.hit_events)
+FETTLE_SHAPE_READ(bool, contact_events, record.surface.contact_events)
+FETTLE_SHAPE_READ(bool, sensor_events, record.surface.sensor_events)
+FETTLE_SHAPE_READ(bool, before_solve, record.surface.before_solve)
+FETTLE_SHAPE_READ(uint16_t, material, record.surface.material)
 FETTLE_SHAPE_READ(bool, is_touching, record.touching > 0)
 FETTLE_SHAPE_READ(uint32_t, rebuilds, record.rebuilds)
 FETTLE_SHAPE_READ(uint64_t, user_data, record.surface.user_data)
@@ -167,6 +171,19 @@ void Shape::set_hit_events(bool enabled) {
     share_surface(data, id_.index);
     remix_shape(data, data.settings, id_.index);
 }
+
+// Defines the setter of a value of the surface that does not change the simulation.
+#define FETTLE_NOTE(Value, name)          \
+    void Shape::set_##name(Value value) { \
+        FETTLE_EDIT_SHAPE                 \
+        refuse_border_any(record, #name); \
+        record.surface.name = value;      \
+        share_surface(data, id_.index);   \
+    }
+FETTLE_NOTE(bool, contact_events)
+FETTLE_NOTE(bool, sensor_events)
+FETTLE_NOTE(bool, before_solve)
+FETTLE_NOTE(uint16_t, material)
 
 float Shape::area() const {
     FETTLE_REFRESHED_SHAPE(read_shape(id_.index))

@@ -112,7 +112,7 @@ void WorldData::step(float dt) {
                                       contact_scratch, schedule,     threads};
     solve(solver_input, joint_step, stiffness, kernels, statistics);
     if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
-    if (!groups) keep_pushed_awake(objects, active, body_scratch, settings.sleep_speed * dt);
+    if (!groups) keep_pushed_awake(objects, active, body_scratch, settings, dt);
     last_substep = h;
     last_length = h * float(settings.substeps);
     last_substeps = of_step.substeps;
@@ -123,10 +123,11 @@ void WorldData::step(float dt) {
         report_persisting(objects, columns, active, uint32_t(steps), of_step.substeps, events);
     statistics.solve_ms = clock.lap();
 
-    sleep_candidates = finish_bodies({objects, columns, broad_phase, active, settings, body_scratch,
-                                      *this, pair_scratch, contact_list(), activity(), pending,
-                                      user_filter(), self.see_contacts(), statistics, threads},
-                                     dt);
+    sleep_candidates =
+        finish_bodies({objects, columns, broad_phase, active, settings, body_scratch, *this,
+                       pair_scratch, contact_list(), activity(), pending, user_filter(),
+                       self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
+                      dt);
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     forget_ends(active, body_scratch);

@@ -3,10 +3,16 @@
 #include <checks/arguments.h>
 #include <contacts/reports.h>
 #include <fettle/physics/instruction_set.h>
+#include <fettle/physics/version.h>
 #include <geometry/trigonometry.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace fettle::physics {
 
@@ -30,10 +36,36 @@ void World::begin() {
 }
 
 World::~World() {
+    if (!data_) return;  // it gave its data to another World
     link_->world = nullptr;
     link_->data = nullptr;
     WorldSelf& self = data_->self;
     if (self.locked()) self.keep(std::move(data_));
+}
+
+World::World(World&& other) {
+    *this = std::move(other);
+}
+
+/// The data move, so handles and all that is in the data stay as they are.
+World& World::operator=(World&& other) {
+    if (this == &other) return *this;
+    if (data_) populate("operator=");
+    other.populate("operator=");
+    World empty;
+    if (data_) {
+        link_->world = nullptr;
+        link_->data = nullptr;
+    }
+    data_ = std::move(other.data_);
+    begin();
+    other.data_ = std::move(empty.data_);
+    other.begin();
+    return *this;
+}
+
+World World::clone() const {
+    return World(*this);
 }
 
 World::World(const World& other) {
@@ -45,12 +77,11 @@ World::World(const World& other) {
     begin();
 }
 
-World& World::operator=(const World& other) {
-    if (this == &other) return *this;
+void World::restore(const World& other) {
+    if (this == &other) return;
     WorldData& data = populate(__func__);
     other.data_->self.may_copy("copying a World");
     data.replace_state(WorldState(*other.data_));
-    return *this;
 }
 
 void World::set_owner(const Owner* owner) {
@@ -72,7 +103,53 @@ void World::step(float dt) {
     if (!(dt > 0.0f) || !(dt < infinity)) return;
     WorldLock lock(data.self, WorldLock::During::change, in_step);
     data.step(dt);
-    lock.finish();
+    if (data.self.after_step.empty() || data.self.orphaned()) return lock.finish();
+    call_after_step(std::exchange(data.self.after_step, {}), lock);
+}
+
+/// The functions may destroy the world.
+void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock& lock) const {
+    const WorldLink& link = *link_;
+    const WorldData* const data = data_.get();
+    std::exception_ptr first;
+    const auto attempt = [&first](auto&& call) {
+        try {
+            call();
+        } catch (...) {
+            if (!first) first = std::current_exception();
+        }
+    };
+    attempt([&] { lock.finish(); });
+    for (const std::function<void()>& call : calls)
+        if (link.data == data) attempt(call);
+    if (first) std::rethrow_exception(first);
+}
+
+void World::after_step(std::function<void()> act) const {
+    if (act) data_->self.after_step.push_back(std::move(act));
+}
+
+void World::reserve(const Capacity& capacity) {
+    constexpr uint32_t most = 1u << 24;
+    WorldData& data = edit(__func__);
+    const auto checked = [](const char* what, uint32_t count) {
+        if (count > most)
+            throw std::invalid_argument(std::string(what) + " = " + std::to_string(count) +
+                                        ": expected at most " + std::to_string(most));
+        return count;
+    };
+    const auto each = [](uint32_t count, auto&... lists) { (lists.reserve(count), ...); };
+    // The first body and the first four shapes are those of the bounds.
+    const uint32_t bodies = checked("bodies", capacity.bodies) + 1;
+    const uint32_t shapes = checked("shapes", capacity.shapes) + 4;
+    const uint32_t contacts = checked("contacts", capacity.contacts);
+    const uint32_t joints = checked("joints", capacity.joints);
+    each(bodies, data.bodies, data.rest_poses, data.states, data.previous, data.body_generations,
+         data.awake_bodies, data.edited_bodies);
+    each(shapes, data.shapes, data.forms, data.boxes, data.fat_boxes, data.paired_boxes,
+         data.shape_generations, data.edited_shapes, data.moved_shapes);
+    each(contacts, data.contacts, data.contact_links, data.manifold_poses, data.awake_contacts);
+    each(joints, data.joints, data.joint_generations);
 }
 
 // Defines a setting that is checked before it is written; `then`: further effects of the change.
@@ -132,6 +209,10 @@ void World::set_threads(int threads) {
     data.threads = data.self.pool.get();
 }
 
+int version() noexcept {
+    return FETTLE_PHYSICS_VERSION;
+}
+
 int simd_width() {
     return detail::wide_kernels().width;
 }
@@ -186,6 +267,21 @@ bool any(uint32_t) {
 std::vector<Body> World::bodies() const {
     return handles<Body, BodyId>(self(), data_->body_generations, 1, any);
 }
+/// A body that fell asleep in the step rested before, so its pose did not change in a visible way.
+std::vector<Body> World::moved_bodies() const {
+    std::vector<uint32_t> slots;
+    for (const uint32_t body : data_->awake_bodies) {
+        const BodyState& now = data_->states[body];
+        const Pose& before = data_->previous[body];
+        if (now.position != before.position || now.angle != before.angle) slots.push_back(body);
+    }
+    std::sort(slots.begin(), slots.end());
+    std::vector<Body> moved;
+    moved.reserve(slots.size());
+    for (const uint32_t body : slots) moved.emplace_back(self(), data_->body_id(body));
+    return moved;
+}
+
 std::vector<Shape> World::shapes() const {
     const auto whole = [&](uint32_t shape) { return data_->shapes[shape].owner == none; };
     return handles<Shape, ShapeId>(self(), data_->shape_generations, 4, whole);
@@ -199,6 +295,24 @@ std::vector<Contact> World::contacts() const {
     for (const ContactRecord& c : data_->contacts) {
         if (c.touching && !c.sensor) all.push_back(view_of(*data_, *data_, data_->last_substep, c));
     }
+    return all;
+}
+
+bool World::is_touching(const ContactId& id) const {
+    return data_->is_valid(id.shape_a) && data_->is_valid(id.shape_b) &&
+           touch(*data_, id.shape_a.index, id.shape_b.index);
+}
+
+std::vector<Contact> World::contacts_of(const ContactId& id) const {
+    std::vector<Contact> all;
+    if (!is_touching(id)) return all;
+    data_->for_each_contact(data_->forms[id.shape_a.index].body, [&](uint32_t slot) {
+        const ContactRecord& c = data_->contacts[slot];
+        const ContactId here =
+            ContactId::of(data_->shape_id(c.shape_a), data_->shape_id(c.shape_b));
+        if (c.touching && !c.sensor && here == ContactId::of(id.shape_a, id.shape_b))
+            all.push_back(view_of(*data_, *data_, data_->last_substep, c));
+    });
     return all;
 }
 

@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace fettle::physics::detail {
 
@@ -18,6 +20,7 @@ inline constexpr const char in_before_solve[] =
     "the before-solve callback (World::set_before_solve)";
 inline constexpr const char in_accept[] = "QueryFilter::accept";
 inline constexpr const char in_refresh[] = "the refresh callback (World::on_refresh)";
+inline constexpr const char in_draw[] = "a function of the DebugDraw (World::draw)";
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
@@ -28,6 +31,7 @@ struct WorldSelf {
     PairFilter filter;
     ContactCallback mix, before_solve;
     RefreshCallback refresh;
+    std::vector<std::function<void()>> after_step;  ///< to be called once, after a step
     const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
     std::unique_ptr<ThreadPool> pool;
 

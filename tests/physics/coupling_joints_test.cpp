@@ -231,7 +231,7 @@ TEST_CASE("what a ratchet caught survives sleep and snapshot and falls anew afte
     run(world, 2.0f);
     REQUIRE_FALSE(wheel.awake());
     REQUIRE(ratchet.caught_angle() == Approx(1.0f));
-    World copy = world;
+    World copy = world.clone();
     REQUIRE(copy.joint<RatchetJoint>(ratchet.id()).caught_angle() == Approx(1.0f));
     ratchet.set_enabled(false);
     wheel.set_angle(-0.7f);

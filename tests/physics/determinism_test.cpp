@@ -49,13 +49,13 @@ TEST_CASE("a copied world goes on as the original does bit for bit") {
     World world({.bounds = Aabb{{-6, 0}, {6, 30}}});
     fill(world);
     run(world, 1.0f);
-    const World snapshot = world;
+    const World snapshot = world.clone();
     run(world, 4.0f);
     const uint64_t expected = world.hash();
-    World copy = snapshot;
+    World copy = snapshot.clone();
     run(copy, 4.0f);
     REQUIRE(copy.hash() == expected);
-    world = snapshot;
+    world.restore(snapshot);
     run(world, 4.0f);
     REQUIRE(world.hash() == expected);
     REQUIRE_FALSE(world.validate());

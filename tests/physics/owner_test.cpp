@@ -57,7 +57,7 @@ TEST_CASE("the owner of a world alone makes and ends what is in it") {
     for (const std::string& name : kept_for_the_owner())
         if (name != "World::operator=" && name != "World::take") CHECK(refused.contains(name));
     World other;
-    REQUIRE_THROWS_AS(world = other, Locked);
+    REQUIRE_THROWS_AS(world.restore(other), Locked);
     REQUIRE_THROWS_AS(world = World(), Locked);
     REQUIRE_THROWS_AS(other.take(std::move(world)), Locked);
     REQUIRE_THROWS_AS(world.take(std::move(other)), Locked);
@@ -67,7 +67,7 @@ TEST_CASE("the owner of a world alone makes and ends what is in it") {
     // The rest is everybody's, a copy too.
     things.body.set_velocity({1, 0});
     world.step(frame);
-    World copy = world;
+    World copy = world.clone();
     copy.clear();
     REQUIRE(copy.body_count() == 0);
 

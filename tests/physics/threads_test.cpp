@@ -174,7 +174,7 @@ TEST_CASE("the number of threads is live and no part of what is copied or restor
     pyramid_and_stacks(world);
     pyramid_and_stacks(other);
     world.set_threads(2);
-    const World snapshot = world;
+    const World snapshot = world.clone();
     REQUIRE(snapshot.threads() == 1);
     for (int i = 0; i < 12; ++i) {
         if (i == 4) world.set_threads(4);
@@ -184,7 +184,7 @@ TEST_CASE("the number of threads is live and no part of what is copied or restor
         REQUIRE(world.hash() == other.hash());
     }
     world.set_threads(3);
-    world = snapshot;
+    world.restore(snapshot);
     REQUIRE(world.threads() == 3);
     world.step(frame);
     REQUIRE_THROWS_AS(world.set_threads(0), std::invalid_argument);

@@ -24,6 +24,7 @@ const std::map<std::string, std::vector<std::string>> other_names = {
     {"Shape::index", {"fettle_slot"}},
     {"Body::apply_force", {"fettle_body_apply_force", "fettle_body_apply_force_at"}},
     {"Body::apply_impulse", {"fettle_body_apply_impulse", "fettle_body_apply_impulse_at"}},
+    {"World::restore", {"fettle_world_restore", "fettle_world_assign"}},
     {"World::create_joint", {"fettle_world_create_joint", "fettle_world_create_joint_like"}},
     {"World::query_overlap", {"fettle_world_query_overlap", "fettle_world_query_overlap_geometry"}},
     {"World::cast_shape", {"fettle_world_cast_shape", "fettle_world_cast_geometry"}},
@@ -177,6 +178,7 @@ TEST_CASE("every member of a structure of the library is one in C") {
         const char* in_c;
     };
     const Pair pairs[] = {
+        {"debug_draw.h", "DebugDrawOptions", "debug_draw"},
         {"definitions.h", "WorldDef", "world_def"},
         {"definitions.h", "BodyDef", "body_def"},
         {"definitions.h", "ShapeDef", "shape_def"},

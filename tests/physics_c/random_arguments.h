@@ -124,6 +124,11 @@ class Arguments {
         if (below(2) == 0) return nullptr;
         return [](void*, const fettle_world*, int32_t, uint32_t) {};
     }
+    fettle_after_step callback(fettle_after_step) {
+        if (below(8) == 0) return nullptr;
+        return
+            [](void*, fettle_world* world) { fettle_world_create_body(world, nullptr, nullptr); };
+    }
     fettle_unlocked_callback callback(fettle_unlocked_callback) { return nullptr; }
     fettle_shape_visitor callback(fettle_shape_visitor) { return below(4) == 0 ? nullptr : accept; }
     fettle_ray_visitor callback(fettle_ray_visitor) {
@@ -216,6 +221,7 @@ class Arguments {
     // Pointers in a definition must lead somewhere.
     template <class Def>
     void mend(Def&) {}
+    void mend(fettle_body_def& def) { def.name = below(2) == 0 ? "crate" : nullptr; }
     void mend(fettle_geometry& geometry) {
         geometry.points = pointer(static_cast<const fettle_vec2*>(nullptr));
         geometry.point_count = below(9);

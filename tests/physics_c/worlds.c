@@ -348,6 +348,79 @@ static const char* geometries_need_no_world(void) {
     return NULL;
 }
 
+static const char* bodies_have_names_and_limits_and_are_disabled(void) {
+    fettle_world* world = new_world();
+    fettle_body_def def;
+    fettle_id body = 0, found = 0;
+    const char* name = NULL;
+    const float sleep_speed = 0.5f;
+    float speed = 0;
+    bool is_set = false, enabled = true;
+    uint32_t count = 9;
+    DONE_C(fettle_body_def_init(&def, sizeof def));
+    CHECK_C(def.enabled && isinf(def.max_speed) && def.name == NULL && !def.has_sleep_speed);
+    def.name = "crate";
+    def.max_speed = 2;
+    DONE_C(fettle_world_create_body(world, &def, &body));
+    CHECK_C(add(world, body, FETTLE_SHAPE_BOX) != 0);
+    DONE_C(fettle_body_name(world, body, &name));
+    CHECK_C(strcmp(name, "crate") == 0);
+    CHECK_C(fettle_body_set_name(world, body, NULL) == FETTLE_INVALID && message_has("name"));
+    DONE_C(fettle_body_set_sleep_speed(world, body, &sleep_speed));
+    DONE_C(fettle_body_sleep_speed_override(world, body, &is_set, &speed));
+    CHECK_C(is_set && speed == 0.5f);
+    run(world, 60);
+    DONE_C(fettle_world_moved_bodies(world, &found, 1, &count));
+    CHECK_C(count == 1 && found == body);
+    fettle_vec2 place, velocity;
+    DONE_C(fettle_body_velocity(world, body, &velocity));
+    CHECK_C(fabsf(velocity.y + 2) < 1e-3f);
+    DONE_C(fettle_body_set_enabled(world, body, false));
+    DONE_C(fettle_body_enabled(world, body, &enabled));
+    run(world, 10);
+    DONE_C(fettle_world_moved_bodies(world, NULL, 0, &count));
+    CHECK_C(!enabled && count == 0);
+    DONE_C(fettle_body_set_enabled(world, body, true));
+    DONE_C(fettle_body_set_target(world, body, 1, 2, 0, 1));
+    run(world, 1);
+    DONE_C(fettle_body_position(world, body, &place));
+    CHECK_C(place.x > 0);
+    CHECK_C(fettle_body_set_target(world, body, 1, 2, 0, 0) == FETTLE_INVALID && message_has("dt"));
+    DONE_C(fettle_world_reserve(world, 100, 100, 100, 100));
+    DONE_C(fettle_world_destroy(world));
+    return NULL;
+}
+
+static const char* contacts_are_named_by_two_shapes(void) {
+    fettle_world* world = new_world();
+    const fettle_id ground = new_body(world, FETTLE_BODY_STATIC, 0, -0.5f);
+    const fettle_id ball = new_body(world, FETTLE_BODY_DYNAMIC, 0, 0.5f);
+    const fettle_id top = add(world, ground, FETTLE_SHAPE_BOX);
+    const fettle_id round = add(world, ball, FETTLE_SHAPE_CIRCLE);
+    fettle_contact contact;
+    fettle_vec2 place;
+    uint32_t count = 0, material = 0;
+    bool touching = false;
+    run(world, 10);
+    DONE_C(fettle_world_is_touching(world, round, top, &touching));
+    DONE_C(fettle_world_contacts_of(world, round, top, &contact, 1, &count));
+    CHECK_C(touching && count == 1 && contact.point_count == 1);
+    DONE_C(fettle_shape_set_material(world, round, 7));
+    DONE_C(fettle_shape_material(world, round, &material));
+    CHECK_C(material == 7);
+    CHECK_C(fettle_shape_set_material(world, round, 65536) == FETTLE_INVALID &&
+            message_has("material"));
+    DONE_C(fettle_shape_set_contact_events(world, round, false));
+    DONE_C(fettle_world_ignore_until_separated(world, round, top));
+    run(world, 60);
+    DONE_C(fettle_body_position(world, ball, &place));
+    CHECK_C(place.y < -2);
+    DONE_C(fettle_world_is_touching(world, round, ground, &touching));
+    CHECK_C(!touching);
+    DONE_C(fettle_world_destroy(world));
+    return NULL;
+}
+
 const struct named_c_test worlds_in_c[] = {
     {"a ball falls on a box", a_ball_falls_on_a_box},
     {"definitions have the defaults of the library", definitions_have_the_defaults_of_the_library},
@@ -361,4 +434,6 @@ const struct named_c_test worlds_in_c[] = {
     {"a liquid lifts what is lighter", a_liquid_lifts_what_is_lighter},
     {"many worlds are stepped and read at once", many_worlds_are_stepped_and_read_at_once},
     {"geometries need no world", geometries_need_no_world},
+    {"bodies have names and limits and are disabled", bodies_have_names_and_limits_and_are_disabled},
+    {"contacts are named by two shapes", contacts_are_named_by_two_shapes},
     {NULL, NULL}};

@@ -82,6 +82,15 @@ Cases switches() {
         return s.game.get(step, "awake_bodies").integer() == (s.was_awake ? 0 : 1);
     };
     cases["Body.can_sleep"] = body_case(false, 200, [](Stage& s) { return s.game.awake(s.body); });
+    cases["Body.enabled"] = body_case(
+        false, 30, [](Stage& s) { return s.game.y(s.body) > 0.49; }, remove_floor);
+    cases["Body.sleep_speed"] = body_case(0.0, 200, [](Stage& s) { return s.game.awake(s.body); });
+    cases["Body.max_speed"] = body_case(
+        1.0, 10, [](Stage& s) { return s.game.y(s.body) > 4.8; },
+        [](Stage& s) {
+            lift(s);
+            s.game.set(s.body, "velocity", Vec2(0, -10));
+        });
     Case bullet =
         body_case(true, 3, [](Stage& s) { return s.game.vec(s.other, "velocity").x > 0.1; });
     bullet.prepare = [](Stage& s) {

@@ -59,6 +59,30 @@ Cases shape_cases() {
     rolling.then = roll;
     cases["Shape.surface_speed"] =
         make_case(2, 60, [](Stage& s) { return std::fabs(s.game.x(s.body)) > 0.5; });
+    cases["Shape.material"] =
+        make_case(7, 1, [](Stage& s) { return s.game.get(s.shape, "material").integer() == 7; });
+    const auto count = [](const char* name) {
+        return [name](Stage& s) {
+            const auto& event = *s.game.tree.class_of(s.body).event(name);
+            s.game.tree.on(s.body, event, [&s](const property::Occurrence&) { ++s.hits; });
+        };
+    };
+    const auto drop_silently = [](Stage& s) {
+        s.hits = 0;
+        drop(s);
+    };
+    const auto nothing_heard = [](Stage& s) { return s.hits == 0; };
+    Case& touches = cases["Shape.contact_events"] = make_case(false, 120, nothing_heard);
+    touches.prepare = count("contact_begin");
+    touches.then = drop_silently;
+    Case& sensed = cases["Shape.sensor_events"] = make_case(false, 120, nothing_heard);
+    sensed.prepare = [count](Stage& s) {
+        s.other = s.game.body("Box", Vec2(0, 2));
+        s.game.set(s.other, "type", "static");
+        s.game.set(s.game.shape_of(s.other), "sensor", true);
+        count("sensor_begin")(s);
+    };
+    sensed.then = drop_silently;
     cases["Shape.sensor"] = make_case(true, 40, fell_through);
     Case& category = cases["Shape.category"] = make_case(2, 40, fell_through);
     category.prepare = [](Stage& s) { s.game.set(s.game.shape_of(s.floor), "mask", 1); };

@@ -18,7 +18,7 @@ FettleWorld::FettleWorld(const WorldPlan& plan)
 FettleWorld::FettleWorld(const FettleWorld& other)
     : RunningWorld(),
       plan_(other.plan_),
-      world_(other.world_),
+      world_(other.world_.clone()),
       ids_of_bodies_(other.ids_of_bodies_),
       ids_of_shapes_(other.ids_of_shapes_),
       ids_of_joints_(other.ids_of_joints_),

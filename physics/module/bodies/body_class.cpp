@@ -1,6 +1,7 @@
 // Body: the class of bodies of the physics library.
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <bindings/bindings.h>
@@ -102,13 +103,13 @@ Binding type(Hosting& hosting) {
         });
 }
 
-/// A body that cannot move is never awake, although no edit put it to sleep. So its `awake` does
-/// not count as overridden.
+/// A body that cannot move, or is disabled, is never awake, although no edit put it to sleep. So
+/// its `awake` does not count as overridden.
 Binding awake(Hosting& hosting) {
     Binding binding = bound<&Body::awake, &Body::set_awake>(hosting);
     binding.overridden = [](void* context, Row row) {
         const Body body = static_cast<Hosting*>(context)->body(row);
-        return !body.awake() && !immovable(body);
+        return !body.awake() && body.enabled() && !immovable(body);
     };
     return binding;
 }
@@ -241,6 +242,26 @@ std::vector<Property> forces(Hosting& hosting) {
     };
 }
 
+Property sleep_speed(Hosting& hosting) {
+    Property property = amount(
+        "sleep_speed", physics::WorldDef().sleep_speed, "m/s",
+        "It rests below this speed; that of the world unless it is set; nil uses that of the "
+        "world again.",
+        overridable<&Body::sleep_speed, &Body::set_sleep_speed, &Body::sleep_speed_override>(
+            hosting));
+    property.simulated = true;  // an edit of the world changes it
+    return property;
+}
+
+Property max_speed(Hosting& hosting) {
+    Property property =
+        limit_number("max_speed", std::numeric_limits<double>::infinity(), "m/s",
+                     "Limit of its speed. World.substeps says how often it is applied in a step.",
+                     bound<&Body::max_speed, &Body::set_max_speed>(hosting));
+    property.range = inertial;
+    return property;
+}
+
 std::vector<Property> switches(Hosting& hosting) {
     return {
         simulated(
@@ -250,6 +271,12 @@ std::vector<Property> switches(Hosting& hosting) {
                  awake(hosting))),
         flag("can_sleep", true, "True if it may fall asleep.",
              bound<&Body::can_sleep, &Body::set_can_sleep>(hosting)),
+        flag("enabled", true,
+             "False if it takes no part in the world: it does not move, nothing collides with it, "
+             "no query finds it, and its joints do not act. It is drawn, and keeps its velocity.",
+             bound<&Body::enabled, &Body::set_enabled>(hosting)),
+        sleep_speed(hosting),
+        max_speed(hosting),
         flag("bullet", false, "True if it cannot pass through other moving bodies at any speed.",
              bound<&Body::bullet, &Body::set_bullet>(hosting)),
         flag("locked_x", false, "True if it cannot move along x.",

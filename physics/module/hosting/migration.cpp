@@ -34,6 +34,10 @@ physics::BodyDef description(const physics::Body& body) {
     def.locked_x = body.locked_x();
     def.locked_y = body.locked_y();
     def.locked_rotation = body.locked_rotation();
+    def.enabled = body.enabled();
+    def.sleep_speed = body.sleep_speed_override();
+    def.max_speed = body.max_speed();
+    def.name = body.name();
     def.user_data = body.user_data();
     return def;
 }
@@ -47,6 +51,10 @@ physics::ShapeDef description(const physics::Shape& shape) {
     def.surface_speed = shape.surface_speed();
     def.sensor = shape.sensor();
     def.hit_events = shape.hit_events();
+    def.contact_events = shape.contact_events();
+    def.sensor_events = shape.sensor_events();
+    def.before_solve = shape.before_solve();
+    def.material = shape.material();
     def.category = shape.category();
     def.mask = shape.mask();
     def.group = shape.group();

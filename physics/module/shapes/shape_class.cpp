@@ -80,6 +80,29 @@ std::vector<Property> surface(Hosting& hosting) {
         number("surface_speed", defaults.surface_speed, "m/s",
                "Speed of the surface, as of a conveyor belt, counter-clockwise around the shape.",
                bound<&Shape::surface_speed, &Shape::set_surface_speed>(hosting)),
+        {.name = "material",
+         .type = Type::integer,
+         .default_value = 0,
+         .range = {.min = 0, .max = std::numeric_limits<std::uint16_t>::max()},
+         .doc = "A number for the game, for example to choose the sound of an impact. It has no "
+                "effect on the simulation.",
+         .binding = accessor(
+             hosting,
+             [](Hosting& h, Row row) {
+                 return Value(static_cast<std::int64_t>(h.shape(row).material()));
+             },
+             [](Hosting& h, Row row, const Value& value) {
+                 h.shape(row).set_material(static_cast<std::uint16_t>(value.integer()));
+             })},
+        flag("contact_events", true,
+             "True if its touches are reported: contact_begin, contact_persist and contact_end. "
+             "Both shapes must agree. It holds from the next touch on: a touch whose begin was "
+             "reported is reported to its end.",
+             bound<&Shape::contact_events, &Shape::set_contact_events>(hosting)),
+        flag("sensor_events", true,
+             "True if sensor_begin and sensor_end about it are reported, from the next touch on. "
+             "Both shapes must agree.",
+             bound<&Shape::sensor_events, &Shape::set_sensor_events>(hosting)),
         flag("sensor", defaults.sensor,
              "True if it reports overlapping shapes and does not push them.",
              bound<&Shape::sensor, &Shape::set_sensor>(hosting)),

@@ -43,7 +43,7 @@ bool moves(const Way& way, double angle) {
 
 property::Result ghosts(Hosting& hosting, HostedWorld& hosted, double seconds) {
     // Callbacks and handlers stay with the world: no script notices the steps of the copy.
-    physics::World copy(hosted.world);
+    physics::World copy = hosted.world.clone();
     std::vector<Way> ways;
     for (const physics::Body& body : copy.bodies())
         if (body.type() != physics::BodyType::static_body)

@@ -95,7 +95,7 @@ TEST_CASE("a crowd is computed equally by several threads and after a restore") 
     one.create_body({.type = BodyType::static_body})
         .add(Box{.width = 60, .height = 1, .center = {0, -2}});
     crowd(one, random, 400, 3, 0.3f);
-    World three = one;
+    World three = one.clone();
     three.set_threads(3);
     for (int step = 0; step < 150; ++step) {
         one.step(1.0f / 60);

@@ -215,7 +215,7 @@ TEST_CASE("kept contacts are part of a saved world and of a copy") {
     Resting scene;
     scene.upper.set_velocity({0.1f, 0});
     scene.run(3);
-    World copy = scene.world, restored;
+    World copy = scene.world.clone(), restored;
     std::vector<std::byte> saved;
     scene.world.save(saved);
     restored.restore(saved);

@@ -4,6 +4,9 @@
 #include <fettle/physics/definitions.h>
 #include <fettle/physics/export.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 FETTLE_PHYSICS_BEGIN
@@ -56,6 +59,12 @@ class Body {
     /// bodies on which `set_velocity` has none.
     float angular_velocity() const;
     void set_angular_velocity(float angular_velocity);
+    /// Sets both velocities so that steps of `dt` (s) in all bring it to `target`, if nothing
+    /// disturbs it: to be called before each step for a platform that follows a path, so that it
+    /// carries and pushes other bodies. The angle is not wrapped: a target of a whole turn more
+    /// turns it. Wakes it only if it is to move. No effect on bodies on which `set_velocity` has
+    /// none.
+    void set_target(const Pose& target, float dt);
 
     Vec2 force() const;  ///< N, applied at the center of mass in every step until changed
     void set_force(const Vec2& force);
@@ -77,10 +86,26 @@ class Body {
     float angular_damping() const;
     void set_angular_damping(float damping);
 
+    /// False: it takes no part in steps, touches nothing, is found by no query, and its joints do
+    /// not act. It keeps its shapes, joints and velocity; forces and impulses have no effect on it.
+    bool enabled() const;
+    void set_enabled(bool enabled);  ///< what it touched wakes
+    std::string name() const;        ///< for messages and tools; need not be unique
+    /// At most 63 bytes without a zero; throws std::invalid_argument for others.
+    void set_name(std::string_view name);
+    /// Limit of its speed, m/s, above 0; infinity: only that of all bodies. It holds in every
+    /// sub-step. A world in which an awake body has one solves all contacts in one part.
+    float max_speed() const;
+    void set_max_speed(float speed);
+
     bool awake() const;
     void set_awake(bool awake);  ///< with its whole island
     bool can_sleep() const;
     void set_can_sleep(bool can_sleep);
+    /// It rests below this speed, m/s: its own value, or that of the world.
+    float sleep_speed() const;
+    void set_sleep_speed(std::optional<float> speed);  ///< none: that of the world
+    std::optional<float> sleep_speed_override() const;
     bool bullet() const;
     void set_bullet(bool bullet);
     bool locked_x() const;

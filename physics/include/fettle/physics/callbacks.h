@@ -47,6 +47,7 @@ struct ContactEdit {
     float restitution = 0.0f;    ///< mixed; may be set, 0 … 1
     float surface_speed = 0.0f;  ///< mixed; may be set, m/s
     bool enabled = true;         ///< false: no contact in this step
+    bool ignored = false;        ///< true: no contact until the shapes have separated
 };
 
 /// True if two shapes whose filters agree may collide.

@@ -31,6 +31,8 @@ struct Contact {
     float friction = 0.0f;      ///< mixed
     float restitution = 0.0f;   ///< mixed
     float normal_force = 0.0f;  ///< N, mean over the last sub-step, sum of both points
+
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 }  // namespace fettle::physics

@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -70,6 +71,11 @@ struct BodyDef {
     bool locked_x = false;
     bool locked_y = false;
     bool locked_rotation = false;
+    bool enabled = true;  ///< false: takes no part in steps and queries
+    /// m/s; with its island, it rests below this. None: `WorldDef::sleep_speed`.
+    std::optional<float> sleep_speed = {};
+    float max_speed = infinity;  ///< m/s, limit of its speed, above 0
+    std::string name = {};       ///< for messages and tools; at most 63 bytes
     uint64_t user_data = 0;
 };
 
@@ -85,9 +91,13 @@ struct ShapeDef {
         0.0f;             ///< m/s, conveyor: along the surface, counter-clockwise round the shape
     bool sensor = false;  ///< reports overlaps, applies no force
     bool hit_events = false;       ///< report impacts above `WorldDef::hit_threshold`
+    bool contact_events = true;    ///< report its touches; both shapes must agree
+    bool sensor_events = true;     ///< report it as a sensor or in one; both shapes must agree
     uint64_t category = 1;         ///< categories of this shape, one bit each
     uint64_t mask = ~uint64_t{0};  ///< categories it collides with; both shapes must agree
-    int32_t group = 0;  ///< same non-zero group: positive always collides, negative never
+    int32_t group = 0;         ///< same non-zero group: positive always collides, negative never
+    uint16_t material = 0;     ///< a number of the host, without effect
+    bool before_solve = true;  ///< the before-solve callback is asked; both shapes must agree
     uint64_t user_data = 0;
 };
 

@@ -23,6 +23,8 @@ struct ContactBeginEvent {
     float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
+
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 struct ContactEndEvent {
@@ -30,6 +32,8 @@ struct ContactEndEvent {
     ShapeId shape_b;
     BodyId body_a;
     BodyId body_b;
+
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// A continuing touch; only with `WorldDef::persist_events`.
@@ -44,6 +48,8 @@ struct ContactPersistEvent {
     float impulse = 0.0f;      ///< N s, normal impulse of the last step
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
+
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// An impact, for shapes with `hit_events`.
@@ -58,6 +64,8 @@ struct ContactHitEvent {
     float impulse = 0.0f;      ///< N s, the impulse that stopped the approach
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
+
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 struct SensorEvent {
@@ -65,6 +73,8 @@ struct SensorEvent {
     ShapeId visitor;
     BodyId sensor_body;
     BodyId visitor_body;
+
+    ContactId id() const noexcept { return ContactId::of(sensor, visitor); }
 };
 
 /// A joint had more load than its `break_force` or `break_torque`; it no longer acts

@@ -20,8 +20,9 @@ struct FETTLE_PHYSICS_PRIVATE WorldLink;
 struct FieldId {
     uint32_t index = 0;
     uint32_t generation = 0;
-    friend bool operator==(const FieldId&, const FieldId&) = default;
-    explicit operator bool() const { return generation != 0; }
+    friend bool operator==(const FieldId&, const FieldId&) noexcept = default;
+    friend auto operator<=>(const FieldId&, const FieldId&) noexcept = default;
+    explicit operator bool() const noexcept { return generation != 0; }
 };
 
 /// Moving air: presses on every edge that faces the wind by ½·density·(speed across the edge)². It
@@ -91,5 +92,12 @@ class Field {
 };
 
 }  // namespace fettle::physics
+
+template <>
+struct std::hash<fettle::physics::FieldId> {
+    std::size_t operator()(const fettle::physics::FieldId& id) const noexcept {
+        return fettle::physics::detail::hash_of(id.index, id.generation);
+    }
+};
 
 FETTLE_PHYSICS_END

@@ -91,6 +91,16 @@ class Shape {
     void set_sensor(bool sensor);
     bool hit_events() const;
     void set_hit_events(bool enabled);
+    /// Its touches are reported if both shapes want it, from the next touch on. A touch whose begin
+    /// was reported is reported to its end.
+    bool contact_events() const;
+    void set_contact_events(bool enabled);
+    bool sensor_events() const;  ///< the same for a sensor, and for a shape in one
+    void set_sensor_events(bool enabled);
+    bool before_solve() const;  ///< the before-solve callback is asked if both shapes want it
+    void set_before_solve(bool enabled);
+    uint16_t material() const;  ///< a number of the host, without effect
+    void set_material(uint16_t material);
     uint64_t category() const;
     void set_category(uint64_t category);
     uint64_t mask() const;

@@ -3,7 +3,10 @@
 #include <fettle/physics/export.h>
 #include <fettle/vector/vector2.h>
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 
 FETTLE_PHYSICS_BEGIN
@@ -17,26 +20,30 @@ using Vec2 = Vector2<float>;
 /// A handle: a slot and the generation of the object in it. A default-constructed id is empty. An
 /// id is valid in its world and in copies of that world. No two worlds of a process use the same
 /// generations, so an id of another world is detected, and so is the id of a destroyed object. An
-/// id never refers to a later object in the same slot.
+/// id never refers to a later object in the same slot. Ids are ordered by slot, then by generation,
+/// and can be keys of all containers.
 struct BodyId {
     uint32_t index = 0;
     uint32_t generation = 0;  ///< 0: empty
-    friend bool operator==(const BodyId&, const BodyId&) = default;
-    explicit operator bool() const { return generation != 0; }
+    friend bool operator==(const BodyId&, const BodyId&) noexcept = default;
+    friend auto operator<=>(const BodyId&, const BodyId&) noexcept = default;
+    explicit operator bool() const noexcept { return generation != 0; }
 };
 
 struct ShapeId {
     uint32_t index = 0;
     uint32_t generation = 0;
-    friend bool operator==(const ShapeId&, const ShapeId&) = default;
-    explicit operator bool() const { return generation != 0; }
+    friend bool operator==(const ShapeId&, const ShapeId&) noexcept = default;
+    friend auto operator<=>(const ShapeId&, const ShapeId&) noexcept = default;
+    explicit operator bool() const noexcept { return generation != 0; }
 };
 
 struct JointId {
     uint32_t index = 0;
     uint32_t generation = 0;
-    friend bool operator==(const JointId&, const JointId&) = default;
-    explicit operator bool() const { return generation != 0; }
+    friend bool operator==(const JointId&, const JointId&) noexcept = default;
+    friend auto operator<=>(const JointId&, const JointId&) noexcept = default;
+    explicit operator bool() const noexcept { return generation != 0; }
 };
 
 enum class BodyType : uint8_t {
@@ -73,6 +80,19 @@ enum class JointType : uint8_t {
     rotary_limit
 };
 
+/// Names what happens between two shapes: the same in all events of a touch, and in every later
+/// touch of the same two shapes. Ids with the shapes in either order are equal if `of` made them.
+struct ContactId {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    static ContactId of(const ShapeId& one, const ShapeId& other) noexcept {
+        return one < other ? ContactId{one, other} : ContactId{other, one};
+    }
+    friend bool operator==(const ContactId&, const ContactId&) noexcept = default;
+    friend auto operator<=>(const ContactId&, const ContactId&) noexcept = default;
+    explicit operator bool() const noexcept { return bool(shape_a) && bool(shape_b); }
+};
+
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {
     Vec2 min = {};
@@ -103,6 +123,40 @@ static_assert(sizeof(BodyState) == 32);
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
+namespace detail {
+/// Hash of an id. Multiplication spreads the slots, which are small numbers, over all bits.
+constexpr std::size_t hash_of(uint32_t index, uint32_t generation) noexcept {
+    const uint64_t mixed = (uint64_t{generation} << 32 | index) * 0x9e3779b97f4a7c15u;
+    return std::size_t(mixed ^ (mixed >> 32));
+}
+}  // namespace detail
+
 }  // namespace fettle::physics
+
+template <>
+struct std::hash<fettle::physics::BodyId> {
+    std::size_t operator()(const fettle::physics::BodyId& id) const noexcept {
+        return fettle::physics::detail::hash_of(id.index, id.generation);
+    }
+};
+template <>
+struct std::hash<fettle::physics::ShapeId> {
+    std::size_t operator()(const fettle::physics::ShapeId& id) const noexcept {
+        return fettle::physics::detail::hash_of(id.index, id.generation);
+    }
+};
+template <>
+struct std::hash<fettle::physics::ContactId> {
+    std::size_t operator()(const fettle::physics::ContactId& id) const noexcept {
+        const std::hash<fettle::physics::ShapeId> of_shape;
+        return of_shape(id.shape_a) * 31 + of_shape(id.shape_b);
+    }
+};
+template <>
+struct std::hash<fettle::physics::JointId> {
+    std::size_t operator()(const fettle::physics::JointId& id) const noexcept {
+        return fettle::physics::detail::hash_of(id.index, id.generation);
+    }
+};
 
 FETTLE_PHYSICS_END

@@ -3,6 +3,7 @@
 #include <fettle/physics/body.h>
 #include <fettle/physics/callbacks.h>
 #include <fettle/physics/coupling_joints.h>
+#include <fettle/physics/debug_draw.h>
 #include <fettle/physics/events.h>
 #include <fettle/physics/export.h>
 #include <fettle/physics/field.h>
@@ -15,6 +16,7 @@
 #include <fettle/physics/statistics.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +30,7 @@ namespace fettle::physics {
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldData;
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
+class FETTLE_PHYSICS_PRIVATE WorldLock;
 struct WorldInside;  ///< defined in the tests of the library
 
 /// Data that are read too often for function calls: arrays with the index `BodyId::index`.
@@ -67,9 +70,17 @@ enum class BodyNumber : uint8_t {
     angular_damping
 };
 
+/// Numbers of objects for which `World::reserve` reserves memory.
+struct Capacity {
+    uint32_t bodies = 0;
+    uint32_t shapes = 0;    ///< each segment of a chain and each convex part counts as a shape, too
+    uint32_t contacts = 0;  ///< pairs of shapes near each other
+    uint32_t joints = 0;
+};
+
 /// A world of rigid bodies. It owns all its objects; `Body`, `Shape`, `Joint` and `Field` are
-/// handles to them, which throw if they outlive the world. A world cannot be moved: `World b =
-/// std::move(a)` copies.
+/// handles to them, which throw if they outlive the world. A world is copied by `clone` only;
+/// moving it moves all that it has, and its handles refer to it at its new place.
 ///
 /// Different worlds are independent, also in several threads. Only one thread at a time may use a
 /// world; but several threads may call `const` methods at once while no other method of the world
@@ -91,26 +102,40 @@ class World {
     /// Inside a function that the world is calling: the step or the query continues to its end and
     /// then throws `Locked`, and handles report that their world was destroyed.
     ~World();
-    /// A copy is a snapshot with the same ids and the same future, bit for bit. Objects that either
-    /// world creates from then on have different ids. Handles keep referring to their original
-    /// world. Assigning a copy restores: handles that were valid at the time of the copy are valid
-    /// again, and handles to later objects stay invalid for ever.
-    World(const World& other);
-    World& operator=(const World& other);
+    /// Moves everything: objects, callbacks, owner and threads. Handles to objects of `other` are
+    /// handles of this world then, and `other` is an empty world with the default settings.
+    World(World&& other);
+    /// The same. The world that was here before is destroyed with its objects.
+    World& operator=(World&& other);
+    World& operator=(const World&) = delete;  ///< copying has a name: `clone`, or `restore`
+
+    /// A copy: a snapshot with the same ids and the same future, bit for bit, without callbacks,
+    /// owner and threads. Objects that either world creates from then on have different ids.
+    /// Handles keep referring to their original world.
+    [[nodiscard]] World clone() const;
+    /// Takes the state of a copy, in place: handles that were valid at the time of the copy are
+    /// valid again, and handles to later objects stay invalid for ever.
+    void restore(const World& other);
 
     /// Appends the complete state of the world to `out`, in the byte order and layout of this
     /// build, with a checksum.
     void save(std::vector<std::byte>& out) const;
-    /// Restores the state that `save` wrote, in place, like an assignment. Throws
+    /// Restores the state that `save` wrote, in place, like that of a copy. Throws
     /// std::invalid_argument and changes nothing if a byte was changed, removed or added, or if
     /// another version wrote the state.
     void restore(std::span<const std::byte> bytes);
-    /// Takes the state of `other`, in place, like `restore`; `other` is an empty world afterwards.
+    /// Takes the state of `other`, in place, like `restore`: handles to objects of `other` become
+    /// invalid. `other` is an empty world afterwards.
     void take(World&& other);
 
     /// Advances by `dt` seconds; does nothing unless dt > 0. Throws only the exceptions of
-    /// callbacks, after the step: see callbacks.h.
+    /// callbacks and of functions given to `after_step`, after the step: see callbacks.h.
     void step(float dt);
+    /// Calls `act` once, when the running step has ended; outside of a step: after the next one. It
+    /// may edit the world, so a callback can order an edit by it. Functions are called in the order
+    /// in which they were given; all are called even if one throws. They belong to the world, and
+    /// not to its state. An empty function is ignored.
+    void after_step(std::function<void()> act) const;
 
     Vec2 gravity() const;
     void set_gravity(const Vec2& gravity);  ///< wakes all
@@ -156,6 +181,9 @@ class World {
     /// `simd_width`. Smaller widths are slower and give equal bits; they are for comparisons.
     /// Throws for any other number.
     void limit_simd_width(int most);
+    /// Reserves memory for this number of objects at least, so that creating them allocates
+    /// nothing. It changes no result. Throws std::invalid_argument for more than 2^24 of a kind.
+    void reserve(const Capacity& capacity);
 
     /// Number of threads that share the work of a step, including the calling thread: 1 … 64. It is
     /// not part of the state and changes no result. The setter throws std::runtime_error if the
@@ -257,6 +285,16 @@ class World {
     std::vector<Shape> shapes() const;
     std::vector<Joint> joints() const;
     std::vector<Contact> contacts() const;  ///< touching contacts, sleeping ones, too
+    /// Whether two shapes touch; false if one of them does not exist.
+    bool is_touching(const ContactId& id) const;
+    std::vector<Contact> contacts_of(const ContactId& id) const;  ///< one for each touching part
+    /// Two shapes that touch have no contact until they have separated, as if a before-solve
+    /// callback disabled it in each step; no callback is asked. Both must be shapes of this world.
+    /// It has no effect on shapes that are apart. It belongs to the state.
+    void ignore_until_separated(const Shape& a, const Shape& b);
+    /// Bodies that have another pose than before the last step, in slot order: those that a host
+    /// has to draw elsewhere. Bodies that were teleported since are not among them.
+    std::vector<Body> moved_bodies() const;
     uint32_t body_count() const;
     /// True in the middle of a step, a query or an edit that calls a user function: editing methods
     /// throw Locked then.
@@ -304,6 +342,10 @@ class World {
     /// applied at the nearest point of each shape.
     void explode(const ExplosionDef& def, const QueryFilter& filter = {});
 
+    /// Draws the world with the functions of a host. `target` may read the world and must not edit
+    /// it. An exception of `target` ends the drawing.
+    void draw(DebugDraw& target, const DebugDrawOptions& options = {}) const;
+
     /// Checks that the broad phase, contacts, islands and lists are consistent. Returns a
     /// description of the first error, or nullopt. For tests and debugging: slow.
     std::optional<std::string> validate() const;
@@ -314,7 +356,9 @@ class World {
     friend class Joint;
     friend class Field;
     friend struct detail::WorldInside;
+    World(const World& other);
     void begin();
+    void call_after_step(std::vector<std::function<void()>> calls, detail::WorldLock& lock) const;
     World* self() const { return const_cast<World*>(this); }  ///< handles are not const
     /// For edits: throws Locked while the world must not be edited.
     detail::WorldData& edit(const char* function) const;

@@ -43,6 +43,12 @@ fettle_code fettle_body_angular_velocity(const fettle_world* world, fettle_id bo
 fettle_code fettle_body_set_angular_velocity(fettle_world* world, fettle_id body,
                                              float angular_velocity);
 
+/** Sets both velocities so that steps of `dt` s in all bring it to the pose, if nothing disturbs
+   it: to be called before each step for a platform that follows a path. The angle is not wrapped.
+ */
+fettle_code fettle_body_set_target(fettle_world* world, fettle_id body, float x, float y,
+                                   float angle, float dt);
+
 /** N, applied at the center of mass in every step until changed; finite. */
 fettle_code fettle_body_force(const fettle_world* world, fettle_id body, fettle_vec2* force);
 fettle_code fettle_body_set_force(fettle_world* world, fettle_id body, float x, float y);
@@ -97,6 +103,31 @@ fettle_code fettle_body_angular_damping(const fettle_world* world, fettle_id bod
                                         float* angular_damping);
 fettle_code fettle_body_set_angular_damping(fettle_world* world, fettle_id body,
                                             float angular_damping);
+
+/** False: it takes no part in steps, touches nothing, is found by no query, and its joints do not
+    act. It keeps its shapes, joints and velocity. */
+fettle_code fettle_body_enabled(const fettle_world* world, fettle_id body, bool* enabled);
+fettle_code fettle_body_set_enabled(fettle_world* world, fettle_id body, bool enabled);
+
+/** For messages and tools, at most 63 bytes; empty at first. The text that is read is valid until
+    the next name of this world is read, or until the world is destroyed. */
+fettle_code fettle_body_name(fettle_world* world, fettle_id body, const char** name);
+fettle_code fettle_body_set_name(fettle_world* world, fettle_id body, const char* name);
+
+/** Limit of its speed, m/s, above 0; infinity: only that of all bodies. */
+fettle_code fettle_body_max_speed(const fettle_world* world, fettle_id body, float* max_speed);
+fettle_code fettle_body_set_max_speed(fettle_world* world, fettle_id body, float max_speed);
+
+/** It rests below this speed, m/s: its own value, or that of the world. */
+fettle_code fettle_body_sleep_speed(const fettle_world* world, fettle_id body, float* sleep_speed);
+
+/** Its own value, m/s, at least 0. Null: that of the world. */
+fettle_code fettle_body_set_sleep_speed(fettle_world* world, fettle_id body,
+                                        const float* sleep_speed);
+
+/** Whether it has its own value, and which (0 if it has not). */
+fettle_code fettle_body_sleep_speed_override(const fettle_world* world, fettle_id body,
+                                             bool* is_set, float* sleep_speed);
 
 /** Whether a step moves the body. The setter wakes it, or lets it sleep, with its whole island. */
 fettle_code fettle_body_awake(const fettle_world* world, fettle_id body, bool* awake);

@@ -16,7 +16,8 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
-/** A contact about to be solved. The last five members may be set, and are valid for the step. */
+/** A contact about to be solved. The last five members may be set; the first four of
+    them are valid for the step. */
 typedef struct fettle_contact_edit {
     fettle_id shape_a, shape_b;
     fettle_vec2 point;   /* world, m: middle of the manifold of the deepest part */
@@ -28,6 +29,7 @@ typedef struct fettle_contact_edit {
     float restitution;   /* mixed; 0 to 1 */
     float surface_speed; /* mixed; m/s */
     bool enabled;        /* false: no contact in this step */
+    bool ignored;        /* true: no contact until the shapes have separated */
 } fettle_contact_edit;
 
 enum fettle_refresh_of {

@@ -33,6 +33,20 @@ fettle_code fettle_world_columns(const fettle_world* world, fettle_columns* colu
 fettle_code fettle_world_contacts(const fettle_world* world, fettle_contact* out, uint32_t room,
                                   uint32_t* count);
 
+/** Whether two shapes touch; false if one of them does not exist. */
+fettle_code fettle_world_is_touching(const fettle_world* world, fettle_id shape_a,
+                                     fettle_id shape_b, bool* is_touching);
+
+/** Contacts of two shapes that touch, one for each touching part. A list: see basics.h. */
+fettle_code fettle_world_contacts_of(const fettle_world* world, fettle_id shape_a,
+                                     fettle_id shape_b, fettle_contact* out, uint32_t room,
+                                     uint32_t* count);
+
+/** Two shapes that touch have no contact until they have separated; no callback is asked. It has no
+    effect on shapes that are apart. */
+fettle_code fettle_world_ignore_until_separated(fettle_world* world, fettle_id shape_a,
+                                                fettle_id shape_b);
+
 /** One element of a column. FETTLE_STALE if the slot is free or does not exist. */
 fettle_code fettle_world_state(const fettle_world* world, uint32_t slot, fettle_body_state* state);
 fettle_code fettle_world_previous(const fettle_world* world, uint32_t slot, fettle_pose* pose);

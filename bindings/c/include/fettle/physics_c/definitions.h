@@ -57,6 +57,11 @@ typedef struct fettle_body_def {
     bool locked_x;          /* false */
     bool locked_y;          /* false */
     bool locked_rotation;   /* false */
+    bool enabled;           /* true; false: takes no part in steps and queries */
+    bool has_sleep_speed;   /* false: that of the world */
+    float sleep_speed;      /* m/s, if has_sleep_speed; at least 0 */
+    float max_speed;        /* infinity, m/s; above 0 */
+    const char* name;       /* null: none; at most 63 bytes, which are copied */
     uint64_t user_data;     /* 0 */
 } fettle_body_def;
 
@@ -72,6 +77,10 @@ typedef struct fettle_shape_def {
     float surface_speed;      /* 0 m/s; along the surface, counter-clockwise round the shape */
     bool sensor;              /* false; true: reports overlaps, applies no force */
     bool hit_events;          /* false; true: reports impacts above the hit threshold */
+    bool contact_events;      /* true; its touches are reported if both shapes agree */
+    bool sensor_events;       /* true; the same for a sensor and for a shape in one */
+    bool before_solve;        /* true; the before-solve callback is asked if both shapes agree */
+    uint32_t material;        /* 0; a number of the host, without effect; at most 65535 */
     uint64_t category;        /* 1; one bit for each category */
     uint64_t mask;            /* all bits; categories it collides with */
     uint64_t user_data;       /* 0 */

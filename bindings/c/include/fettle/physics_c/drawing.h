@@ -10,13 +10,15 @@ FETTLE_PHYSICS_C_BEGIN
    or asleep. A null function: this is not drawn. callbacks.h describes what a function may do. */
 typedef struct fettle_debug_draw {
     uint32_t size;
-    bool shapes;    /* true */
-    bool joints;    /* true */
-    bool contacts;  /* false */
-    bool boxes;     /* false; around shapes */
-    bool centers;   /* false; of mass */
-    float fraction; /* 1; pose between the previous (0) and the current one (1), finite */
-    void* user;     /* null; passed to each function */
+    bool shapes;        /* true */
+    bool joints;        /* true */
+    bool contacts;      /* false */
+    bool boxes;         /* false; around shapes */
+    bool centers;       /* false; of mass */
+    bool has_region;    /* false; true: only bodies with shapes that overlap the region */
+    fettle_aabb region; /* m; for instance the view of a camera */
+    float fraction;     /* 1; pose between the previous (0) and the current one (1), finite */
+    void* user;         /* null; passed to each function */
     /** An outline, counter-clockwise; `closed`: it goes back to its first point. */
     void (*polygon)(void* user, const fettle_vec2* points, uint32_t count, bool closed,
                     uint32_t color);

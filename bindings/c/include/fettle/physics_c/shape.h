@@ -139,6 +139,28 @@ fettle_code fettle_shape_set_sensor(fettle_world* world, fettle_id shape, bool s
 fettle_code fettle_shape_hit_events(const fettle_world* world, fettle_id shape, bool* hit_events);
 fettle_code fettle_shape_set_hit_events(fettle_world* world, fettle_id shape, bool hit_events);
 
+/** Whether its touches are reported: if both shapes want it, from the next touch on. A touch whose
+    begin was reported is reported to its end. */
+fettle_code fettle_shape_contact_events(const fettle_world* world, fettle_id shape,
+                                        bool* contact_events);
+fettle_code fettle_shape_set_contact_events(fettle_world* world, fettle_id shape,
+                                            bool contact_events);
+
+/** The same for a sensor, and for a shape in one. */
+fettle_code fettle_shape_sensor_events(const fettle_world* world, fettle_id shape,
+                                       bool* sensor_events);
+fettle_code fettle_shape_set_sensor_events(fettle_world* world, fettle_id shape,
+                                           bool sensor_events);
+
+/** Whether the before-solve callback is asked: if both shapes want it. */
+fettle_code fettle_shape_before_solve(const fettle_world* world, fettle_id shape,
+                                      bool* before_solve);
+fettle_code fettle_shape_set_before_solve(fettle_world* world, fettle_id shape, bool before_solve);
+
+/** A number of the host, without effect; at most 65535. */
+fettle_code fettle_shape_material(const fettle_world* world, fettle_id shape, uint32_t* material);
+fettle_code fettle_shape_set_material(fettle_world* world, fettle_id shape, uint32_t material);
+
 /** Categories of the shape, one bit each. */
 fettle_code fettle_shape_category(const fettle_world* world, fettle_id shape, uint64_t* category);
 fettle_code fettle_shape_set_category(fettle_world* world, fettle_id shape, uint64_t category);

@@ -16,6 +16,15 @@ fettle_code fettle_world_destroy(fettle_world* world);
 /** Advances by `dt` seconds; does nothing unless it is positive and finite; NaN is refused. */
 fettle_code fettle_world_step(fettle_world* world, float dt);
 
+/** Calls `function` once with `user`, when the running step has ended; outside of a step: after the
+    next one. It may edit the world, so a callback can order an edit by it. */
+typedef void (*fettle_after_step)(void* user, fettle_world* world);
+fettle_code fettle_world_after_step(fettle_world* world, fettle_after_step function, void* user);
+
+/** Reserves memory for this number of objects at least, each at most 2^24. */
+fettle_code fettle_world_reserve(fettle_world* world, uint32_t bodies, uint32_t shapes,
+                                 uint32_t contacts, uint32_t joints);
+
 /** Wakes all bodies. */
 fettle_code fettle_world_wake_all(fettle_world* world);
 
@@ -109,6 +118,10 @@ fettle_code fettle_world_joints(const fettle_world* world, fettle_id* out, uint3
                                 uint32_t* count);
 fettle_code fettle_world_fields(const fettle_world* world, fettle_id* out, uint32_t room,
                                 uint32_t* count);
+
+/** Bodies that have another pose than before the last step, in slot order. Lists: see basics.h. */
+fettle_code fettle_world_moved_bodies(const fettle_world* world, fettle_id* out, uint32_t room,
+                                      uint32_t* count);
 
 /** Number of live objects. */
 fettle_code fettle_world_body_count(const fettle_world* world, uint32_t* body_count);

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <fettle/physics/export.h>
+#include <fettle/physics/shape.h>
+
+#include <optional>
+#include <span>
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+/// What `World::draw` draws, and where.
+struct DebugDrawOptions {
+    bool shapes = true;
+    bool joints = true;     ///< from the centers of mass to the anchors
+    bool contacts = false;  ///< points, and normals of 0.2 m
+    bool boxes = false;     ///< bounding boxes of shapes
+    bool centers = false;   ///< centers of mass
+    /// Pose between the previous (0) and the current one (1), for drawing between two steps.
+    float fraction = 1.0f;
+    /// Bodies with shapes that overlap this box are drawn, for instance the view of a camera. None:
+    /// all.
+    std::optional<Aabb> region = {};
+};
+
+/// Interface by which a world draws its objects as outlines. A host implements the four functions
+/// with its own graphics. They may read the world, but must not edit it (callbacks.h). Coordinates
+/// are those of the world, in m; colors are 0xRRGGBB.
+class DebugDraw {
+  public:
+    DebugDraw() = default;
+    DebugDraw(const DebugDraw&) = delete;
+    DebugDraw& operator=(const DebugDraw&) = delete;
+    virtual ~DebugDraw();
+
+    /// An outline, counter-clockwise; `closed`: it goes back to its first point. The points are
+    /// valid during the call.
+    virtual void polygon(std::span<const Vec2> points, bool closed, uint32_t color) = 0;
+    /// A circle, with the angle of its body, rad.
+    virtual void circle(const Vec2& center, float radius, float angle, uint32_t color) = 0;
+    virtual void segment(const Vec2& from, const Vec2& to, uint32_t color) = 0;
+    virtual void point(const Vec2& at, uint32_t color) = 0;
+    /// Color of a shape of `body`. By default it shows whether the shape is a sensor, and otherwise
+    /// whether the body is static, kinematic, awake or asleep.
+    virtual uint32_t color_of(const Body& body, const Shape& shape) const;
+};
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

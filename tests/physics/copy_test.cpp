@@ -1,0 +1,140 @@
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "catch.h"
+#include "scenes.h"
+
+namespace copy_test {
+
+// Copying a world has a name; moving it moves what it has.
+
+using namespace scenes;
+
+namespace {
+
+/// Boxes that fall onto a floor.
+void add_heap(World& world) {
+    add_floor(world);
+    for (int i = 0; i < 10; ++i) add_box(world, {0.3f * float(i % 3), 0.51f + 1.02f * float(i)});
+}
+
+}  // namespace
+
+static_assert(!std::is_copy_constructible_v<World> && !std::is_copy_assignable_v<World>);
+static_assert(std::is_move_constructible_v<World> && std::is_move_assignable_v<World>);
+
+TEST_CASE("a clone has the same future and handles stay with the original") {
+    World world;
+    add_heap(world);
+    run(world, 0.5f);
+    World copy = world.clone();
+    REQUIRE(copy.hash() == world.hash());
+    const Body body = world.bodies()[3];
+    REQUIRE(&body.world() == &world);
+    run(world, 0.5f);
+    run(copy, 0.5f);
+    REQUIRE(copy.hash() == world.hash());
+    REQUIRE_FALSE(copy.validate());
+}
+
+TEST_CASE("a moved world has its handles callbacks and future at the new place") {
+    World plain, world;
+    add_heap(plain);
+    add_heap(world);
+    int asked = 0;
+    world.set_before_solve([&asked](ContactEdit&) { ++asked; });
+    run(world, 0.5f);
+    run(plain, 0.5f);
+    const Body body = world.bodies()[3];
+    REQUIRE(asked > 0);
+
+    World there = std::move(world);
+    REQUIRE(body.is_valid());
+    REQUIRE(&body.world() == &there);
+    REQUIRE(there.body(body.id()) == body);
+    asked = 0;
+    run(there, 0.5f);
+    run(plain, 0.5f);
+    REQUIRE(asked > 0);
+    REQUIRE(there.hash() == plain.hash());
+    REQUIRE_FALSE(there.validate());
+
+    // What is left is an empty world that can be used.
+    REQUIRE(world.body_count() == 0);
+    REQUIRE_FALSE(world.is_valid(body.id()));
+    Body fresh = add_ball(world, {0, 5});
+    run(world, 0.2f);
+    REQUIRE(fresh.position().y < 5);
+    REQUIRE(&fresh.world() == &world);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("a move onto a world destroys what was there") {
+    World world, other;
+    Body gone = add_ball(world, {0, 0}), kept = add_ball(other, {1, 0});
+    world = std::move(other);
+    REQUIRE_FALSE(gone.is_valid());
+    REQUIRE_THROWS_WITH(gone.position(), contains("its world was destroyed"));
+    REQUIRE(&kept.world() == &world);
+    REQUIRE(world.body_count() == 1);
+    REQUIRE(other.body_count() == 0);
+    World& same = world;
+    world = std::move(same);
+    REQUIRE(kept.is_valid());
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("worlds are elements of a vector that grows") {
+    std::vector<World> worlds;
+    std::vector<Body> bodies;
+    for (int i = 0; i < 20; ++i) {
+        worlds.emplace_back();
+        bodies.push_back(add_ball(worlds.back(), {float(i), 9}));
+    }
+    for (World& world : worlds) run(world, 0.1f);
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        REQUIRE(&bodies[i].world() == &worlds[i]);
+        REQUIRE(bodies[i].position().x == float(i));
+        REQUIRE(bodies[i].position().y < 9);
+    }
+}
+
+TEST_CASE("a world is not moved by a function that it calls") {
+    World world;
+    add_heap(world);
+    std::string refused;
+    world.set_before_solve([&](ContactEdit&) {
+        try {
+            const World stolen = std::move(world);
+        } catch (const Locked& error) {
+            refused = error.what();
+        }
+    });
+    run(world, 0.2f);
+    REQUIRE_THAT(refused, contains("is not allowed inside the before-solve callback"));
+    REQUIRE(world.body_count() > 1);
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("reserved memory changes no result and holds what was promised") {
+    World world, plain;
+    world.reserve({.bodies = 500, .shapes = 600, .contacts = 900, .joints = 10});
+    size_t reserved = 0, used = 0;
+    for (const MemoryShare& share : world.memory()) {
+        if (std::string(share.purpose) != "bodies") continue;
+        reserved = share.reserved;
+        used = share.used;
+    }
+    REQUIRE(reserved > 500 * sizeof(BodyState));
+    REQUIRE(used < reserved / 100);
+    for (World* each : {&world, &plain}) {
+        add_heap(*each);
+        run(*each, 0.5f);
+    }
+    REQUIRE(world.hash() == plain.hash());
+    REQUIRE_THROWS_WITH(world.reserve({.shapes = 1u << 25}), contains("shapes = 33554432"));
+}
+
+}  // namespace copy_test

@@ -1,0 +1,109 @@
+#include <cmath>
+#include <string>
+
+#include "catch.h"
+#include "saved_worlds.h"
+#include "scenes.h"
+
+namespace traits_test {
+
+// Values that few bodies have: a name, a maximum speed, a sleep speed.
+
+using namespace scenes;
+
+TEST_CASE("names are kept with the state and need no memory when they are empty") {
+    World world;
+    Body door = world.create_body({.name = "the door"}), plain = world.create_body();
+    REQUIRE(door.name() == "the door");
+    REQUIRE(plain.name().empty());
+    plain.set_name(std::string(63, 'x'));
+    REQUIRE(plain.name().size() == 63);
+    REQUIRE_THROWS_WITH(plain.set_name(std::string(64, 'x')), contains("at most 63 bytes"));
+    REQUIRE_THROWS_WITH(plain.set_name(std::string_view("a\0b", 3)), contains("zero byte"));
+    REQUIRE_THROWS_WITH(world.create_body({.name = std::string(80, 'x')}), contains("name"));
+    REQUIRE(plain.name().size() == 63);
+    World restored;
+    restored.restore(saved(world));
+    REQUIRE(restored.body(door.id()).name() == "the door");
+    plain.set_name("");
+    REQUIRE(plain.name().empty());
+    REQUIRE(door.name() == "the door");
+    door.destroy();
+    Body next = world.create_body();
+    REQUIRE(next.name().empty());
+    REQUIRE_FALSE(world.validate());
+}
+
+TEST_CASE("a maximum speed holds in every solver and in every step") {
+    for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct}) {
+        World world({.solver = solver});
+        Body slow = world.create_body({.position = {0, 100}, .max_speed = 2});
+        Body free = world.create_body({.position = {5, 100}});
+        slow.add(Circle{});
+        free.add(Circle{});
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            REQUIRE(slow.velocity().length() <= 2.0001f);
+        }
+        REQUIRE(slow.position().y > 97.9f);
+        REQUIRE(free.position().y < 96);
+        slow.set_velocity({30, 40});
+        world.step(frame);
+        REQUIRE(slow.velocity().length() > 1.8f);  // gravity acts against it
+        REQUIRE(slow.velocity().x > 1);
+        slow.set_max_speed(infinity);
+        run(world, 0.5f);
+        REQUIRE(slow.velocity().length() > 3);
+        REQUIRE_FALSE(world.validate());
+    }
+}
+
+TEST_CASE("a maximum speed holds for what is pushed") {
+    World world({.gravity = {0, 0}});
+    Body ball = world.create_body({.max_speed = 1});
+    ball.add(Circle{}, {.restitution = 1});
+    Body hammer = world.create_body({.position = {-5, 0}, .velocity = {50, 0}});
+    hammer.add(Box{.width = 2, .height = 2}, {.density = 20, .restitution = 1});
+    for (int i = 0; i < 30; ++i) {
+        world.step(frame);
+        REQUIRE(ball.velocity().length() <= 1.0001f);
+    }
+}
+
+TEST_CASE("a speed that is no limit is refused") {
+    World world;
+    Body body = world.create_body();
+    REQUIRE(body.max_speed() == infinity);
+    REQUIRE_THROWS_WITH(body.set_max_speed(0), contains("max_speed"));
+    REQUIRE_THROWS_WITH(body.set_max_speed(NAN), contains("max_speed"));
+    REQUIRE_THROWS_WITH(body.set_sleep_speed(-1.0f), contains("sleep_speed"));
+    REQUIRE_THROWS_WITH(world.create_body({.max_speed = -1}), contains("max_speed"));
+    REQUIRE_THROWS_WITH(world.create_body({.sleep_speed = infinity}), contains("sleep_speed"));
+    REQUIRE(body.max_speed() == infinity);
+    REQUIRE_FALSE(body.sleep_speed_override());
+}
+
+TEST_CASE("a body rests below its own sleep speed or that of the world") {
+    World world({.gravity = {0, 0}});
+    Body creeps = world.create_body({.velocity = {0.2f, 0}});
+    Body snail =
+        world.create_body({.position = {0, 5}, .velocity = {0.2f, 0}, .sleep_speed = 0.5f});
+    for (Body* body : {&creeps, &snail}) body->add(Circle{});
+    REQUIRE(creeps.sleep_speed() == world.sleep_speed());
+    REQUIRE(snail.sleep_speed() == 0.5f);
+    run(world, 1.0f);
+    REQUIRE(creeps.awake());
+    REQUIRE_FALSE(snail.awake());
+    World restored;
+    restored.restore(saved(world));
+    REQUIRE(restored.body(snail.id()).sleep_speed_override() == 0.5f);
+    snail.set_sleep_speed({});
+    REQUIRE(snail.sleep_speed() == world.sleep_speed());
+    REQUIRE(snail.awake());
+    snail.set_velocity({0.2f, 0});
+    run(world, 1.0f);
+    REQUIRE(snail.awake());
+    REQUIRE_FALSE(world.validate());
+}
+
+}  // namespace traits_test
