@@ -90,6 +90,14 @@ export function bytes(value, name) {
   view.u8.set(value, p);
   return [p, value.length];
 }
+/** The address of a text that ends with a zero. */
+export function chars(value, name) {
+  if (typeof value !== "string" || value.includes("\0")) throw new Invalid(`${name} = ${shown(value)}: expected a text without a zero`);
+  const encoded = new TextEncoder().encode(value), p = room(encoded.length + 1);
+  view.u8.set(encoded, p);
+  view.u8[p + encoded.length] = 0;
+  return p;
+}
 /** Writes an element at a time; the address of the first. */
 export function list(values, size, name, write) {
   if (typeof values?.length !== "number") throw new Invalid(`${name} = ${shown(values)}: expected an array`);

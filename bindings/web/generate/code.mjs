@@ -5,7 +5,7 @@ import { sizeOf, visibleMembers } from "./layout.mjs";
 
 // What runtime.js gives to the code; arguments with these names get another one.
 const helpers = [
-  "Handle", "WorldBase", "begin", "bits", "bytes", "c", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
+  "Handle", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
   "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
 ];
 const variable = (input) => (helpers.includes(input.name) ? input.name + "Given" : input.name);
@@ -60,10 +60,11 @@ function structCode(struct, structs) {
     if (member.has) value = `view.u8[${at(member.has.offset)}] ? ${value} : null`;
     return `    ${camel(member.name)}: ${value},\n`;
   });
-  const writers = members.filter((member) => member.type !== "char" && (!member.pointer || member.name === "points") && member.count === 1).map((member) => {
+  const writers = members.filter((member) => (!member.pointer || member.type === "char" || member.name === "points") && member.count === 1).map((member) => {
     const p = at(member.offset), says = `name + ".${camel(member.name)}"`;
     let code;
-    if (member.pointer) code = `view.u32[(${p}) >> 2] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${at(member.counted.offset)}) >> 2] = v.length;`;
+    if (member.type === "char") code = `view.u32[(${p}) >> 2] = chars(v, ${says});`;
+    else if (member.pointer) code = `view.u32[(${p}) >> 2] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${at(member.counted.offset)}) >> 2] = v.length;`;
     else code = write(member.type, p, "v", says);
     if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
     return `  ${camel(member.name)}: (p, v, name) => { ${code} },\n`;
@@ -79,6 +80,7 @@ function given(input, structs) {
     case "vec2": return `xOf(${v}, ${name}), yOf(${v}, ${name})`;
     case "id": return `idOf(${v}, ${name})`;
     case "world": return `pointerOf(${v}, ${name})`;
+    case "text": return `chars(${v}, ${name})`;
     case "bytes": return `...bytes(${v}, ${name})`;
     case "array": return `list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} }), ${v}.length`;
     case "optional": return `optional(${v}, (p) => { ${write(input.type, "p", v, name)} })`;

@@ -88,6 +88,7 @@ function take(params, plan) {
   if (a.type === "void" && a.pointer === 2) return output(2, "bytes");
   if (a.type === "void") return input(2, "bytes");
   if (a.type === "char" && a.pointer === 2) return output(1, "text");
+  if (a.type === "char" && a.constant) return input(1, "text");
   if (a.type === "fettle_world") return a.pointer === 2 ? output(1, "world") : input(1, "world");
   if (a.constant && a.pointer === 1 && b && /count$/.test(b.name)) return input(2, "array");
   if (a.pointer === 0 && a.type === "float" && b?.type === "float" && /(^|_)x$/.test(a.name) && /(^|_)y$/.test(b.name)) {

@@ -38,6 +38,7 @@ function inputType(input) {
     case "id": return `${input.handle} | null`;
     case "world": return "World";
     case "bytes": return "Uint8Array";
+    case "text": return "string";
     case "array": return `readonly ${typeOf(input.type, input.name, "", true)}[]`;
     case "optional": return `${scalars[input.type]} | null`;
     default: return nameOf(input.type);
