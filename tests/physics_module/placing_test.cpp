@@ -36,6 +36,8 @@ struct Travellers : Game {
                          {"linear_damping", 0.1},
                          {"angular_damping", 0.2},
                          {"can_sleep", false},
+                         {"sleep_speed", 0.25},
+                         {"max_speed", 128},
                          {"bullet", true},
                          {"locked_x", true},
                          {"color", property::Color{1, 0, 0, 1}}});
@@ -53,6 +55,9 @@ struct Travellers : Game {
                        {"category", 4},
                        {"mask", 6},
                        {"group", -5},
+                       {"material", 300},
+                       {"contact_events", false},
+                       {"sensor_events", false},
                        {"visible", false},
                        {"border", property::Color{0, 0, 1, 1}}});
     Handle circle = make("Circle", crate, {{"radius", 0.3}, {"center", Vec2(1, 1)}});
