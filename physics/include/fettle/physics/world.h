@@ -32,6 +32,7 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
 class FETTLE_PHYSICS_PRIVATE WorldLock;
 struct WorldInside;  ///< defined in the tests of the library
+struct FETTLE_PHYSICS_PRIVATE MoverWorld;
 
 /// Data that are read too often for function calls: arrays with the index `BodyId::index`.
 struct Columns {
@@ -356,6 +357,7 @@ class World {
     friend class Joint;
     friend class Field;
     friend struct detail::WorldInside;
+    friend struct detail::MoverWorld;
     World(const World& other);
     void begin();
     void call_after_step(std::vector<std::function<void()>> calls, detail::WorldLock& lock) const;

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <fettle/physics/export.h>
+#include <fettle/physics/world.h>
+
+#include <span>
+#include <vector>
+
+FETTLE_PHYSICS_BEGIN
+
+namespace fettle::physics {
+
+/// Settings of a mover. Its form is an upright capsule. The position of a mover is the lowest point
+/// of this capsule: its feet.
+struct MoverDef {
+    float radius = 0.4f;        ///< m, 0.01 … 1000
+    float height = 1.8f;        ///< m, at least twice the radius, at most 1000
+    Vec2 up = {0.0f, 1.0f};     ///< direction from its feet to its head; of any length but 0
+    float max_slope = 0.87f;    ///< rad, 0 … 1.5: steeper ground is a wall
+    float step_height = 0.3f;   ///< m: it climbs steps up to this height
+    float snap = 0.25f;         ///< m: it stays on ground that falls away by at most this in a move
+    float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from everything
+    float mass = 80.0f;         ///< kg: its weight on dynamic bodies; 0: it has none
+    float push_force = 600.0f;  ///< N: at most this pushes a dynamic body
+    uint64_t category = 1;      ///< categories of the mover: as `ShapeDef::category`
+    uint64_t mask = ~uint64_t{0};  ///< categories of the shapes that are obstacles
+    int32_t group = 0;             ///< as `ShapeDef::group`
+    /// Categories of ledges: shapes that are solid only from above, and through which `drop` lets
+    /// it fall. Chains are solid on one side without this.
+    uint64_t ledges = 0;
+    BodyId body = {};  ///< a body whose shapes are no obstacles: the mover's own
+};
+
+/// A plane that bounds the motion of a mover, from the surface of a shape near it.
+struct MoverPlane {
+    Vec2 normal = {};         ///< from the shape to the mover; its length is 1
+    Vec2 point = {};          ///< on the surface, world, m
+    float separation = 0.0f;  ///< m; negative when they overlap
+    Shape shape;
+};
+
+/// What a mover keeps from one move to the next.
+struct MoverState {
+    Vec2 position = {};       ///< of its feet, m
+    Vec2 ground_normal = {};  ///< zero in the air
+    ShapeId ground = {};      ///< on which it stands
+    ShapeId dropped = {};     ///< through which it falls until it is clear of it
+    bool on_ground = false;
+    bool climbing = false;
+};
+
+/// What happened in a move.
+struct Moved {
+    Vec2 motion = {};  ///< m, the ride on the ground included
+    /// The velocity that is left, m/s, relative to the ground: without the parts that obstacles
+    /// stopped. On the ground it has no part along `up`.
+    Vec2 velocity = {};
+    bool on_ground = false;
+    Vec2 ground_normal = {};    ///< zero in the air
+    Vec2 ground_velocity = {};  ///< of the ground at its feet, m/s
+    Shape ground;               ///< the shape below its feet; empty in the air
+    bool hit_wall = false;
+    bool hit_ceiling = false;
+    Vec2 wall_normal = {};  ///< of the last wall or ceiling that it hit
+    Shape wall;             ///< the last wall or ceiling that it hit
+    bool stepped = false;   ///< it climbed a step
+    /// Obstacles press it from several sides and it has no place between them: it overlaps one.
+    bool crushed = false;
+};
+
+/// Moves a character through a world: it slides along walls, climbs slopes and steps, rides on
+/// moving platforms, passes through ledges from below and pushes crates. It is no body: bodies do
+/// not see it. A host may give it a kinematic body, `MoverDef::body`, and set the velocity of this
+/// body to `Moved::motion` divided by dt before the step.
+///
+/// A mover is a plain value: a copy is a snapshot. Functions throw std::invalid_argument for values
+/// out of range.
+///
+///     Mover hero({}, {0, 2});
+///     Vec2 velocity = {3, 0};
+///     for (int i = 0; i < 120; ++i) {
+///         if (!hero.on_ground()) velocity.y -= 10.0f / 60;
+///         velocity = hero.move(world, velocity, 1.0f / 60).velocity;
+///         world.step(1.0f / 60);
+///     }
+class Mover {
+  public:
+    Mover() = default;
+    explicit Mover(const MoverDef& def, const Vec2& position = {0.0f, 0.0f});
+
+    const MoverDef& definition() const { return def_; }
+    /// The position stays. A mover that grows may overlap obstacles, which the next move corrects;
+    /// `fits` tells whether it will.
+    void set_definition(const MoverDef& def);
+    const MoverState& state() const { return state_; }
+    /// For hosts that save movers. Ids of shapes that do not exist count as empty.
+    void set_state(const MoverState& state);
+    const Vec2& position() const { return state_.position; }  ///< of its feet, m
+    void set_position(const Vec2& position);                  ///< it leaves the ground
+    bool on_ground() const { return state_.on_ground; }       ///< after the last move
+    const Vec2& ground_normal() const { return state_.ground_normal; }
+    ShapeId ground() const { return state_.ground; }
+    /// It climbs: `move` moves it freely, without steps, ground and rides.
+    bool climbing() const { return state_.climbing; }
+    void set_climbing(bool climbing) { state_.climbing = climbing; }
+
+    /// Moves it by `velocity` · `dt` and by the motion of the ground. To be called before
+    /// `World::step(dt)`: it goes to where kinematic bodies will be after the step, and applies its
+    /// weight and its pushes to dynamic bodies. `velocity` is relative to the ground, m/s; a part
+    /// along `up` lifts it off. It does nothing unless dt > 0. Throws `Locked` inside a function
+    /// that the world is calling.
+    Moved move(World& world, const Vec2& velocity, float dt);
+    /// It falls through the ledge or the chain on which it stands. False if it stands on none.
+    bool drop(const World& world);
+    /// True if a mover of this height (m) has room at its position.
+    bool fits(const World& world, float height) const;
+    /// Changes the height if there is room for it; otherwise returns false and changes nothing.
+    bool set_height(const World& world, float height);
+    /// The planes of all obstacles within `distance` (m), nearest first.
+    std::vector<MoverPlane> planes(const World& world, float distance) const;
+
+  private:
+    bool overlaps_dropped(const World& world) const;
+
+    MoverDef def_;
+    MoverState state_;
+};
+
+/// The motion nearest to `motion` after which all planes are at least `distance` (m) away; if there
+/// is none, one that divides the overlap among them.
+Vec2 solve_planes(const Vec2& motion, std::span<const MoverPlane> planes, float distance = 0.0f);
+/// The velocity without the parts that go into the planes.
+Vec2 clip_velocity(const Vec2& velocity, std::span<const MoverPlane> planes);
+
+/// Throws std::invalid_argument for a value out of its range.
+void check(const MoverDef& def);
+
+}  // namespace fettle::physics
+
+FETTLE_PHYSICS_END

@@ -1,0 +1,263 @@
+// The character mover: docs/design/physics.md, "The mover".
+
+#include <checks/arguments.h>
+#include <mover/moving.h>
+#include <world/world_data.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+void check(const MoverDef& def) {
+    check_range("radius", def.radius, 0.01f, 1000.0f);
+    check_range("height", def.height, 2.0f * def.radius, 1000.0f);
+    check_direction("up", def.up);
+    check_range("max_slope", def.max_slope, 0.0f, 1.5f);
+    check_range("step_height", def.step_height, 0.0f, 1000.0f);
+    check_range("snap", def.snap, 0.0f, 1000.0f);
+    check_range("skin", def.skin, 0.001f, 0.1f);
+    check_not_negative("mass", def.mass);
+    check_not_negative("push_force", def.push_force);
+}
+
+Mover::Mover(const MoverDef& def, const Vec2& position) {
+    set_definition(def);
+    set_position(position);
+}
+
+void Mover::set_definition(const MoverDef& def) {
+    check(def);
+    def_ = def;
+}
+
+void Mover::set_position(const Vec2& position) {
+    state_.position = check_coordinates("position", position);
+    state_.on_ground = false;
+    state_.ground_normal = {};
+    state_.ground = {};
+}
+
+void Mover::set_state(const MoverState& state) {
+    check_coordinates("position", state.position);
+    check_finite("ground_normal", state.ground_normal);
+    state_ = state;
+}
+
+namespace {
+
+constexpr float most_motion = 500.0f;  ///< m in one step
+constexpr int most_ways = 2000;
+
+/// The box around the capsule anywhere between two positions.
+Box4 box_between(const Capsule& capsule, Vec2 a, Vec2 b, float margin) {
+    const float reach = capsule.height + margin;
+    return grow({{min(a.x, b.x), min(a.y, b.y)}, {max(a.x, b.x), max(a.y, b.y)}}, reach);
+}
+
+/// Speed of the surface of a conveyor belt, along its surface.
+Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
+    const float speed = data.shapes[data.named_shape(shape)].surface.surface_speed;
+    return {-speed * normal.y, speed * normal.x};
+}
+
+/// An impulse on a dynamic body as it is, without what the mover weighs.
+void push_body(World& world, const MoverDef& def, const Push& push, Vec2 velocity, float dt) {
+    WorldData& data = MoverWorld::of(world);
+    const BodyRecord& record = data.bodies[push.body];
+    const BodyState& state = data.states[push.body];
+    const Vec2 arm = push.point - record.center;
+    const Vec2 moves = state.velocity + cross(state.angular_velocity, arm);
+    const float approach = -dot(push.normal, velocity - moves);
+    if (!(approach > 0.0f)) return;
+    const float lever = cross(arm, push.normal);
+    const float yielding =
+        1.0f / max(def.mass, 1e-3f) + record.inverse_mass + lever * lever * record.inverse_inertia;
+    const float impulse = min(approach / yielding, def.push_force * dt);
+    Body body = world.body(data.body_id(push.body));
+    body.apply_impulse(-impulse * push.normal, push.point);
+}
+
+}  // namespace
+
+Moved Mover::move(World& world, const Vec2& velocity, float dt) {
+    check_finite("velocity", velocity);
+    WorldData& data = MoverWorld::of(world);
+    data.self.may_edit("Mover", "move");
+    Moved moved;
+    moved.velocity = velocity;
+    if (!(dt > 0.0f) || !std::isfinite(dt)) return moved;
+
+    const Capsule capsule(def_, def_.height);
+    Obstacles obstacles(world, def_, capsule);
+    const Vec2 up = capsule.up, start = state_.position;
+    Vec2 wanted = velocity;
+    const bool stood = state_.on_ground && !state_.climbing;
+    const bool lifts = dot(wanted, up) > 0.05f;
+    const bool walks = stood && !lifts;
+
+    data.read_all();
+    const bool rides =
+        stood && world.is_valid(state_.ground) && data.forms[state_.ground.index].body != none;
+    const uint32_t carrier = rides ? data.forms[state_.ground.index].body : none;
+    Vec2 ride;
+    if (rides) {
+        const Vec2 belt = belt_velocity(data, state_.ground.index, state_.ground_normal);
+        ride = motion_of(data, carrier, start, dt) + dt * belt;
+    }
+    Vec2 way = dt * wanted;
+    if (walks) {
+        const Vec2 aside = wanted - dot(wanted, up) * up;
+        const Vec2 normal = state_.ground_normal;
+        const Vec2 along = aside - dot(aside, normal) * normal;
+        way = dt * length(aside) * normalized(along);
+        wanted = aside;
+    }
+    way = way + ride;
+    if (length(way) > most_motion) way = most_motion * normalized(way);
+
+    // Obstacles may turn it aside by as much as it moves.
+    const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(way);
+    const auto left_out =
+        world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
+    obstacles.find(box_between(capsule, start, start + way, margin), start, carrier, dt, left_out);
+    const MoveSettings settings{.skin = def_.skin,
+                                .least_cosine = std::cos(def_.max_slope) - 1e-3f,
+                                .step_height = walks ? def_.step_height : 0.0f,
+                                .walks = walks};
+    Moving moving(obstacles, capsule, settings, start);
+    const float longest = max(length(way), obstacles.farthest_shift());
+    const int ways =
+        int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_ways)));
+    for (int i = 1; i <= ways; ++i) {
+        obstacles.set_time(float(i) / float(ways));
+        moving.advance((1.0f / float(ways)) * way);
+    }
+    if (walks && !moving.ground()) moving.settle(def_.snap);
+    state_.position = moving.position;
+
+    moved.motion = moving.position - start;
+    moved.stepped = moving.step.has_value();
+    moved.crushed = !moving.has_room();
+    const auto note_wall = [&](const Plane& plane) {
+        moved.wall_normal = plane.normal;
+        const uint32_t shape = obstacles[plane.obstacle].shape;
+        moved.wall = Shape(&world, data.shape_id(data.named_shape(shape)));
+    };
+    if (moving.wall) note_wall(*moving.wall);
+    if (moving.ceiling) note_wall(*moving.ceiling);
+    moved.hit_wall = moving.wall.has_value() && !moving.step;
+    moved.hit_ceiling = moving.ceiling.has_value();
+
+    Vec2 left = moving.clipped(wanted);
+    const auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
+    // Without ground it may be on the edge of a step.
+    state_.on_ground = found || moving.step;
+    Plane ground = moving.step.value_or(Plane{});
+    ground.normal = up;
+    if (found) ground = *found;
+    const Obstacle* const below = state_.on_ground ? &obstacles[ground.obstacle] : nullptr;
+    state_.ground = {};
+    state_.ground_normal = {};
+    if (below != nullptr) {
+        state_.ground = data.shape_id(data.named_shape(below->shape));
+        state_.ground_normal = ground.normal;
+        left = wanted - dot(wanted, up) * up;
+        if (moving.wall && !moving.step) {
+            const Vec2 wall = moving.wall->normal;
+            const Vec2 aside = normalized(wall - dot(wall, up) * up);
+            left = left - min(0.0f, dot(left, aside)) * aside;
+        }
+        if (!below->border) {
+            const Vec2 carried = motion_of(data, below->body, moving.position, dt);
+            moved.ground_velocity =
+                (1.0f / dt) * carried + belt_velocity(data, below->shape, ground.normal);
+        }
+        moved.ground = Shape(&world, state_.ground);
+    }
+    moved.velocity = left;
+    moved.on_ground = state_.on_ground;
+    moved.ground_normal = state_.ground_normal;
+    if (left_out && !overlaps_dropped(world)) state_.dropped = {};
+
+    const Vec2 absolute = velocity + (1.0f / dt) * ride;
+    for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
+    if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
+        const Vec2 weight = def_.mass * dt * world.gravity();
+        Body body = world.body(data.body_id(below->body));
+        body.apply_impulse(weight, ground.point);
+    }
+    return moved;
+}
+
+bool Mover::drop(const World& world) {
+    if (!state_.on_ground || !world.is_valid(state_.ground)) return false;
+    const Shape ground = world.shape(state_.ground);
+    const bool ledge = (ground.category() & def_.ledges) != 0;
+    if (!ledge && ground.type() != ShapeType::chain) return false;
+    state_.dropped = state_.ground;
+    state_.on_ground = false;
+    state_.ground = {};
+    state_.ground_normal = {};
+    return true;
+}
+
+/// True until the mover has left the shape through which it falls.
+bool Mover::overlaps_dropped(const World& world) const {
+    const Capsule capsule(def_, def_.height);
+    WorldData& data = MoverWorld::of(world);
+    bool near = false;
+    if (data.forms[state_.dropped.index].body == none) return false;
+    data.for_each_solid(state_.dropped.index, [&](uint32_t shape) {
+        const Vec2 offset = data.bodies[data.forms[shape].body].center - state_.position;
+        const Nearest found =
+            nearest_points(capsule.solid(capsule.radius), data.solid(shape), offset);
+        near |= found.distance < 3.0f * def_.skin;
+    });
+    return near;
+}
+
+bool Mover::fits(const World& world, float height) const {
+    check_range("height", height, 2.0f * def_.radius, 1000.0f);
+    const Capsule capsule(def_, height);
+    Obstacles obstacles(world, def_, capsule);
+    const Vec2 at = state_.position;
+    const auto left_out =
+        world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
+    obstacles.find(box_between(capsule, at, at, def_.skin), at, none, 0.0f, left_out);
+    std::vector<Plane> found;
+    obstacles.planes_at(at, 0.0f, none, found);
+    return found.empty();
+}
+
+bool Mover::set_height(const World& world, float height) {
+    MoverDef changed = def_;
+    changed.height = height;
+    check(changed);
+    if (height > def_.height && !fits(world, height)) return false;
+    def_ = changed;
+    return true;
+}
+
+std::vector<MoverPlane> Mover::planes(const World& world, float distance) const {
+    check_range("distance", distance, 0.0f, 1000.0f);
+    const Capsule capsule(def_, def_.height);
+    Obstacles obstacles(world, def_, capsule);
+    const Vec2 at = state_.position;
+    obstacles.find(box_between(capsule, at, at, distance), at, none, 0.0f, std::nullopt);
+    std::vector<Plane> found;
+    obstacles.planes_at(at, distance, none, found);
+    std::vector<MoverPlane> planes;
+    for (const Plane& plane : found) {
+        WorldData& data = obstacles.data();
+        const uint32_t shape = data.named_shape(obstacles[plane.obstacle].shape);
+        planes.push_back(
+            {plane.normal, plane.point, plane.separation, world.shape(data.shape_id(shape))});
+    }
+    return planes;
+}
+
+}  // namespace fettle::physics

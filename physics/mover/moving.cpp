@@ -1,0 +1,157 @@
+// The way of a mover in one step: sliding, steps, ground.
+
+#include <mover/moving.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fettle::physics::detail {
+namespace {
+
+constexpr int most_slides = 6;
+
+}  // namespace
+
+/// The bounds of the planes around it. For a walking mover a slope that is too steep is also a
+/// vertical wall, so that running into it does not lift it.
+std::vector<Bound> Moving::bounds(Vec2 way, bool with_distance) const {
+    std::vector<Bound> all;
+    const float most = 0.5f * capsule_.radius;
+    for (const Plane& plane : planes_) {
+        const float least = with_distance ? min(settings_.skin - plane.separation, most) : 0.0f;
+        all.push_back({plane.normal, least});
+        if (!settings_.walks || !is_steep(plane)) continue;
+        const Vec2 aside = normalized(lateral(plane.normal));
+        if (dot(aside, way) < 0.0f) all.push_back({aside, 0.0f});
+    }
+    return all;
+}
+
+void Moving::note_hits(Vec2 way, float slack) {
+    for (const Plane& plane : planes_) {
+        const float into = -dot(plane.normal, way);
+        if (into <= 1e-6f || into <= plane.separation - settings_.skin + slack) continue;
+        const float up = cosine(plane);
+        if (up < -0.3f)
+            ceiling = plane;
+        else if (up < settings_.least_cosine)
+            wall = plane;
+        const Obstacle& obstacle = obstacles_[plane.obstacle];
+        if (!obstacle.dynamic || up >= settings_.least_cosine) continue;
+        const auto same = [&](const Push& push) { return push.body == obstacle.body; };
+        const auto known = std::find_if(pushes.begin(), pushes.end(), same);
+        if (known == pushes.end())
+            pushes.push_back({obstacle.body, plane.point, plane.normal});
+        else
+            *known = {obstacle.body, plane.point, plane.normal};
+    }
+}
+
+void Moving::slide(Vec2 way) {
+    const float reach = settings_.skin + min(1e-3f, 0.1f * settings_.skin);
+    uint32_t kept = none;
+    for (int round = 0; round < most_slides; ++round) {
+        obstacles_.planes_at(position, reach, kept, planes_);
+        note_hits(way, 0.0f);
+        const Vec2 allowed = allowed_motion(way, bounds(way, true));
+        const float t = obstacles_.cast(position, allowed, 0.5f * settings_.skin, kept);
+        position = position + t * allowed;
+        if (t >= 1.0f) return;
+        way = (1.0f - t) * allowed;
+        if (length(way) < 1e-5f) return;
+    }
+}
+
+void Moving::advance(Vec2 way) {
+    const Vec2 start = position;
+    slide(way);
+    if (settings_.step_height <= 0.0f) return;
+    const Vec2 aside = lateral(way);
+    const float wanted = length(aside);
+    if (wanted < 1e-5f) return;
+    const float made = dot(position - start, (1.0f / wanted) * aside);
+    if (made < 0.9f * wanted) step_up(start, aside);
+}
+
+/// Up, forward and down again: a step if there is ground that is higher.
+void Moving::step_up(Vec2 start, Vec2 way) {
+    const Vec2 slid = position, up = capsule_.up;
+    const float wanted = length(way), gap = 0.5f * settings_.skin;
+    const Vec2 ahead = (1.0f / wanted) * way;
+    uint32_t hit = none;
+    const auto go = [&](Vec2 motion) {
+        const float t = obstacles_.cast(position, motion, gap, hit);
+        position = position + t * motion;
+        return t;
+    };
+    position = start;
+    const float lift = go(settings_.step_height * up) * settings_.step_height;
+    const float forward = go(way) * wanted;
+    const float down = lift + settings_.skin;
+    const float t = go(-down * up);
+    const float progress = forward - dot(slid - start, ahead);
+    const auto reached = t < 1.0f && hit != none ? obstacles_.plane(hit, position) : std::nullopt;
+    if (lift > settings_.skin && progress > 0.05f * wanted && reached &&
+        dot(position - start, up) > 1e-4f && walkable(*reached, start, way) &&
+        !obstacles_[hit].dynamic) {
+        step = reached;
+        return;
+    }
+    position = slid;
+}
+
+/// A plane not far above the feet that is not too steep, or the edge of one towards which the mover
+/// goes: the capsule is round and touches the edge of a step before it stands on it.
+bool Moving::walkable(const Plane& plane, Vec2 feet, Vec2 way) {
+    const float height = dot(plane.point - feet, capsule_.up);
+    if (height > settings_.step_height + settings_.skin) return false;
+    if (cosine(plane) >= settings_.least_cosine) return true;
+    const Vec2 aside = lateral(plane.normal);
+    if (cosine(plane) <= 0.01f || dot(aside, way) >= 0.0f) return false;
+    const Vec2 inwards = normalized(-aside);
+    const Vec2 above = plane.point + 0.02f * inwards + 0.05f * capsule_.up;
+    const auto normal = obstacles_.ray(above, -0.1f * capsule_.up);
+    return normal && dot(*normal, capsule_.up) >= settings_.least_cosine;
+}
+
+std::optional<Plane> Moving::ground() {
+    obstacles_.planes_at(position, 2.0f * settings_.skin, none, planes_);
+    std::optional<Plane> best, support;
+    std::vector<Bound> all;
+    for (const Plane& plane : planes_) {
+        all.push_back({plane.normal, 0.0f});
+        if (cosine(plane) > 0.1f && (!support || cosine(plane) > cosine(*support))) support = plane;
+        if (cosine(plane) < settings_.least_cosine) continue;
+        if (!best || cosine(plane) > cosine(*best)) best = plane;
+    }
+    if (best || !support) return best;
+    // Two steep slopes hold it: it cannot sink.
+    if (dot(allowed_motion(-capsule_.up, all), capsule_.up) > -0.05f) {
+        support->normal = capsule_.up;
+        return support;
+    }
+    return std::nullopt;
+}
+
+bool Moving::settle(float reach) {
+    uint32_t hit = none;
+    const Vec2 start = position;
+    const float t = obstacles_.cast(position, -reach * capsule_.up, settings_.skin, hit);
+    if (hit == none) return false;
+    position = position - t * reach * capsule_.up;
+    if (ground()) return true;
+    position = start;
+    return false;
+}
+
+bool Moving::has_room() {
+    obstacles_.planes_at(position, 0.0f, none, planes_);
+    return planes_.empty() || planes_.front().separation > -0.1f * capsule_.radius;
+}
+
+Vec2 Moving::clipped(Vec2 velocity) {
+    obstacles_.planes_at(position, 1.5f * settings_.skin, none, planes_);
+    return allowed_motion(velocity, bounds(velocity, false));
+}
+
+}  // namespace fettle::physics::detail

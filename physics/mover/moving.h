@@ -1,0 +1,65 @@
+#pragma once
+
+#include <mover/obstacles.h>
+#include <mover/planes.h>
+
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// The settings of one move.
+struct MoveSettings {
+    float skin = 0.0f;
+    float least_cosine = 0.0f;  ///< of the slope of ground
+    float step_height = 0.0f;   ///< 0: no steps
+    bool walks = false;         ///< on ground: slopes that are too steep are walls
+};
+
+/// A dynamic body that a mover runs into, or stands on.
+struct Push {
+    uint32_t body = none;
+    Vec2 point, normal;
+};
+
+/// A mover on its way through one step: it moves in short ways, and after each of them it stands
+/// clear of all obstacles.
+class Moving {
+  public:
+    Moving(Obstacles& obstacles, const Capsule& capsule, const MoveSettings& settings, Vec2 start)
+        : position(start), obstacles_(obstacles), capsule_(capsule), settings_(settings) {}
+
+    /// A short way, at most half of the radius long.
+    void advance(Vec2 way);
+    /// Moves it down by at most `reach` onto ground; false and not moved if there is none.
+    bool settle(float reach);
+    /// The plane of the ground below its feet; none in the air.
+    std::optional<Plane> ground();
+    /// True if nothing overlaps it by more than a tenth of its radius.
+    bool has_room();
+    /// The velocity without the parts that obstacles at its place stop.
+    Vec2 clipped(Vec2 velocity);
+
+    Vec2 position;
+    std::vector<Push> pushes;
+    std::optional<Plane> wall, ceiling;
+    std::optional<Plane> step;  ///< the last step that it climbed
+
+  private:
+    void slide(Vec2 way);
+    void step_up(Vec2 start, Vec2 way);
+    void note_hits(Vec2 way, float overlap_allowed);
+    std::vector<Bound> bounds(Vec2 way, bool with_distance) const;
+    bool walkable(const Plane& plane, Vec2 feet, Vec2 way);
+    float cosine(const Plane& plane) const { return dot(plane.normal, capsule_.up); }
+    bool is_steep(const Plane& plane) const {
+        return cosine(plane) > 0.01f && cosine(plane) < settings_.least_cosine;
+    }
+    Vec2 lateral(Vec2 v) const { return v - dot(v, capsule_.up) * capsule_.up; }
+
+    Obstacles& obstacles_;
+    const Capsule& capsule_;
+    MoveSettings settings_;
+    std::vector<Plane> planes_;
+};
+
+}  // namespace fettle::physics::detail

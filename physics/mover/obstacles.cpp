@@ -1,0 +1,278 @@
+// What stops a mover: shapes near it, as planes and along a motion.
+
+#include <collision/ellipse.h>
+#include <collision/piece.h>
+#include <contacts/border.h>
+#include <distance/distance.h>
+#include <mover/obstacles.h>
+#include <world/world_data.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// A one-sided obstacle acts on a mover in front of it: the cosine of the angle between the
+/// direction to the mover and the front is at least this.
+constexpr float least_front = 0.05f;
+
+/// True if a corner of one can be flush with a side of the other throughout the step.
+bool move_alike(const Obstacle& a, const Obstacle& b) {
+    if (a.body == b.body) return true;
+    return !a.dynamic && !b.dynamic && length_squared(a.shift) == 0.0f &&
+           length_squared(b.shift) == 0.0f;
+}
+
+}  // namespace
+
+Capsule::Capsule(const MoverDef& def, float tall)
+    : up(normalized(def.up)), radius(def.radius), height(max(tall, 2.0f * def.radius)) {
+    ends_[0] = radius * up;
+    ends_[1] = (height - radius) * up;
+    normals_[0] = right_perp(up);
+    normals_[1] = -normals_[0];
+    if (height - 2.0f * radius < 1e-4f) count_ = 1;
+}
+
+Solid Capsule::solid(float thick) const {
+    return {{ends_, normals_, offsets_, count_, thick}};
+}
+
+float Capsule::lowest(Vec2 direction) const {
+    return min(dot(direction, ends_[0]), dot(direction, ends_[1])) - radius;
+}
+
+Vec2 motion_of(const WorldData& data, uint32_t body, Vec2 point, float dt) {
+    const BodyState& state = data.states[body];
+    const float turn = clamp(dt * state.angular_velocity, -1.5f, 1.5f);
+    const Vec2 arm = point - data.bodies[body].center;
+    const Vec2 turned = rotate({std::cos(turn), std::sin(turn)}, arm);
+    return dt * state.velocity + (turned - arm);
+}
+
+Obstacles::Obstacles(const World& world, const MoverDef& def, const Capsule& capsule)
+    : data_(MoverWorld::of(world)), def_(def), capsule_(capsule) {
+    filter_.category = def.category;
+    filter_.mask = def.mask;
+    filter_.group = def.group;
+}
+
+void Obstacles::find(Box4 box, Vec2 position, uint32_t carrier, float dt,
+                     std::optional<ShapeId> left_out) {
+    all_.clear();
+    time_ = 0.0f;
+    data_.read_all();
+    float fastest = 0.0f;
+    for (uint32_t i = 1; data_.kinematic_bodies > 0 && i < data_.bodies.size(); ++i) {
+        const BodyRecord& body = data_.bodies[i];
+        if (data_.body_generations[i] == 0 || body.mobility != Mobility::kinematic) continue;
+        const BodyState& state = data_.states[i];
+        const float speed =
+            length(state.velocity) + std::fabs(state.angular_velocity) * body.extent;
+        fastest = max(fastest, dt * speed);
+    }
+    box = grow(box, fastest);
+    const auto visit = [&](uint32_t shape) {
+        if (!overlap(data_.boxes[shape], box) || !is_accepted(data_, filter_, shape)) return;
+        const uint32_t body = data_.forms[shape].body;
+        if (body == none || data_.body_id(body) == def_.body) return;
+        if (left_out && data_.shape_id(data_.named_shape(shape)) == *left_out) return;
+        add(shape, position, carrier, dt);
+    };
+    data_.fixed_tree.query(box, visit);
+    data_.moving_tree.query(box, visit);
+    for (uint32_t side = 0; data_.settings.bounds && side < 4; ++side) {
+        if (!is_accepted(data_, filter_, side)) continue;
+        const BorderPlane border = border_plane(*data_.settings.bounds, side);
+        Obstacle& made = all_.emplace_back();
+        made.border = true;
+        made.shape = side;
+        made.body = 0;
+        made.front = border.normal;
+        made.depth = border.depth;
+    }
+}
+
+void Obstacles::add(uint32_t shape, Vec2 position, uint32_t carrier, float dt) {
+    Obstacle& made = all_.emplace_back();
+    made.solid = data_.solid(shape);
+    made.shape = shape;
+    made.body = data_.forms[shape].body;
+    const BodyRecord& body = data_.bodies[made.body];
+    made.center = body.center;
+    made.dynamic = body.mobility == Mobility::dynamic;
+    if (body.mobility == Mobility::kinematic || made.body == carrier) {
+        const Vec2 offset = made.center - position;
+        const Nearest near = nearest_points(capsule_.solid(0.0f), made.solid, offset);
+        made.shift = motion_of(data_, made.body, position + near.on_b, dt);
+    }
+    if (made.solid.kind == FormKind::piece && made.solid.form.count == 2) {
+        made.one_sided = true;
+        made.front = made.solid.form.normals[0];
+    } else if ((data_.shapes[shape].surface.category & def_.ledges) != 0) {
+        made.one_sided = true;
+        made.front = capsule_.up;
+    }
+}
+
+void Obstacles::set_time(float time) {
+    for (Obstacle& each : all_) each.clear -= std::fabs(time - time_) * length(each.shift);
+    time_ = time;
+}
+
+float Obstacles::farthest_shift() const {
+    float farthest = 0.0f;
+    for (const Obstacle& each : all_) farthest = max(farthest, length(each.shift));
+    return farthest;
+}
+
+/// The plane of an obstacle that contains a part of the capsule's line: that of the side through
+/// which the way out is shortest.
+Plane Obstacles::deepest(const Obstacle& obstacle, Vec2 offset) const {
+    const Solid& solid = obstacle.solid;
+    const Convex& form = solid.form;
+    const Convex line = capsule_.solid(0.0f).form;
+    Plane plane{.normal = capsule_.up, .point = offset, .separation = -1e30f, .deep = true};
+    const auto consider = [&](Vec2 normal, float offset_of_side) {
+        float nearest = 1e30f;
+        for (int i = 0; i < line.count; ++i)
+            nearest = min(nearest, dot(normal, line.vertices[i] - offset));
+        const float separation = nearest - offset_of_side;
+        if (separation <= plane.separation) return;
+        plane.separation = separation;
+        plane.normal = normal;
+    };
+    if (solid.kind == FormKind::ellipse) {
+        const EllipseForm ellipse = ellipse_of(form);
+        const Vec2 out = normalized(capsule_.middle() - offset - ellipse.center);
+        for (const Vec2 normal : {length_squared(out) > 0.0f ? out : capsule_.up, capsule_.up})
+            consider(normal, dot(ellipse.center, normal) + ellipse.reach(normal));
+    } else if (form.count == 1) {
+        const Vec2 out = normalized(capsule_.middle() - offset - form.vertices[0]);
+        for (const Vec2 normal : {length_squared(out) > 0.0f ? out : capsule_.up, capsule_.up})
+            consider(normal, dot(form.vertices[0], normal) + form.radius);
+    } else {
+        const bool parts = solid.kind == FormKind::piece;
+        for (int i = 0; i < form.count; ++i) {
+            if (parts && Piece(solid).is_inner(i)) continue;
+            const Vec2 normal = solid.kind == FormKind::large
+                                    ? rotate(solid.rotation, form.normals[i])
+                                    : form.normals[i];
+            consider(normal, form.offsets[i] + form.radius);
+        }
+        if (plane.separation < -1e29f) consider(capsule_.up, reach(solid, capsule_.up));
+    }
+    plane.separation -= capsule_.radius;
+    plane.point = plane.normal;
+    return plane;
+}
+
+std::optional<Plane> Obstacles::plane(uint32_t index, Vec2 position) const {
+    const Obstacle& obstacle = all_[index];
+    Plane plane;
+    plane.obstacle = index;
+    if (obstacle.border) {
+        plane.normal = obstacle.front;
+        plane.separation =
+            dot(obstacle.front, position) + capsule_.lowest(obstacle.front) - obstacle.depth;
+        plane.point =
+            position + capsule_.lower() - (capsule_.radius + plane.separation) * obstacle.front;
+        return plane;
+    }
+    const Vec2 offset = center(obstacle) - position;
+    const Nearest near = nearest_points(capsule_.solid(0.0f), obstacle.solid, offset);
+    if (near.distance > 0.0f) {
+        plane.normal = -near.normal;
+        plane.separation = near.distance - capsule_.radius;
+        plane.point = position + near.on_b;
+    } else {
+        if (obstacle.one_sided) return std::nullopt;  // it is passing through
+        plane = deepest(obstacle, offset);
+        plane.obstacle = index;
+        plane.point =
+            position + capsule_.lower() - (capsule_.radius + plane.separation) * plane.normal;
+    }
+    if (obstacle.one_sided) {
+        const float slop =
+            def_.skin + max(0.0f, dot(obstacle.shift, plane.normal)) + 0.02f * capsule_.radius;
+        if (plane.separation < -slop || dot(plane.normal, obstacle.front) < least_front)
+            return std::nullopt;
+    }
+    return plane;
+}
+
+void Obstacles::planes_at(Vec2 position, float reach, uint32_t kept, std::vector<Plane>& planes) {
+    planes.clear();
+    for (uint32_t i = 0; i < all_.size(); ++i) {
+        if (all_[i].clear > reach) continue;
+        const auto found = plane(i, position);
+        if (found && found->separation > 0.0f) all_[i].clear = found->separation;
+        if (found && found->separation <= reach) planes.push_back(*found);
+    }
+    std::stable_sort(planes.begin(), planes.end(),
+                     [](const Plane& a, const Plane& b) { return a.separation < b.separation; });
+    const float flush = 0.1f * def_.skin;
+    for (size_t i = 1; i < planes.size();) {
+        bool hidden = false;
+        for (size_t k = 0; k < i && !hidden && planes[i].obstacle != kept; ++k) {
+            const Plane &near = planes[k], &far = planes[i];
+            const bool same = dot(near.normal, far.normal) > 0.99999f;
+            hidden = !near.deep && !far.deep && near.separation > -def_.skin &&
+                     dot(near.normal, far.normal) > 0.3f &&
+                     (same || dot(near.normal, far.point - near.point) < flush) &&
+                     move_alike(all_[near.obstacle], all_[far.obstacle]);
+        }
+        if (hidden)
+            planes.erase(planes.begin() + std::ptrdiff_t(i));
+        else
+            ++i;
+    }
+    constexpr size_t most = 16;
+    if (planes.size() > most) planes.resize(most);
+}
+
+float Obstacles::cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit) {
+    hit = none;
+    float first = 1.0f;
+    const float way = length(motion);
+    if (!(way > 0.0f)) return first;
+    for (uint32_t i = 0; i < all_.size(); ++i) {
+        Obstacle& obstacle = all_[i];
+        if (obstacle.clear > way + gap) continue;
+        const auto now = plane(i, position);
+        if (!now) continue;
+        if (now->separation > 0.0f) obstacle.clear = now->separation;
+        const float approach = -dot(now->normal, motion);
+        if (now->separation - way > gap || approach <= 1e-5f * way) continue;
+        if (now->deep) continue;  // only planes push it out
+        float t = 0.0f;
+        if (obstacle.border) {
+            t = max(0.0f, now->separation - gap) / approach;
+        } else if (now->separation > gap) {
+            const Sweep sweep = {capsule_.solid(capsule_.radius),
+                                 {.from = position, .velocity = motion}};
+            t = time_of_impact(sweep, {obstacle.solid, standing(center(obstacle))}, gap);
+        }
+        if (t >= first) continue;
+        first = t;
+        hit = i;
+    }
+    for (Obstacle& each : all_) each.clear -= first * way;
+    return first;
+}
+
+std::optional<Vec2> Obstacles::ray(Vec2 from, Vec2 motion) const {
+    std::optional<Vec2> normal;
+    float nearest = 1.0f;
+    for (const Obstacle& obstacle : all_) {
+        if (obstacle.border) continue;
+        const Probe probe = cast_segment(obstacle.solid, from - center(obstacle), motion);
+        if (probe.fraction > nearest) continue;
+        nearest = probe.fraction;
+        normal = probe.normal;
+    }
+    return normal;
+}
+
+}  // namespace fettle::physics::detail

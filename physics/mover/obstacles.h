@@ -1,0 +1,102 @@
+#pragma once
+
+#include <collision/solid.h>
+#include <fettle/physics/mover.h>
+#include <queries/asking.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fettle::physics::detail {
+
+/// Access of a mover to the data of a world.
+struct MoverWorld {
+    static WorldData& of(const World& world) { return *world.data_; }
+};
+
+/// The capsule of a mover: a line from its lower to its upper center, relative to its feet, and a
+/// radius.
+class Capsule {
+  public:
+    Capsule(const MoverDef& def, float height);
+    Capsule(const Capsule&) = delete;
+    Capsule& operator=(const Capsule&) = delete;
+
+    /// The line, with a radius.
+    Solid solid(float radius) const;
+    /// Distance of its lowest point along a unit vector from the feet.
+    float lowest(Vec2 direction) const;
+    Vec2 lower() const { return ends_[0]; }
+    Vec2 middle() const { return 0.5f * (ends_[0] + ends_[1]); }
+    const Vec2 up;
+    const float radius, height;
+
+  private:
+    Vec2 ends_[2];
+    Vec2 normals_[2];
+    float offsets_[2] = {0.0f, 0.0f};
+    int count_ = 2;
+};
+
+/// A solid shape near a mover.
+struct Obstacle {
+    Solid solid;
+    Vec2 center;  ///< center of mass of its body
+    Vec2 shift;   ///< its motion in the step
+    uint32_t shape = none, body = none;
+    bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
+    bool one_sided = false;
+    bool dynamic = false;
+    Vec2 front;  ///< of a one-sided obstacle
+    float depth = 0.0f;
+    float clear = 0.0f;  ///< the mover may move by this before it can be near
+};
+
+/// A plane of an obstacle, relative to a position of the mover.
+struct Plane {
+    Vec2 normal, point;
+    float separation = 0.0f;
+    uint32_t obstacle = 0;
+    bool deep = false;  ///< the line of the capsule is inside
+};
+
+/// The obstacles in a part of a world. They are where they are in the share `time` (0 … 1) of the
+/// step.
+class Obstacles {
+  public:
+    Obstacles(const World& world, const MoverDef& def, const Capsule& capsule);
+
+    /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
+    void find(Box4 box, Vec2 position, uint32_t carrier, float dt, std::optional<ShapeId> left_out);
+    void set_time(float time);
+    float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
+    /// The planes within `reach` at this position, nearest first. A corner that is flush with a
+    /// nearer plane is left out, unless its obstacle is `kept`.
+    void planes_at(Vec2 position, float reach, uint32_t kept, std::vector<Plane>& planes);
+    /// The share of a motion after which an obstacle is nearer than `gap`; `hit`: this obstacle.
+    float cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit);
+    /// The normal of the first surface that a ray meets.
+    std::optional<Vec2> ray(Vec2 from, Vec2 motion) const;
+    /// The plane of one obstacle. None if it does not act on a mover at this position.
+    std::optional<Plane> plane(uint32_t obstacle, Vec2 position) const;
+    const Obstacle& operator[](uint32_t index) const { return all_[index]; }
+    WorldData& data() const { return data_; }
+
+  private:
+    void add(uint32_t shape, Vec2 position, uint32_t carrier, float dt);
+    Vec2 center(const Obstacle& obstacle) const { return obstacle.center + time_ * obstacle.shift; }
+    Plane deepest(const Obstacle& obstacle, Vec2 offset) const;
+
+    WorldData& data_;
+    const MoverDef& def_;
+    const Capsule& capsule_;
+    QueryFilter filter_;
+    std::vector<Obstacle> all_;
+    float time_ = 0.0f;
+};
+
+/// The motion of a point of a body in the step.
+Vec2 motion_of(const WorldData& data, uint32_t body, Vec2 point, float dt);
+
+}  // namespace fettle::physics::detail

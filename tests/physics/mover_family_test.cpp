@@ -1,0 +1,170 @@
+#include <fettle/physics/mover.h>
+
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "scenes.h"
+
+// Movers in random worlds: wherever they go and however fast, they are never inside of anything.
+
+namespace mover_family_test {
+
+using namespace scenes;
+
+namespace {
+
+class Family {
+  public:
+    explicit Family(uint32_t seed) : random_(seed) {
+        ground();
+        for (int i = 0; i < 30; ++i) add_shape();
+        for (int i = 0; i < 4; ++i) add_platform();
+        for (int i = 0; i < 6; ++i) {
+            Body crate = world.create_body({.position = {number(-18, 18), number(4, 9)}});
+            crate.add(Box{.width = number(0.5f, 1.2f), .height = number(0.5f, 1.2f)},
+                      {.density = 20});
+        }
+    }
+
+    float number(float low, float high) {
+        return low + (high - low) * float(random_() % 10007) / 10006.0f;
+    }
+    int choice(int count) { return int(random_() % uint32_t(count)); }
+
+    World world{{.bounds = Aabb{{-20, -3}, {20, 30}}}};
+
+  private:
+    void ground() {
+        Body body = world.create_body({.type = BodyType::static_body});
+        if (choice(2) == 0) {
+            Chain hills;
+            for (int i = 0; i <= 40; ++i)
+                hills.points.push_back(
+                    {float(i) - 20.0f, number(-1.0f, choice(5) == 0 ? 2.5f : 0.2f)});
+            body.add(hills);
+        } else {
+            for (int i = -20; i < 20; ++i)
+                body.add(Box{.width = 1,
+                             .height = 1,
+                             .center = {float(i) + 0.5f, choice(6) == 0 ? 0.25f : -0.5f}});
+        }
+    }
+    void add_shape() {
+        Body body = world.create_body({.type = BodyType::static_body,
+                                       .position = {number(-18, 18), number(0, 12)},
+                                       .angle = number(-3, 3)});
+        switch (choice(6)) {
+            case 0:
+                body.add(Circle{.radius = number(0.2f, 1.5f)});
+                break;
+            case 1:
+                body.add(Box{.width = number(0.2f, 4), .height = number(0.2f, 2)});
+                break;
+            case 2:
+                body.add(Ellipse{.radius_x = number(0.3f, 2), .radius_y = number(0.3f, 1)});
+                break;
+            case 3:
+                body.add(Segment{.from = {-number(0.5f, 3), 0}, .to = {2, 0}});
+                break;
+            case 4:
+                body.add(
+                    Polygon{.vertices = {{-1, 0}, {number(0.5f, 2), 0}, {0, number(0.5f, 3)}}});
+                break;
+            default:
+                body.add(Concave{{{-1, -1}, {1, -1}, {1, 0}, {0, 0}, {0, 1}, {-1, 1}}});
+        }
+    }
+    /// Moves freely through everything, and slowly enough for a mover to give way.
+    void add_platform() {
+        Body body = world.create_body({.type = BodyType::kinematic_body,
+                                       .position = {number(-18, 18), number(3, 12)},
+                                       .velocity = {number(-2, 2), number(-1, 1)},
+                                       .angular_velocity = number(-0.5f, 0.5f)});
+        body.add(Box{.width = number(1, 4), .height = 0.4f});
+    }
+
+    std::mt19937 random_;
+};
+
+/// How deep the mover is in what does not move; one-sided shapes that it passes do not count.
+float depth(const Mover& mover, const World& world, bool of_moving) {
+    float least = 0.0f;
+    for (const MoverPlane& plane : mover.planes(world, 0.0f))
+        if (of_moving || plane.shape.body().type() == BodyType::static_body)
+            least = std::min(least, plane.separation);
+    return -least;
+}
+
+}  // namespace
+
+TEST_CASE("movers in random worlds are never inside of anything") {
+    int steps = 0, on_ground = 0, crushed = 0;
+    for (uint32_t seed = 1; seed <= 50; ++seed) {
+        Family family(seed);
+        MoverDef def;
+        def.radius = family.number(0.2f, 0.5f);
+        def.height = def.radius * family.number(2, 5);
+        Mover mover(def, {family.number(-15, 15), 14});
+        while (!mover.fits(family.world, def.height))
+            mover.set_position({family.number(-15, 15), family.number(13, 20)});
+        Vec2 velocity = {};
+        bool squeezed = false;
+        for (int i = 0; i < 400; ++i) {
+            if (i % 20 == 0) {
+                velocity.x = family.number(-8, 8);
+                if (family.choice(3) == 0) velocity.y = family.number(0, 10);
+                if (family.choice(12) == 0)
+                    velocity = {family.number(-300, 300), family.number(-300, 300)};
+            }
+            velocity.y -= mover.on_ground() ? 0.0f : 10.0f * frame;
+            const Moved moved = mover.move(family.world, velocity, frame);
+            velocity = moved.velocity;
+            family.world.step(frame);
+            ++steps;
+            on_ground += moved.on_ground;
+            crushed += moved.crushed;
+            squeezed = (squeezed && depth(mover, family.world, true) > 0.0f) || moved.crushed;
+            INFO("seed " << seed << " step " << i << " at " << mover.position().x << ", "
+                         << mover.position().y);
+            REQUIRE(std::isfinite(mover.position().x));
+            REQUIRE(std::fabs(mover.position().x) < 20.5f);
+            if (!squeezed) REQUIRE(depth(mover, family.world, false) < 0.005f);
+            if (!squeezed) REQUIRE(depth(mover, family.world, true) < 0.1f);
+        }
+    }
+    CHECK(on_ground > steps / 10);
+    CHECK(crushed < steps / 20);
+}
+
+TEST_CASE("a mover does not catch on the seams of random tiles") {
+    for (uint32_t seed = 1; seed <= 50; ++seed) {
+        std::mt19937 random(seed);
+        World world;
+        float x = -3.0f;
+        while (x < 40.0f) {  // tiles of any width, each a body of its own
+            const float width = 0.1f + 1.5f * float(random() % 1000) / 1000.0f;
+            Body tile = world.create_body(
+                {.type = BodyType::static_body, .position = {x + width / 2, -0.5f}});
+            tile.add(Box{.width = width, .height = 1});
+            x += width;
+        }
+        const float speed = 0.5f + 19.0f * float(random() % 1000) / 1000.0f;
+        Mover mover({}, {0, 0.01f});
+        mover.move(world, {0, -1}, frame);
+        const float start = mover.position().x;
+        const int count = int(30.0f / (speed * frame));
+        Vec2 velocity = {speed, 0};
+        for (int i = 0; i < count; ++i) {
+            const Moved moved = mover.move(world, velocity, frame);
+            INFO("seed " << seed << " speed " << speed);
+            REQUIRE(moved.on_ground);
+            REQUIRE_FALSE(moved.hit_wall);
+            REQUIRE(std::fabs(mover.position().y - 0.01f) < 0.008f);
+            velocity = moved.velocity;
+        }
+        CHECK(mover.position().x - start == Approx(float(count) * speed * frame).epsilon(0.003));
+    }
+}
+
+}  // namespace mover_family_test
