@@ -10,7 +10,7 @@
 namespace fettle::bench {
 namespace {
 
-constexpr int timings = 15;
+constexpr int handle_timings = 15;
 constexpr int calls = 1'000'000;  // of each timing
 
 void require(fettle_code code) {
@@ -20,7 +20,7 @@ void require(fettle_code code) {
 template <class Call>
 HandleCost cost(const char* name, Call call) {
     std::vector<double> ns;
-    for (int k = 0; k < timings; ++k) {
+    for (int k = 0; k < handle_timings; ++k) {
         const ThreadClock clock;
         for (int i = 0; i < calls; ++i) require(call(i));
         ns.push_back(clock.elapsed_ms() * 1e6 / calls);

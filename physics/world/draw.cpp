@@ -30,7 +30,6 @@ struct Place {
 
     explicit Place(const Pose& pose) : position(pose.position), rotation(rotation_of(pose.angle)) {}
     Vec2 operator()(Vec2 local) const { return position + rotate(rotation, local); }
-    Vec2 operator()(const Vec2& local) const { return (*this)(local); }
 };
 
 Vec2 on_circle(float angle) {

@@ -37,7 +37,6 @@ physics::BodyDef description(const physics::Body& body) {
     def.enabled = body.enabled();
     def.sleep_speed = body.sleep_speed_override();
     def.max_speed = body.max_speed();
-    def.name = body.name();
     def.user_data = body.user_data();
     return def;
 }
@@ -70,6 +69,8 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     HostedWorld& target = *worlds_[to];
     physics::BodyDef def = description(old);
     def.velocity = velocity(from);
+    const std::string name = old.name();
+    def.name = name;
     const bool awake = old.awake();
 
     // The operations that may be refused come first, so that a refusal changes nothing.

@@ -5,7 +5,7 @@
 
 #include <concepts>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -75,7 +75,7 @@ struct BodyDef {
     /// m/s; with its island, it rests below this. None: `WorldDef::sleep_speed`.
     std::optional<float> sleep_speed = {};
     float max_speed = infinity;  ///< m/s, limit of its speed, above 0
-    std::string name = {};       ///< for messages and tools; at most 63 bytes
+    std::string_view name = {};  ///< for messages and tools; at most 63 bytes, copied
     uint64_t user_data = 0;
 };
 

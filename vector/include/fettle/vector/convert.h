@@ -25,9 +25,12 @@ concept HasComponentFunctions = requires(const V& v) {
     { v.y() } -> std::convertible_to<double>;
 };
 
+template <class V>
+concept AnyVector = HasComponents<V> || HasComponentFunctions<V>;
+
 /// A vector of another library with the components of `v`, rounded to its type.
-template <class Other, class T>
-requires(HasComponents<Other> || HasComponentFunctions<Other>) Other to(const Vector2<T>& v) {
+template <AnyVector Other, class T>
+Other to(const Vector2<T>& v) {
     Other other;
     if constexpr (HasComponents<Other>) {
         other.x = static_cast<decltype(other.x)>(v.x);
@@ -40,8 +43,8 @@ requires(HasComponents<Other> || HasComponentFunctions<Other>) Other to(const Ve
 }
 
 /// A `Vector2` with the components of a vector of another library.
-template <class Vec2, class Other>
-requires(HasComponents<Other> || HasComponentFunctions<Other>) constexpr Vec2 from(const Other& v) {
+template <class Vec2, AnyVector Other>
+constexpr Vec2 from(const Other& v) {
     if constexpr (HasComponents<Other>)
         return {v.x, v.y};
     else

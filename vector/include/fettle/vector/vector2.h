@@ -5,6 +5,9 @@
 
 namespace fettle {
 
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+
 /// A vector or a point in the plane, with components of type `T`. The physics library uses
 /// `Vector2<float>` and the property tree `Vector2<double>`; both call it `Vec2`. The components
 /// are 0 unless given. The equations stand here in full and in one order, so every compiler
@@ -16,12 +19,12 @@ struct Vector2 {
 
     constexpr Vector2() = default;
     /// Any numbers; they are converted to `T`.
-    template <class X, class Y>
-    requires(std::is_arithmetic_v<X>&& std::is_arithmetic_v<Y>) constexpr Vector2(X x, Y y)
-        : x(static_cast<T>(x)), y(static_cast<T>(y)) {}
+    template <Number X, Number Y>
+    constexpr Vector2(X along_x, Y along_y)
+        : x(static_cast<T>(along_x)), y(static_cast<T>(along_y)) {}
     /// Rounds to the nearest value of `T` when `T` has fewer digits.
     template <class U>
-    requires(!std::is_same_v<T, U>) explicit constexpr Vector2(const Vector2<U>& other)
+    explicit constexpr Vector2(const Vector2<U>& other)
         : x(static_cast<T>(other.x)), y(static_cast<T>(other.y)) {}
 
     constexpr Vector2& operator+=(const Vector2& other) { return *this = *this + other; }
