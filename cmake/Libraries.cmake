@@ -95,7 +95,9 @@ endfunction()
 # fettle_with_vectors(TARGET): TARGET and its users include <fettle/vector/...>, headers without a library.
 function(fettle_with_vectors target)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/vector/include>")
-  if(FETTLE_INSTALL)
+  get_property(installed GLOBAL PROPERTY fettle_vectors_installed)
+  if(FETTLE_INSTALL AND NOT installed)
+    set_property(GLOBAL PROPERTY fettle_vectors_installed ON)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/vector/include/fettle/vector" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fettle"
       COMPONENT development)
   endif()
