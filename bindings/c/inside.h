@@ -45,7 +45,8 @@ struct fettle_owner {
 };
 
 struct fettle_world {
-    std::unique_ptr<fettle::physics::World> world;  ///< null: destroyed
+    std::unique_ptr<fettle::physics::World> world;              ///< null: destroyed
+    std::unique_ptr<fettle::physics::TaskScheduler> scheduler;  ///< of the world
     fettle_owner* owner = nullptr;
     int visiting = 0;  ///< calls of visitors that have not returned
     fettle::physics_c::GivenEvents events;

@@ -2,6 +2,31 @@
 
 #include <fettle/physics_c/world_settings.h>
 
+#include <memory>
+
+namespace fettle::physics_c {
+namespace {
+
+/// The threads of a caller in C.
+class HostTasks : public physics::TaskScheduler {
+  public:
+    HostTasks(fettle_start_tasks starts, fettle_finish_tasks finishes, void* user)
+        : start_(starts), finish_(finishes), user_(user) {}
+
+    void start(uint32_t count, Task task, void* context) override {
+        start_(user_, count, task, context);
+    }
+    void finish() override { finish_(user_); }
+
+  private:
+    fettle_start_tasks start_;
+    fettle_finish_tasks finish_;
+    void* user_;
+};
+
+}  // namespace
+}  // namespace fettle::physics_c
+
 using namespace fettle::physics;
 using namespace fettle::physics_c;
 
@@ -164,6 +189,19 @@ fettle_code fettle_world_threads(const fettle_world* world, int32_t* threads) {
 
 fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads) {
     return edit<&World::set_threads>(__func__, world, threads);
+}
+
+fettle_code fettle_world_set_scheduler(fettle_world* world, fettle_start_tasks start,
+                                       fettle_finish_tasks finish, void* user, int32_t threads) {
+    return guarded(__func__, [&] {
+        World& to = editable(world);
+        if ((start == nullptr) != (finish == nullptr))
+            throw Failure{FETTLE_INVALID, "start and finish: expected two functions or none"};
+        std::unique_ptr<TaskScheduler> host;
+        if (start != nullptr) host = std::make_unique<HostTasks>(start, finish, user);
+        to.set_scheduler(host.get(), threads);
+        world->scheduler = std::move(host);
+    });
 }
 
 fettle_code fettle_world_limit_simd_width(fettle_world* world, int32_t most) {

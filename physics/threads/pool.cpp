@@ -78,14 +78,41 @@ ThreadPool::ThreadPool(int threads, int at_a_time)
     }
 }
 
+ThreadPool::ThreadPool(TaskScheduler& host, int threads)
+    : host_(&host), threads_(threads), shares_(size_t(threads)) {}
+
 ThreadPool::~ThreadPool() {
     stop();
 }
 
-void ThreadPool::stop() {
+ThreadPool::Helping::Helping(ThreadPool* pool)
+    : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 ? pool : nullptr) {
+    if (pool_ == nullptr) return;
+    pool_->stop_.store(false);
+    pool_->host_->start(
+        uint32_t(pool_->threads_ - 1),
+        [](void* context, uint32_t number) {
+            auto& helped = *static_cast<ThreadPool*>(context);
+            if (number + 1 < helped.shares_.size()) helped.serve(number + 1);
+        },
+        pool_);
+}
+
+ThreadPool::Helping::~Helping() {
+    if (pool_ == nullptr) return;
+    pool_->end_round();
+    pool_->host_->finish();
+}
+
+/// Lets all other threads return from `serve`.
+void ThreadPool::end_round() {
     stop_.store(true);
     turn_.store(word_of(after(round_of(turn_.load())), 0, 0));
     turn_.notify_all();
+}
+
+void ThreadPool::stop() {
+    end_round();
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
 }
@@ -186,3 +213,9 @@ void ThreadPool::serve(size_t self) {
 }
 
 }  // namespace fettle::physics::detail
+
+namespace fettle::physics {
+
+TaskScheduler::~TaskScheduler() = default;
+
+}  // namespace fettle::physics

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fettle/physics/scheduler.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -27,13 +29,28 @@ class ThreadPool {
     /// the same time. More threads than processors would slow each other down. If the system
     /// provides fewer, throws std::runtime_error with the number of threads that exist.
     explicit ThreadPool(int threads, int at_a_time = processors());
+    /// No threads of its own: tasks of the host work while a `Helping` lives.
+    ThreadPool(TaskScheduler& host, int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int threads() const { return threads_; }
+    bool has_host() const { return host_ != nullptr; }
     /// Number of threads that work at the same time.
     int at_a_time() const { return int(shares_.size()); }
+
+    /// While it lives, the threads of a host help; without a host, threads always help.
+    class Helping {
+      public:
+        explicit Helping(ThreadPool* pool);
+        ~Helping();
+        Helping(const Helping&) = delete;
+        Helping& operator=(const Helping&) = delete;
+
+      private:
+        ThreadPool* pool_;  ///< null: nobody to call
+    };
 
     /// Calls `work(block)` once for every block below `count`.
     template <typename Work>
@@ -59,6 +76,7 @@ class ThreadPool {
     bool wait_for_others(uint32_t goal) const;
     void work_until_done(uint64_t turn, uint32_t goal, std::size_t self);
     void serve(std::size_t self);
+    void end_round();
     void stop();
 
     // Written by the caller, read by all threads: round and number of blocks in one word.
@@ -69,6 +87,7 @@ class ThreadPool {
     std::atomic<bool> stop_ = false;
     alignas(64) std::atomic<uint32_t> done_ = 0;  ///< finished blocks of all rounds, modulo 2³²
     alignas(64) std::atomic<uint32_t> sleepers_ = 0;
+    TaskScheduler* const host_ = nullptr;
     const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;

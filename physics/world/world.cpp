@@ -102,7 +102,10 @@ void World::step(float dt) {
     WorldData& data = edit(__func__);
     if (!(dt > 0.0f) || !(dt < infinity)) return;
     WorldLock lock(data.self, WorldLock::During::change, in_step);
-    data.step(dt);
+    {
+        const ThreadPool::Helping helping(data.threads);
+        data.step(dt);
+    }
     if (data.self.after_step.empty() || data.self.orphaned()) return lock.finish();
     call_after_step(std::exchange(data.self.after_step, {}), lock);
 }
@@ -204,8 +207,18 @@ int World::threads() const {
 void World::set_threads(int threads) {
     WorldData& data = edit(__func__);
     check_count("threads", threads, 1, 64);
-    if (threads == this->threads()) return;
+    const bool own = !data.self.pool || !data.self.pool->has_host();
+    if (own && threads == this->threads()) return;
     data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
+    data.threads = data.self.pool.get();
+}
+
+void World::set_scheduler(TaskScheduler* scheduler, int threads) {
+    WorldData& data = edit(__func__);
+    check_count("threads", threads, 1, 64);
+    data.self.pool = scheduler != nullptr && threads > 1
+                         ? std::make_unique<ThreadPool>(*scheduler, threads)
+                         : nullptr;
     data.threads = data.self.pool.get();
 }
 

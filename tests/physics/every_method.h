@@ -479,6 +479,7 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, reserve, world, ({.bodies = 2})),
         EDIT(World, limit_simd_width, world, (4)),
         EDIT(World, set_threads, world, (2)),
+        EDIT(World, set_scheduler, world, (nullptr, 2)),
         EDIT(World, set_filter, world, ({})),
         EDIT(World, set_mixing, world, ({})),
         EDIT(World, set_before_solve, world, ({})),

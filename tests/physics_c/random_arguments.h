@@ -129,7 +129,15 @@ class Arguments {
         return
             [](void*, fettle_world* world) { fettle_world_create_body(world, nullptr, nullptr); };
     }
-    fettle_unlocked_callback callback(fettle_unlocked_callback) { return nullptr; }
+    fettle_start_tasks callback(fettle_start_tasks) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, uint32_t, fettle_task, void*) {};  // nobody has time for them
+    }
+    /// Also a fettle_finish_tasks.
+    fettle_unlocked_callback callback(fettle_unlocked_callback) {
+        if (below(2) == 0) return nullptr;
+        return [](void*) {};
+    }
     fettle_shape_visitor callback(fettle_shape_visitor) { return below(4) == 0 ? nullptr : accept; }
     fettle_ray_visitor callback(fettle_ray_visitor) {
         return [](void*, const fettle_world*, const fettle_ray_hit* hit) {

@@ -28,7 +28,7 @@ constexpr Call every_call[] = {
     CALL(fettle_body_angular_velocity), CALL(fettle_body_set_angular_velocity),
     CALL(fettle_body_set_target), CALL(fettle_world_after_step), CALL(fettle_world_reserve),
     CALL(fettle_world_moved_bodies),
-    CALL(fettle_body_enabled), CALL(fettle_body_set_enabled), CALL(fettle_body_name),
+    CALL(fettle_body_enabled), CALL(fettle_world_set_scheduler), CALL(fettle_body_set_enabled), CALL(fettle_body_name),
     CALL(fettle_body_set_name), CALL(fettle_body_max_speed), CALL(fettle_body_set_max_speed),
     CALL(fettle_body_sleep_speed), CALL(fettle_body_set_sleep_speed),
     CALL(fettle_body_sleep_speed_override), CALL(fettle_shape_contact_events),

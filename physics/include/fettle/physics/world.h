@@ -11,6 +11,7 @@
 #include <fettle/physics/locked.h>
 #include <fettle/physics/owner.h>
 #include <fettle/physics/query.h>
+#include <fettle/physics/scheduler.h>
 #include <fettle/physics/shape.h>
 #include <fettle/physics/sliding_joints.h>
 #include <fettle/physics/statistics.h>
@@ -193,6 +194,11 @@ class World {
     /// of the caller.
     int threads() const;
     void set_threads(int threads);
+    /// Threads of the host instead: `threads` tasks share the work of a step, of which the calling
+    /// thread does one: 1 … 64. `scheduler` must outlive the world, or its replacement by another
+    /// one, by null (one thread) or by `set_threads`. It changes no result and is not part of the
+    /// state.
+    void set_scheduler(TaskScheduler* scheduler, int threads);
 
     // Callbacks; an empty one is not called and costs nothing. They are not part of a snapshot:
     // copying, saving and restoring do not change the callbacks of the world, and a new copy has

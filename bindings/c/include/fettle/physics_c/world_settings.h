@@ -94,6 +94,21 @@ fettle_code fettle_world_set_persist_events(fettle_world* world, bool persist_ev
 fettle_code fettle_world_threads(const fettle_world* world, int32_t* threads);
 fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads);
 
+/** A task of a step, to be called once with the context and its number. */
+typedef void (*fettle_task)(void* context, uint32_t number);
+
+/** Lets other threads call `task` for the numbers 0 to `count` - 1, without waiting for them. */
+typedef void (*fettle_start_tasks)(void* user, uint32_t count, fettle_task task, void* context);
+
+/** Returns when all tasks have returned; after this none may be called any more. */
+typedef void (*fettle_finish_tasks)(void* user);
+
+/** Threads of the host do the work of steps: `threads` tasks, 1 to 64, of which the calling thread
+    does one. Each step calls `start` once and then `finish` once. It changes no result. Both
+    functions null: one thread. */
+fettle_code fettle_world_set_scheduler(fettle_world* world, fettle_start_tasks start,
+                                       fettle_finish_tasks finish, void* user, int32_t threads);
+
 /** Largest number of values that are computed at a time: 4, 8 or 16. Changes no result. */
 fettle_code fettle_world_limit_simd_width(fettle_world* world, int32_t most);
 

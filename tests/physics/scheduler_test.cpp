@@ -1,0 +1,157 @@
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "catch.h"
+#include "scenes.h"
+
+namespace scheduler_test {
+
+// The threads of a host do the work of a step.
+
+using namespace scenes;
+
+namespace {
+
+/// Threads that wait for tasks, as an engine has them.
+class Engine : public TaskScheduler {
+  public:
+    explicit Engine(int threads) {
+        for (int i = 0; i < threads; ++i) workers_.emplace_back([this] { work(); });
+    }
+    ~Engine() override {
+        {
+            const std::lock_guard lock(mutex_);
+            over_ = true;
+        }
+        wake_.notify_all();
+        for (std::thread& worker : workers_) worker.join();
+    }
+
+    void start(uint32_t count, Task task, void* context) override {
+        ++starts;
+        {
+            const std::lock_guard lock(mutex_);
+            for (uint32_t i = 0; i < count; ++i) waiting_.push_back([=] { task(context, i); });
+            unfinished_ += count;
+        }
+        wake_.notify_all();
+    }
+    void finish() override {
+        ++finishes;
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, [this] { return unfinished_ == 0; });
+    }
+    size_t threads_that_worked() {
+        const std::lock_guard lock(mutex_);
+        return worked_.size();
+    }
+
+    int starts = 0, finishes = 0;
+
+  private:
+    void work() {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            wake_.wait(lock, [this] { return over_ || !waiting_.empty(); });
+            if (waiting_.empty()) return;
+            const auto task = std::move(waiting_.back());
+            waiting_.pop_back();
+            worked_.insert(std::this_thread::get_id());
+            lock.unlock();
+            task();
+            lock.lock();
+            if (--unfinished_ == 0) done_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable wake_, done_;
+    std::vector<std::function<void()>> waiting_;
+    std::set<std::thread::id> worked_;
+    uint32_t unfinished_ = 0;
+    bool over_ = false;
+    std::vector<std::thread> workers_;
+};
+
+/// Does all tasks at the end of the step, when nothing is left for them, or none at all.
+class Idler : public TaskScheduler {
+  public:
+    explicit Idler(bool late) : late_(late) {}
+    void start(uint32_t count, Task task, void* context) override {
+        for (uint32_t i = 0; late_ && i < count; ++i) tasks_.push_back([=] { task(context, i); });
+    }
+    void finish() override {
+        for (const auto& task : tasks_) task();
+        tasks_.clear();
+    }
+
+  private:
+    bool late_;
+    std::vector<std::function<void()>> tasks_;
+};
+
+void heap(World& world) {
+    add_floor(world);
+    for (int i = 0; i < 1500; ++i)
+        add_box(world, {1.02f * float(i % 40) - 20, 0.5f + 1.01f * float(i / 40)});
+}
+
+}  // namespace
+
+TEST_CASE("threads of a host step a world to the same bits") {
+    World plain, helped;
+    Engine engine(3);
+    heap(plain);
+    heap(helped);
+    helped.set_scheduler(&engine, 4);
+    REQUIRE(helped.threads() == 4);
+    run(plain, 0.5f);
+    run(helped, 0.5f);
+    REQUIRE(helped.hash() == plain.hash());
+    REQUIRE(engine.starts == 30);
+    REQUIRE(engine.finishes == 30);
+    REQUIRE(engine.threads_that_worked() > 0);
+    REQUIRE_FALSE(helped.validate());
+    helped.set_threads(2);
+    run(helped, 0.1f);
+    run(plain, 0.1f);
+    REQUIRE(engine.starts == 30);
+    REQUIRE(helped.hash() == plain.hash());
+}
+
+TEST_CASE("a host that has no time for tasks changes nothing") {
+    for (const bool late : {false, true}) {
+        World plain, helped;
+        Idler idler(late);
+        heap(plain);
+        heap(helped);
+        helped.set_scheduler(&idler, 8);
+        run(plain, 0.2f);
+        run(helped, 0.2f);
+        REQUIRE(helped.hash() == plain.hash());
+        helped.set_scheduler(nullptr, 1);
+        REQUIRE(helped.threads() == 1);
+        run(helped, 0.1f);
+    }
+}
+
+TEST_CASE("a step whose callback throws has finished its tasks") {
+    World world;
+    Engine engine(2);
+    heap(world);
+    world.set_scheduler(&engine, 3);
+    world.set_before_solve([](ContactEdit&) { throw std::runtime_error("no"); });
+    for (int i = 0; i < 5; ++i) REQUIRE_THROWS_WITH(world.step(frame), "no");
+    REQUIRE(engine.finishes == 5);
+    REQUIRE_THROWS_WITH(world.set_scheduler(&engine, 0), contains("threads = 0"));
+    REQUIRE_THROWS_WITH(world.set_scheduler(&engine, 65), contains("1 to 64"));
+    REQUIRE(world.threads() == 3);
+}
+
+}  // namespace scheduler_test
