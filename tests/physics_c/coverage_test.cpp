@@ -257,6 +257,14 @@ TEST_CASE("enumerators in C are those of the library") {
     CHECK(decltype(FieldDef::force)(AttractorField{}).index() == FETTLE_FIELD_ATTRACTOR);
 }
 
+TEST_CASE("the versions in C++ and in C are the same") {
+    const auto number = [](int part) { return std::to_string(part); };
+    CHECK(fettle_physics_version() == number(FETTLE_PHYSICS_VERSION_MAJOR) + "." +
+                                          number(FETTLE_PHYSICS_VERSION_MINOR) + "." +
+                                          number(FETTLE_PHYSICS_VERSION_PATCH));
+    CHECK(version() == FETTLE_PHYSICS_VERSION);
+}
+
 TEST_CASE("every function in C has a comment before it") {
     const std::string umbrella = header_text::text_of("bindings/c/include/fettle_physics.h");
     const std::regex include("#include <(fettle/physics_c/\\w+\\.h)>");

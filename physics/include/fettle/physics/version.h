@@ -9,12 +9,13 @@
 #define FETTLE_PHYSICS_VERSION_MAJOR 0
 #define FETTLE_PHYSICS_VERSION_MINOR 1
 #define FETTLE_PHYSICS_VERSION_PATCH 0
+
+FETTLE_PHYSICS_BEGIN
+
 /// One number to compare with: 10000 for each major version, 100 for each minor version.
 #define FETTLE_PHYSICS_VERSION                                                   \
     (FETTLE_PHYSICS_VERSION_MAJOR * 10000 + FETTLE_PHYSICS_VERSION_MINOR * 100 + \
      FETTLE_PHYSICS_VERSION_PATCH)
-
-FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
