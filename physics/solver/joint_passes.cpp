@@ -219,6 +219,7 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
                  const JointStep& step, const StripNodes& nodes) {
     for (size_t type = 0; type < joint_type_count; ++type) {
         JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
+        if (array.softness.empty()) continue;
         JointStep own = step;
         for (size_t i = array.nodes.begin(nodes); i < array.nodes.end(nodes); ++i) {
             own.rigid = array.softness[i];

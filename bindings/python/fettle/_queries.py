@@ -119,3 +119,15 @@ class Queries:
         given, kept = self._filter(only)
         check(lib.fettle_world_explode(self._pointer, *pair(point, "point"), to_number("float", radius, "radius"),
                                        to_number("float", impulse, "impulse"), given))
+
+    def explode_surfaces(self, point, radius, falloff, impulse_per_length, **only):
+        """Pushes dynamic bodies away from a point: each shape with an impulse (N s) for each metre of its outline as seen from
+        there, which falls to 0 over `falloff` (m) beyond `radius` (m)."""
+        given, kept = self._filter(only)
+        definition = ffi.new("fettle_explosion_def*")
+        check(lib.fettle_explosion_def_init(definition, ffi.sizeof("fettle_explosion_def")))
+        definition.point.x, definition.point.y = pair(point, "point")
+        definition.radius = to_number("float", radius, "radius")
+        definition.falloff = to_number("float", falloff, "falloff")
+        definition.impulse_per_length = to_number("float", impulse_per_length, "impulse_per_length")
+        check(lib.fettle_world_explode_surfaces(self._pointer, definition, given))

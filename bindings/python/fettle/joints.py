@@ -137,6 +137,19 @@ class RatchetJoint(Joint):
     __slots__ = ()
 
 
+@bind("filter_joint")
+class FilterJoint(Joint):
+    """The two bodies do not collide with each other; nothing else."""
+    __slots__ = ()
+
+
+@bind("rotary_limit_joint")
+class RotaryLimitJoint(Joint):
+    """Keeps the angle of b relative to a between two angles."""
+    __slots__ = ()
+
+
 classes = {"mouse": MouseJoint, "distance": DistanceJoint, "revolute": RevoluteJoint, "prismatic": PrismaticJoint,
            "wheel": WheelJoint, "weld": WeldJoint, "motor": MotorJoint, "pulley": PulleyJoint, "gear": GearJoint,
-           "groove": GrooveJoint, "pin_slot": PinSlotJoint, "ratchet": RatchetJoint}
+           "groove": GrooveJoint, "pin_slot": PinSlotJoint, "ratchet": RatchetJoint, "filter": FilterJoint,
+           "rotary_limit": RotaryLimitJoint}
