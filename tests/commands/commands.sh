@@ -84,7 +84,7 @@ if(EXISTS "${CMAKE_SOURCE_DIR}/broken")
   set_tests_properties("not here" PROPERTIES SKIP_RETURN_CODE 4)
 endif()
 PROJECT
-    mkdir "$project/framework" "$project/physics" "$project/bindings" "$project/console" "$project/fettle" \
+    mkdir "$project/vector" "$project/framework" "$project/physics" "$project/bindings" "$project/console" "$project/fettle" \
         "$project/bench" "$project/examples"
     export PATH="$fakes:$PATH" DISPLAY=:77
     unset WAYLAND_DISPLAY
