@@ -656,6 +656,15 @@ function fettle_World:distance(a, b) end
 ---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode(point, radius, impulse, mask, accept) end
 
+---Pushes bodies away from a point, large ones more than small ones.
+---@param point vec Center of the explosion in the world. · m
+---@param radius number Nearer shapes get the full impulse. · m
+---@param falloff number The impulse decreases to 0 over this distance beyond the radius. · m
+---@param impulse_per_length number Impulse for each metre of a shape's outline as seen from the point. · N s
+---@param mask? integer Categories to look for, as bits; all if it is left out.
+---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
+function fettle_World:explode_surfaces(point, radius, falloff, impulse_per_length, mask, accept) end
+
 ---What will move in the next seconds, and where, if only the physics goes on: a copy of the world makes the steps, with the length of the last step. This world does not change, and no function of a script is called: what scripts would do in `step` or in handlers is not in it. With more than 2500 bodies awake it ends earlier: after 300 000 bodies times steps.
 ---@param seconds? number How far to look ahead; 2 if it is left out. · s
 ---@return World.ghosts.result[]
@@ -1154,13 +1163,25 @@ Chain = {}
 ---@field instance Joint To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
+---@class Joint.loaded
+---@field force vec Force of the joint in the step. · N
+---@field torque number Torque of the joint in the step, besides that of the force. · N m
+---@field instance Joint To whom it happened.
+---@field step integer The fixed step in which it happened.
+
 ---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
 ---@class Joint : Object
+---@field angular_separation number The same for the angle that it should hold. · rad · any finite number · read-only, simulated
 ---@field break_force number It breaks if its force is larger, as the mean of a step; infinite: never. · N · 0 to inf · default inf · may be infinite
 ---@field break_torque number It breaks if its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
 ---@field broken boolean True if it broke and does not act; false repairs it. · true or false · default false · simulated
+---@field constraint_damping_ratio number Damping ratio of a constraint_hertz above 0. · at least 0 · default 2
+---@field constraint_hertz number How fast it corrects an error of its position; 0: 60 Hz, and more where it connects bodies of very different masses. · Hz · at least 0 · default 0
 ---@field enabled boolean True if it may act. · true or false · default true
 ---@field force vec Force on its body, or on body_b, in the last step. · N · any finite vec · read-only, simulated
+---@field report_force number The event loaded is emitted in each step in which its force, as the mean of the step, is larger; infinite: never. · N · 0 to inf · default inf · may be infinite
+---@field report_torque number The event loaded is emitted in each step in which its torque, besides that of its force, is larger. · N m · 0 to inf · default inf · may be infinite
+---@field separation number Distance of its bodies from where it should hold them: what a rigid part or a limit has yielded. · m · any finite number · read-only, simulated
 ---@field torque number Torque on body_b in the last step, besides that of its force. · N m · any finite number · read-only, simulated
 local fettle_Joint = {}
 
@@ -1171,6 +1192,7 @@ local fettle_Joint = {}
 ---@overload fun(self: Joint, event: "ready", handler: fun(record: Object.ready)): Connection
 ---@overload fun(self: Joint, event: "deleted", handler: fun(record: Existence)): Connection
 ---@overload fun(self: Joint, event: "broke", handler: fun(record: Joint.broke)): Connection
+---@overload fun(self: Joint, event: "loaded", handler: fun(record: Joint.loaded)): Connection
 function fettle_Joint:on(event, handler) end
 
 ---Connects bodies with each other or with the world. It acts while it and its bodies are in the same world.
@@ -1210,8 +1232,13 @@ PairJoint = {}
 ---@field damping_ratio number Damping ratio of the spring; with 1 it comes to rest without swinging. · at least 0 · default 0
 ---@field hertz number Stiffness of the spring; infinite is a rod, 0 is free between the limits. · Hz · 0 to inf · default inf · may be infinite
 ---@field length number Length of the rod, or of the spring at rest. Unless it is set, the distance when the joint began to act. · m · at least 0 · default computed · simulated
+---@field lower_spring_force number The spring does not pull with more than this; 0: it only pushes. · N · -inf to 0 · default -inf · may be infinite
 ---@field max_length number Largest distance of the anchors. If min_length is larger, both are this distance. · m · 0 to inf · default inf · may be infinite
+---@field max_motor_force number Largest force of the motor; 0: no motor. · N · 0 to inf · default 0 · may be infinite
 ---@field min_length number Smallest distance of the anchors. · m · at least 0 · default 0
+---@field motor_force number Force of the motor in the last step; positive pushes the anchors apart. · N · any finite number · read-only, simulated
+---@field motor_speed number Speed with which the motor changes the distance. A rod has no motor. · m/s · any finite number · default 0
+---@field upper_spring_force number The spring does not push with more than this; 0: it only pulls. · N · 0 to inf · default inf · may be infinite
 local fettle_DistanceJoint = {}
 
 ---Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a max_length a rope.
@@ -1374,6 +1401,28 @@ local fettle_RatchetJoint = {}
 ---@class Class.RatchetJoint : Class
 ---@overload fun(members?: table): RatchetJoint
 RatchetJoint = {}
+
+---Its two bodies do not collide with each other; it does nothing else.
+---@class FilterJoint : PairJoint
+local fettle_FilterJoint = {}
+
+---Its two bodies do not collide with each other; it does nothing else.
+---@class Class.FilterJoint : Class
+---@overload fun(members?: table): FilterJoint
+FilterJoint = {}
+
+---Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.
+---@class RotaryLimitJoint : PairJoint
+---@field angle number Angle of body_b relative to body_a, less the reference_angle. · rad · any finite number · read-only, simulated
+---@field lower_angle number Smallest angle. · rad · any number, infinite too · default -inf · may be infinite
+---@field reference_angle number The angle that counts as 0. Unless it is set, the angle when the joint began to act. · rad · any finite number · default computed · simulated
+---@field upper_angle number Largest angle. If lower_angle is larger, both are this angle. · rad · any number, infinite too · default inf · may be infinite
+local fettle_RotaryLimitJoint = {}
+
+---Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.
+---@class Class.RotaryLimitJoint : Class
+---@overload fun(members?: table): RotaryLimitJoint
+RotaryLimitJoint = {}
 
 ---A field of force: it acts on bodies that are awake in the world above it. An edit of it wakes all bodies.
 ---@class Field : Object

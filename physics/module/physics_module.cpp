@@ -43,16 +43,22 @@ void define_all(Hosting& hosting) {
 
 /// The classes of `define_all`; a test compares the two. A class cannot be removed, so `attach`
 /// checks that none of them exists before it defines the first.
-constexpr const char* class_names[] = {"StepStatistics", "World",         "Body",
-                                       "Shape",          "Circle",        "Box",
-                                       "Segment",        "Capsule",       "Polygon",
-                                       "Ellipse",        "Concave",       "Chain",
-                                       "Joint",          "PairJoint",     "MouseJoint",
-                                       "DistanceJoint",  "RevoluteJoint", "PrismaticJoint",
-                                       "PinSlotJoint",   "GrooveJoint",   "WheelJoint",
-                                       "WeldJoint",      "MotorJoint",    "PulleyJoint",
-                                       "GearJoint",      "RatchetJoint",  "Field",
-                                       "Wind",           "Drag",          "Buoyancy",
+constexpr const char* class_names[] = {"StepStatistics", "World",
+                                       "Body",           "Shape",
+                                       "Circle",         "Box",
+                                       "Segment",        "Capsule",
+                                       "Polygon",        "Ellipse",
+                                       "Concave",        "Chain",
+                                       "Joint",          "PairJoint",
+                                       "MouseJoint",     "DistanceJoint",
+                                       "RevoluteJoint",  "PrismaticJoint",
+                                       "PinSlotJoint",   "GrooveJoint",
+                                       "WheelJoint",     "WeldJoint",
+                                       "MotorJoint",     "PulleyJoint",
+                                       "GearJoint",      "RatchetJoint",
+                                       "FilterJoint",    "RotaryLimitJoint",
+                                       "Field",          "Wind",
+                                       "Drag",           "Buoyancy",
                                        "Attractor"};
 
 /// Throws if a name that `attach` needs is already used in the tree.

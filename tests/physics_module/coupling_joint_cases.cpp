@@ -7,6 +7,33 @@ void breaking_cases(Cases& cases) {
     cases["Joint.break_force"] = flung("WeldJoint", {}, 1, fell);
     cases["Joint.break_torque"] = flung("WeldJoint", {}, 1, fell, fling_with("torque", 5));
     cases["Joint.broken"] = flung("WeldJoint", {}, true, fell);
+    const auto loaded = [](Stage& s) {
+        return !s.game.physics.world(s.world).events().joint_loaded.empty();
+    };
+    cases["Joint.report_force"] = flung("WeldJoint", {}, 1, loaded, fling, 10);
+    cases["Joint.report_torque"] = flung("WeldJoint", {}, 1, loaded, fling_with("torque", 5), 10);
+}
+
+/// How fast a weld brings a body back that was put a metre away.
+void stiffness_cases(Cases& cases) {
+    const auto put_aside = [](Stage& s) {
+        fling(s);
+        s.game.set(s.body, "position", Vec2(1, 4));
+    };
+    const auto is_late = [](Stage& s) { return s.game.x(s.body) > 0.6; };
+    cases["Joint.constraint_hertz"] = flung("WeldJoint", {}, 1, is_late, put_aside, 20);
+    cases["Joint.constraint_damping_ratio"] =
+        flung("WeldJoint", {{"constraint_hertz", 10}}, 50, is_late, put_aside, 20);
+}
+
+void rotary_limit_cases(Cases& cases) {
+    const char* of = "RotaryLimitJoint";
+    cases["RotaryLimitJoint.upper_angle"] = flung(
+        of, {}, 0.1, [](Stage& s) { return !turned(s); }, fling_with("angular_velocity", 1), 30);
+    cases["RotaryLimitJoint.lower_angle"] = flung(
+        of, {{"upper_angle", 2}}, 0.9, [](Stage& s) { return angle_of(s) > 0.85; }, fling, 40);
+    cases["RotaryLimitJoint.reference_angle"] =
+        flung(of, {{"lower_angle", 0}, {"upper_angle", 0}}, 1, turned, fling, 40);
 }
 
 void weld_cases(Cases& cases) {
@@ -90,6 +117,8 @@ void turning_cases(Cases& cases) {
 
 void coupling_joint_cases(Cases& cases) {
     breaking_cases(cases);
+    stiffness_cases(cases);
+    rotary_limit_cases(cases);
     weld_cases(cases);
     motor_cases(cases);
     pulley_cases(cases);

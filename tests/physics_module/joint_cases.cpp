@@ -69,6 +69,18 @@ void distance_cases(Cases& cases) {
         tie("DistanceJoint", Vec2(0, 6), {{"hertz", 1}, {"length", 2.5}, {"damping_ratio", 1}}), 0,
         120, [](Stage& s) { return s.turns > 2; });
     cases["DistanceJoint.damping_ratio"].then = lift;
+    const auto spring = [](const Vec2& to, double length, const char* limit) {
+        return tie("DistanceJoint", to,
+                   {{"hertz", 2}, {"damping_ratio", 1}, {"length", length}, {limit, 0}});
+    };
+    cases["DistanceJoint.lower_spring_force"] =
+        joint_case(spring(above, 1, "lower_spring_force"), -infinite(), 60, rose);
+    cases["DistanceJoint.upper_spring_force"] =
+        joint_case(spring(Vec2(0, 0), 3, "upper_spring_force"), infinite(), 60, rose);
+    cases["DistanceJoint.motor_speed"] = joint_case(
+        tie("DistanceJoint", above, {{"hertz", 0}, {"max_motor_force", 1000}}), -1, 60, rose);
+    cases["DistanceJoint.max_motor_force"] = joint_case(
+        tie("DistanceJoint", above, {{"hertz", 0}, {"motor_speed", -1}}), 1000, 60, rose);
 }
 
 /// The body is pinned at its center in the air and can turn.

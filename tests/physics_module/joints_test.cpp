@@ -89,6 +89,46 @@ TEST_CASE_METHOD(Game, "a joint made before its body has a world acts after the 
     CHECK_THROWS_WITH(set(joint, "body", joint), contains("Body"));
 }
 
+TEST_CASE_METHOD(Game, "a joint reports a load above its threshold and holds") {
+    const Handle crate = body("Box", {0, 5});
+    const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});
+    std::vector<double> heard;
+    const auto connection = tree.on(weld, *tree.class_of(weld).event("loaded"),
+                                    [&](const property::Occurrence& occurrence) {
+                                        heard.push_back(occurrence.record.get("force").vec2().y);
+                                    });
+    step(2);
+    CHECK(heard.empty());
+    set(weld, "report_force", 9);
+    step(3);
+    REQUIRE(heard.size() == 3);
+    CHECK(heard[2] == Approx(10).epsilon(0.05));
+    CHECK(get(weld, "broken") == Value(false));
+    CHECK(number(weld, "separation") < 0.01);
+    CHECK(number(weld, "angular_separation") == 0);
+}
+
+TEST_CASE_METHOD(Game, "the bodies of a filter joint pass through each other") {
+    floor();
+    const Handle low = body("Box", {0, 0.5}), high = body("Box", {0, 3});
+    const Handle filter = make("FilterJoint", world(), {{"body_a", low}, {"body_b", high}});
+    step(120);
+    CHECK(y(high) == Approx(0.5).margin(0.02));
+    CHECK_FALSE(awake(high));
+    tree.destroy(filter);
+    step(60);
+    CHECK((vec(high, "position") - vec(low, "position")).length() > 0.9);
+}
+
+TEST_CASE_METHOD(Game, "an explosion by surface pushes what is larger with more impulse") {
+    const Handle small = body("Box", {3, 5}), large = body("Box", {-4, 5});
+    set(shape_of(large), "width", 2);
+    set(shape_of(large), "height", 2);
+    tree.call(world(), "explode_surfaces", {Vec2(0, 5), 2.4, 1, 6});
+    CHECK(vec(small, "velocity").x * number(small, "mass") == Approx(6 * 0.9));
+    CHECK(vec(large, "velocity").x * number(large, "mass") == Approx(-12 * 0.4));
+}
+
 TEST_CASE_METHOD(Game, "a joint that breaks reports its force and is broken in the tree too") {
     const Handle crate = body("Box", {0, 5});
     const Handle weld = make("WeldJoint", world(), {{"body_b", crate}, {"anchor_a", Vec2(0, 5)}});

@@ -178,7 +178,7 @@ TEST_CASE("joints of every type and fields continue bit for bit in a restored ga
     double x = -12;
     for (const char* of : {"DistanceJoint", "RevoluteJoint", "PrismaticJoint", "WheelJoint",
                            "WeldJoint", "MotorJoint", "PulleyJoint", "GearJoint", "GrooveJoint",
-                           "PinSlotJoint", "RatchetJoint"}) {
+                           "PinSlotJoint", "RatchetJoint", "FilterJoint", "RotaryLimitJoint"}) {
         const Handle a = game.body("Box", Vec2(x, 3)), b = game.body("Circle", Vec2(x + 1, 4));
         joints.push_back(game.make(of, game.world(), {{"body_a", a}, {"body_b", b}}));
         game.set(b, "angular_velocity", 3);

@@ -26,7 +26,7 @@ inline constexpr const char* every_class = R"(
     end
     for i, class in ipairs { DistanceJoint, RevoluteJoint, PrismaticJoint, WheelJoint, WeldJoint,
                              MotorJoint, PulleyJoint, GearJoint, GrooveJoint, PinSlotJoint,
-                             RatchetJoint } do
+                             RatchetJoint, FilterJoint, RotaryLimitJoint } do
         local one = Body { position = vec(-8 - 2 * i, 5), Circle { radius = 0.3 } }
         local two = Body { position = vec(-7.4 - 2 * i, 5), Circle { radius = 0.2 } }
         world:add(one) world:add(two)

@@ -178,12 +178,16 @@ void Hosting::report(HostedWorld& hosted) {
     };
     each(*woke, events.woke);
     each(*slept, events.slept);
-    for (const physics::JointBreakEvent& e : events.joint_broke) {
-        const physics::Joint joint = hosted.world.joint(e.joint);
-        const Handle self = joint ? instance_of(joint.user_data()) : Handle{};
-        if (self && tree.listens(self, *broke))
-            tree.emit(self, *broke, {to_value(e.force), to_value(e.torque)});
-    }
+    const auto strained = [&](const Event& event, const auto& all) {
+        for (const auto& e : all) {
+            const physics::Joint joint = hosted.world.joint(e.joint);
+            const Handle self = joint ? instance_of(joint.user_data()) : Handle{};
+            if (self && tree.listens(self, event))
+                tree.emit(self, event, {to_value(e.force), to_value(e.torque)});
+        }
+    };
+    strained(*loaded, events.joint_loaded);
+    strained(*broke, events.joint_broke);
     hosted.departed_bodies.clear();
     hosted.departed_shapes.clear();
 }

@@ -237,6 +237,7 @@ class Hosting {
     const property::Event* woke = nullptr;
     const property::Event* slept = nullptr;
     const property::Event* broke = nullptr;
+    const property::Event* loaded = nullptr;
 
   private:
     std::unique_ptr<HostedWorld> make_world(std::uint32_t number);

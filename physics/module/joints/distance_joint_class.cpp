@@ -35,7 +35,28 @@ void define_distance_joint(Hosting& hosting) {
                 "Damping ratio of the spring; with 1 it comes to rest without "
                 "swinging.",
                 setting<&DistanceJoint::damping_ratio, &DistanceJoint::set_damping_ratio>(hosting)),
+            within({.max = 0},
+                   limit_number("lower_spring_force", -physics::infinity, "N",
+                                "The spring does not pull with more than this; 0: it only pushes.",
+                                setting<&DistanceJoint::lower_spring_force,
+                                        &DistanceJoint::set_lower_spring_force>(hosting))),
+            within(not_negative,
+                   limit_number("upper_spring_force", physics::infinity, "N",
+                                "The spring does not push with more than this; 0: it only pulls.",
+                                setting<&DistanceJoint::upper_spring_force,
+                                        &DistanceJoint::set_upper_spring_force>(hosting))),
+            number("motor_speed", 0, "m/s",
+                   "Speed with which the motor changes the distance. A rod has no motor.",
+                   setting<&DistanceJoint::motor_speed, &DistanceJoint::set_motor_speed>(hosting)),
+            amount("max_motor_force", 0, "N", "Largest force of the motor; 0: no motor.",
+                   setting<&DistanceJoint::max_motor_force, &DistanceJoint::set_max_motor_force>(
+                       hosting)),
+            figure("motor_force", "N",
+                   "Force of the motor in the last step; positive pushes the anchors apart.",
+                   reading<&DistanceJoint::motor_force>(hosting)),
         });
+    for (Property& property : distance.properties)
+        if (property.name == "max_motor_force") property.infinity = true;
     distance.properties[0].range = not_negative;
     distance.properties[2].infinity = distance.properties[3].infinity = true;
     hosting.tree.define(std::move(distance));

@@ -97,5 +97,6 @@ void define_revolute_joint(Hosting& hosting);
 void define_sliding_joints(Hosting& hosting);
 void define_wheel_joint(Hosting& hosting);
 void define_coupling_joints(Hosting& hosting);
+void define_limiting_joints(Hosting& hosting);
 
 }  // namespace fettle::physics_module

@@ -43,6 +43,21 @@ void define_joint(Hosting& hosting) {
         amount("break_torque", physics::infinity, "N m",
                "It breaks if its torque, besides that of its force, is larger.",
                setting<&Joint::break_torque, &Joint::set_break_torque>(hosting)),
+        amount("report_force", physics::infinity, "N",
+               "The event loaded is emitted in each step in which its force, as the mean of the "
+               "step, is larger; infinite: never.",
+               setting<&Joint::report_force, &Joint::set_report_force>(hosting)),
+        amount("report_torque", physics::infinity, "N m",
+               "The event loaded is emitted in each step in which its torque, besides that of its "
+               "force, is larger.",
+               setting<&Joint::report_torque, &Joint::set_report_torque>(hosting)),
+        amount("constraint_hertz", 0, "Hz",
+               "How fast it corrects an error of its position; 0: 60 Hz, and more where it "
+               "connects bodies of very different masses.",
+               setting<&Joint::constraint_hertz, &Joint::set_constraint_hertz>(hosting)),
+        amount("constraint_damping_ratio", 2, "", "Damping ratio of a constraint_hertz above 0.",
+               setting<&Joint::constraint_damping_ratio, &Joint::set_constraint_damping_ratio>(
+                   hosting)),
         simulated(flag("broken", false, "True if it broke and does not act; false repairs it.",
                        setting<&Joint::broken, &Joint::set_broken>(hosting))),
         {.name = "force",
@@ -55,16 +70,28 @@ void define_joint(Hosting& hosting) {
          .simulated = true,
          .single_precision = true},
         figure("torque", "N m", "Torque on body_b in the last step, besides that of its force.",
-               read_only<&Joint::torque>(hosting))};
-    joint.properties[1].infinity = joint.properties[2].infinity = true;
+               read_only<&Joint::torque>(hosting)),
+        figure("separation", "m",
+               "Distance of its bodies from where it should hold them: what a rigid part or a "
+               "limit has yielded.",
+               reading<&Joint::separation>(hosting)),
+        figure("angular_separation", "rad", "The same for the angle that it should hold.",
+               reading<&Joint::angular_separation>(hosting))};
+    for (const std::size_t strength : {1, 2, 3, 4}) joint.properties[strength].infinity = true;
     joint.events = {{.name = "broke",
                      .fields = {{"force", Type::vec2, "N", "Force of the joint when it broke."},
                                 {"torque", Type::number, "N m",
                                  "Torque of the joint when it broke, besides that of the force."}},
-                     .doc = "Its force or torque was larger than break_force or break_torque."}};
+                     .doc = "Its force or torque was larger than break_force or break_torque."},
+                    {.name = "loaded",
+                     .fields = {{"force", Type::vec2, "N", "Force of the joint in the step."},
+                                {"torque", Type::number, "N m",
+                                 "Torque of the joint in the step, besides that of the force."}},
+                     .doc = "Its force or torque was larger than report_force or report_torque."}};
     const property::Class& defined = hosting.tree.define(std::move(joint));
     hosting.abstract_classes.push_back(&defined);
     hosting.broke = defined.event("broke");
+    hosting.loaded = defined.event("loaded");
 }
 
 template <std::size_t Side>
@@ -174,6 +201,7 @@ void define_joints(Hosting& hosting) {
     define_sliding_joints(hosting);
     define_wheel_joint(hosting);
     define_coupling_joints(hosting);
+    define_limiting_joints(hosting);
 }
 
 }  // namespace fettle::physics_module

@@ -218,6 +218,15 @@ Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
     return Value();
 }
 
+Result explode_surfaces(Hosting&, HostedWorld& hosted, Arguments a) {
+    hosted.world.explode({.point = vec2_argument(a[0]),
+                          .radius = float_argument(a[1]),
+                          .falloff = float_argument(a[2]),
+                          .impulse_per_length = float_argument(a[3])},
+                         filter(a[4], Value(), a[5]));
+    return Value();
+}
+
 Result contacts_of_world(HostedWorld& hosted, Arguments) {
     const Instances instances(hosted);
     std::vector<Record> records;
@@ -358,6 +367,19 @@ std::vector<Method> world_methods(Hosting& hosting) {
                             accept},
              .required = 3,
              .doc = "Pushes bodies away from a point; the impulse decreases with the distance."}),
+        method<explode_surfaces>(
+            hosting,
+            {.name = "explode_surfaces",
+             .parameters = {{"point", Type::vec2, "m", "Center of the explosion in the world."},
+                            {"radius", Type::number, "m", "Nearer shapes get the full impulse."},
+                            {"falloff", Type::number, "m",
+                             "The impulse decreases to 0 over this distance beyond the radius."},
+                            {"impulse_per_length", Type::number, "N s",
+                             "Impulse for each metre of a shape's outline as seen from the point."},
+                            mask,
+                            accept},
+             .required = 4,
+             .doc = "Pushes bodies away from a point, large ones more than small ones."}),
         method<contacts_of_world>(hosting, {.name = "contacts",
                                             .returns = found_contact_fields,
                                             .many = true,

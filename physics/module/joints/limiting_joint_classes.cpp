@@ -1,0 +1,49 @@
+// FilterJoint and RotaryLimitJoint.
+
+#include <joints/joint_bindings.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::JointType;
+using physics::RotaryLimitJoint;
+
+Binding limited_angle(Hosting& hosting) {
+    return accessor(hosting, [](Hosting& h, Row row) {
+        const bool known = h.joints.ties(row).source != Source::none;
+        const float reference = h.joints.at<RotaryLimitJoint>(row).reference_angle();
+        return widened(known ? angle_between(h, row) - reference : 0.0f);
+    });
+}
+
+}  // namespace
+
+void define_limiting_joints(Hosting& hosting) {
+    hosting.tree.define(pair_joint<JointType::filter>(
+        hosting, "FilterJoint", "filter_joint",
+        "Its two bodies do not collide with each other; it does nothing else.", {}));
+    hosting.tree.define(pair_joint<JointType::rotary_limit>(
+        hosting, "RotaryLimitJoint", "rotary_limit_joint",
+        "Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.",
+        {
+            figure("angle", "rad", "Angle of body_b relative to body_a, less the reference_angle.",
+                   limited_angle(hosting)),
+            measured_number(
+                "reference_angle", "rad",
+                "The angle that counts as 0. Unless it is set, the angle when the "
+                "joint began to act.",
+                measured_setting<JointType::rotary_limit, &RotaryLimitJoint::reference_angle,
+                                 &RotaryLimitJoint::set_reference_angle, angle_between>(hosting)),
+            limit_number(
+                "lower_angle", -physics::infinity, "rad", "Smallest angle.",
+                setting<&RotaryLimitJoint::lower_angle, &RotaryLimitJoint::set_lower_angle>(
+                    hosting)),
+            limit_number(
+                "upper_angle", physics::infinity, "rad",
+                "Largest angle. If lower_angle is larger, both are this angle.",
+                setting<&RotaryLimitJoint::upper_angle, &RotaryLimitJoint::set_upper_angle>(
+                    hosting)),
+        }));
+}
+
+}  // namespace fettle::physics_module
