@@ -732,8 +732,8 @@ World = {}
 ---Asked in the step, before a contact of the body acts: the handler may change friction and restitution, and with enabled = false both pass through each other in this step. Asked once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Body.before_solve
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse between them in the step before; 0 if they have just met. · N s
@@ -747,8 +747,8 @@ World = {}
 ---The body began to touch another.
 ---@class Body.contact_begin
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse of their first contact. · N s
@@ -761,16 +761,16 @@ World = {}
 ---The body stopped touching another.
 ---@class Body.contact_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The body was hit faster than the world's hit_threshold.
 ---@class Body.contact_hit
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse that would stop the impact at the point with the highest speed of impact. · N s
@@ -783,8 +783,8 @@ World = {}
 ---The body still touches another: reported in every step after the first.
 ---@class Body.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse between them in this step. · N s
@@ -797,16 +797,16 @@ World = {}
 ---The body entered a sensor, or a shape entered this sensor.
 ---@class Body.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The body left a sensor, or a shape left this sensor.
 ---@class Body.sensor_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Body To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
@@ -940,8 +940,8 @@ Body = {}
 ---Asked in the step, before a contact of the shape acts: the handler may change friction and restitution, and with enabled = false both pass through each other in this step. Asked once for two shapes, however many parts of them touch. The handler cannot write anything else.
 ---@class Shape.before_solve
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse between them in the step before; 0 if they have just met. · N s
@@ -955,8 +955,8 @@ Body = {}
 ---The shape began to touch another.
 ---@class Shape.contact_begin
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse of their first contact. · N s
@@ -969,16 +969,16 @@ Body = {}
 ---The shape stopped touching another.
 ---@class Shape.contact_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape was hit faster than the world's hit_threshold.
 ---@class Shape.contact_hit
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse that would stop the impact at the point with the highest speed of impact. · N s
@@ -991,8 +991,8 @@ Body = {}
 ---The shape still touches another: reported in every step after the first.
 ---@class Shape.contact_persist
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field point vec Point of the contact in the world. · m
 ---@field normal vec Direction from this body to the other; its length is 1.
 ---@field impulse number Impulse between them in this step. · N s
@@ -1005,16 +1005,16 @@ Body = {}
 ---The shape entered a sensor, or a shape entered this sensor.
 ---@class Shape.sensor_begin
 ---@field other Object The other body; the world itself for its bounds.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
 ---The shape left a sensor, or a shape left this sensor.
 ---@class Shape.sensor_end
 ---@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
----@field shape Shape The shape of this body.
----@field other_shape Shape? The shape of the other; nil for the bounds.
+---@field shape Shape? The shape of this body; nil for the capsule of a mover.
+---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Shape To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
@@ -1155,6 +1155,94 @@ local fettle_Chain = {}
 ---@class Class.Chain : Class
 ---@overload fun(members?: table): Chain
 Chain = {}
+
+---A wall or a ceiling stopped it.
+---@class Mover.bumped
+---@field other Object The body that stopped it.
+---@field other_shape Shape? The shape that stopped it; nil for the bounds and another mover.
+---@field normal vec Direction away from it.
+---@field instance Mover To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It has no place between what presses it from several sides.
+---@class Mover.crushed
+---@field instance Mover To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It came onto the ground.
+---@class Mover.landed
+---@field ground Object The body on which it landed.
+---@field speed number Speed of its fall. · m/s
+---@field instance Mover To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---It jumped or fell off the ground.
+---@class Mover.left_ground
+---@field ground Object? The body on which it stood; nil if that was deleted.
+---@field instance Mover To whom it happened.
+---@field step integer The fixed step in which it happened.
+
+---A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---@class Mover : Body
+---@field acceleration number How fast it takes the speed `walk` on the ground. · m/s² · at least 0 · default 60
+---@field air_acceleration number How fast it takes the speed `walk` in the air. · m/s² · at least 0 · default 20
+---@field category integer Its categories, as bits: see `Shape.category`. · any integer · default 1
+---@field climb number Speed upwards while it climbs. · m/s · any finite number · default 0
+---@field climbing boolean True if it is on a ladder: gravity does not act, and it moves by walk and climb. · true or false · default false · simulated
+---@field crouch boolean True if it wants to crouch. It stands up again when there is room: `crouched`. · true or false · default false
+---@field crouch_height number Height while it crouches. · m · 0.02 to 1000 · default 0.9
+---@field crouched boolean True if it has the height for crouching. · true or false · read-only, simulated
+---@field ground Object? The body on which it stands, or the world for its bounds; nil in the air. · any instance · read-only, simulated, may be nil
+---@field ground_normal vec Direction away from the ground; zero in the air. · any finite vec · read-only, simulated
+---@field ground_velocity vec Velocity of the ground below its feet. · m/s · any finite vec · read-only, simulated
+---@field height number Height while it stands; at least twice the radius is used. Its position is at its feet. · m · 0.02 to 1000 · default 1.8
+---@field ledges integer Categories of ledges, as bits: shapes on which it stands and through which it passes from below. Chains are like this without a category. · any integer · default 0
+---@field mask integer Categories of the shapes that stop it and that meet it, as bits; -1 is all. · any integer · default -1
+---@field max_slope number Steepest ground on which it stands; steeper ground is a wall. · rad · 0 to 1.5 · default 0.87
+---@field on_ceiling boolean True if a ceiling stopped it. · true or false · read-only, simulated
+---@field on_ground boolean True if it stands. · true or false · read-only, simulated
+---@field on_wall boolean True if a wall stopped it. · true or false · read-only, simulated
+---@field push_force number Greatest force with which it pushes bodies. · N · 0 to 1000000000 · default 600
+---@field radius number Radius of its capsule: half its width. · m · 0.01 to 500 · default 0.4
+---@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
+---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
+---@field visible boolean True if its capsule is drawn; turn it off under a sprite. · true or false · default true
+---@field walk number Speed that it wants along the ground, to its right; negative to its left. · m/s · any finite number · default 0
+local fettle_Mover = {}
+
+---Lets it fall through the ledge on which it stands.
+---@return boolean dropped False if it stands on no ledge and on no chain.
+function fettle_Mover:drop() end
+
+---Gives it this speed upwards, also in the air, and ends climbing.
+---@param speed number Speed upwards. · m/s
+function fettle_Mover:jump(speed) end
+
+---Calls the function with a record when the instance has the event.
+---@param event string
+---@param handler fun(record: any)
+---@return Connection
+---@overload fun(self: Mover, event: "ready", handler: fun(record: Object.ready)): Connection
+---@overload fun(self: Mover, event: "deleted", handler: fun(record: Existence)): Connection
+---@overload fun(self: Mover, event: "contact_begin", handler: fun(record: Body.contact_begin)): Connection
+---@overload fun(self: Mover, event: "contact_persist", handler: fun(record: Body.contact_persist)): Connection
+---@overload fun(self: Mover, event: "before_solve", handler: fun(record: Body.before_solve)): Connection
+---@overload fun(self: Mover, event: "contact_end", handler: fun(record: Body.contact_end)): Connection
+---@overload fun(self: Mover, event: "contact_hit", handler: fun(record: Body.contact_hit)): Connection
+---@overload fun(self: Mover, event: "sensor_begin", handler: fun(record: Body.sensor_begin)): Connection
+---@overload fun(self: Mover, event: "sensor_end", handler: fun(record: Body.sensor_end)): Connection
+---@overload fun(self: Mover, event: "woke", handler: fun(record: Body.woke)): Connection
+---@overload fun(self: Mover, event: "slept", handler: fun(record: Body.slept)): Connection
+---@overload fun(self: Mover, event: "landed", handler: fun(record: Mover.landed)): Connection
+---@overload fun(self: Mover, event: "left_ground", handler: fun(record: Mover.left_ground)): Connection
+---@overload fun(self: Mover, event: "bumped", handler: fun(record: Mover.bumped)): Connection
+---@overload fun(self: Mover, event: "crushed", handler: fun(record: Mover.crushed)): Connection
+function fettle_Mover:on(event, handler) end
+
+---A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
+---@class Class.Mover : Class
+---@overload fun(members?: table): Mover
+Mover = {}
 
 ---Its force or torque was larger than break_force or break_torque.
 ---@class Joint.broke

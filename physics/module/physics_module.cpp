@@ -13,6 +13,7 @@
 #include <fields/field_classes.h>
 #include <hosting/hosting.h>
 #include <joints/joint_classes.h>
+#include <movers/mover_class.h>
 #include <shapes/shape_classes.h>
 #include <worlds/world_class.h>
 
@@ -37,6 +38,7 @@ void define_all(Hosting& hosting) {
     define_world(hosting);
     define_body(hosting);
     define_shapes(hosting);
+    define_mover(hosting);
     define_joints(hosting);
     define_fields(hosting);
 }
@@ -59,7 +61,7 @@ constexpr const char* class_names[] = {"StepStatistics", "World",
                                        "FilterJoint",    "RotaryLimitJoint",
                                        "Field",          "Wind",
                                        "Drag",           "Buoyancy",
-                                       "Attractor"};
+                                       "Attractor",      "Mover"};
 
 /// Throws if a name that `attach` needs is already used in the tree.
 void require_room(const property::Tree& tree) {
@@ -127,7 +129,9 @@ void PhysicsModule::step(double dt) {
         // If a user function throws, other worlds are stepped all the same and this world's events
         // are kept: its step is complete.
         try {
+            move_movers(*hosted, static_cast<float>(dt));
             hosted->world.step(static_cast<float>(dt));
+            sense_movers(*hosted);
         } catch (...) {
             if (!thrown) thrown = std::current_exception();
         }
@@ -146,6 +150,7 @@ void PhysicsModule::report(property::Tree& tree) {
         if (hosted == nullptr || !hosted->unreported) continue;
         hosted->unreported = false;
         hosting().report(*hosted);
+        if (hosting().world_at(n) == hosted) report_movers(hosting(), *hosted);
     }
 }
 

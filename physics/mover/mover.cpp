@@ -45,6 +45,7 @@ void Mover::set_state(const MoverState& state) {
     check_coordinates("position", state.position);
     check_finite("ground_normal", state.ground_normal);
     state_ = state;
+    state_.ground_normal = normalized(bounded(state.ground_normal, 1e6f));
 }
 
 namespace {
@@ -94,7 +95,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const Capsule capsule(def_, def_.height);
     Obstacles obstacles(world, def_, capsule);
     const Vec2 up = capsule.up, start = state_.position;
-    Vec2 wanted = velocity;
+    Vec2 wanted = bounded(velocity, 1e6f);
     const bool stood = state_.on_ground && !state_.climbing;
     const bool lifts = dot(wanted, up) > 0.05f;
     const bool walks = stood && !lifts;
@@ -106,7 +107,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     Vec2 ride;
     if (rides) {
         const Vec2 belt = belt_velocity(data, state_.ground.index, state_.ground_normal);
-        ride = motion_of(data, carrier, start, dt) + dt * belt;
+        ride = motion_of(data, carrier, start, dt) + bounded(dt * belt, 1e3f);
     }
     Vec2 way = dt * wanted;
     if (walks) {
@@ -116,7 +117,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         way = dt * length(aside) * normalized(along);
         wanted = aside;
     }
-    way = way + ride;
+    way = bounded(way, 1e6f) + ride;
     if (length(way) > most_motion) way = most_motion * normalized(way);
 
     // Obstacles may turn it aside by as much as it moves.
@@ -136,7 +137,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         obstacles.set_time(float(i) / float(ways));
         moving.advance((1.0f / float(ways)) * way);
     }
-    if (walks && !moving.ground()) moving.settle(def_.snap);
+    if (walks && !moving.step && !moving.ground()) moving.settle(def_.snap);
     state_.position = moving.position;
 
     moved.motion = moving.position - start;
@@ -169,7 +170,10 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         if (moving.wall && !moving.step) {
             const Vec2 wall = moving.wall->normal;
             const Vec2 aside = normalized(wall - dot(wall, up) * up);
-            left = left - min(0.0f, dot(left, aside)) * aside;
+            const Obstacle& by = obstacles[moving.wall->obstacle];
+            // It goes on with what it pushes.
+            const Vec2 gives_way = by.dynamic ? data.states[by.body].velocity : Vec2{};
+            left = left - min(0.0f, dot(left - gives_way, aside)) * aside;
         }
         if (!below->border) {
             const Vec2 carried = motion_of(data, below->body, moving.position, dt);
@@ -183,7 +187,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.ground_normal = state_.ground_normal;
     if (left_out && !overlaps_dropped(world)) state_.dropped = {};
 
-    const Vec2 absolute = velocity + (1.0f / dt) * ride;
+    const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
         const Vec2 weight = def_.mass * dt * world.gravity();

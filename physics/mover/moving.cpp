@@ -16,9 +16,14 @@ constexpr int most_slides = 6;
 /// vertical wall, so that running into it does not lift it.
 std::vector<Bound> Moving::bounds(Vec2 way, bool with_distance) const {
     std::vector<Bound> all;
-    const float most = 0.5f * capsule_.radius;
+    const float most = 0.5f * capsule_.radius, skin = settings_.skin;
     for (const Plane& plane : planes_) {
-        const float least = with_distance ? min(settings_.skin - plane.separation, most) : 0.0f;
+        // Between the skin and its half the mover stays where it is: a push back to the skin in
+        // each step would be a motion to and fro.
+        float least = 0.0f;
+        if (with_distance && plane.separation > skin) least = skin - plane.separation;
+        if (with_distance && plane.separation < 0.5f * skin)
+            least = min(0.5f * skin - plane.separation, most);
         all.push_back({plane.normal, least});
         if (!settings_.walks || !is_steep(plane)) continue;
         const Vec2 aside = normalized(lateral(plane.normal));
@@ -54,7 +59,7 @@ void Moving::slide(Vec2 way) {
         obstacles_.planes_at(position, reach, kept, planes_);
         note_hits(way, 0.0f);
         const Vec2 allowed = allowed_motion(way, bounds(way, true));
-        const float t = obstacles_.cast(position, allowed, 0.5f * settings_.skin, kept);
+        const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;
         if (t >= 1.0f) return;
         way = (1.0f - t) * allowed;
@@ -84,7 +89,7 @@ void Moving::step_up(Vec2 start, Vec2 way) {
         position = position + t * motion;
         return t;
     };
-    position = start;
+    put_back(start);
     const float lift = go(settings_.step_height * up) * settings_.step_height;
     const float forward = go(way) * wanted;
     const float down = lift + settings_.skin;
@@ -97,7 +102,7 @@ void Moving::step_up(Vec2 start, Vec2 way) {
         step = reached;
         return;
     }
-    position = slid;
+    put_back(slid);
 }
 
 /// A plane not far above the feet that is not too steep, or the edge of one towards which the mover
@@ -134,13 +139,19 @@ std::optional<Plane> Moving::ground() {
 }
 
 bool Moving::settle(float reach) {
-    uint32_t hit = none;
     const Vec2 start = position;
-    const float t = obstacles_.cast(position, -reach * capsule_.up, settings_.skin, hit);
-    if (hit == none) return false;
-    position = position - t * reach * capsule_.up;
-    if (ground()) return true;
-    position = start;
+    Vec2 way = -reach * capsule_.up;
+    uint32_t kept = none;
+    for (int round = 0; round < most_slides && length(way) > 1e-5f; ++round) {
+        // It may slide off the edge that it is leaving, but not down the ground below it.
+        obstacles_.planes_at(position, settings_.skin, kept, planes_);
+        const Vec2 allowed = allowed_motion(way, bounds(way, true));
+        const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
+        position = position + t * allowed;
+        if (ground()) return true;
+        way = (1.0f - t) * allowed;
+    }
+    put_back(start);
     return false;
 }
 

@@ -46,6 +46,10 @@ class Moving {
 
   private:
     void slide(Vec2 way);
+    void put_back(Vec2 to) {
+        obstacles_.put_aside(length(position - to));
+        position = to;
+    }
     void step_up(Vec2 start, Vec2 way);
     void note_hits(Vec2 way, float overlap_allowed);
     std::vector<Bound> bounds(Vec2 way, bool with_distance) const;

@@ -17,6 +17,9 @@ namespace {
 /// direction to the mover and the front is at least this.
 constexpr float least_front = 0.05f;
 
+/// A body moves by at most this in a step, m.
+constexpr float farthest = 1000.0f;
+
 /// True if a corner of one can be flush with a side of the other throughout the step.
 bool move_alike(const Obstacle& a, const Obstacle& b) {
     if (a.body == b.body) return true;
@@ -48,7 +51,7 @@ Vec2 motion_of(const WorldData& data, uint32_t body, Vec2 point, float dt) {
     const float turn = clamp(dt * state.angular_velocity, -1.5f, 1.5f);
     const Vec2 arm = point - data.bodies[body].center;
     const Vec2 turned = rotate({std::cos(turn), std::sin(turn)}, arm);
-    return dt * state.velocity + (turned - arm);
+    return bounded(dt * state.velocity, farthest) + (turned - arm);
 }
 
 Obstacles::Obstacles(const World& world, const MoverDef& def, const Capsule& capsule)
@@ -70,7 +73,7 @@ void Obstacles::find(Box4 box, Vec2 position, uint32_t carrier, float dt,
         const BodyState& state = data_.states[i];
         const float speed =
             length(state.velocity) + std::fabs(state.angular_velocity) * body.extent;
-        fastest = max(fastest, dt * speed);
+        fastest = max(fastest, min(dt * speed, farthest));
     }
     box = grow(box, fastest);
     const auto visit = [&](uint32_t shape) {
@@ -119,6 +122,10 @@ void Obstacles::add(uint32_t shape, Vec2 position, uint32_t carrier, float dt) {
 void Obstacles::set_time(float time) {
     for (Obstacle& each : all_) each.clear -= std::fabs(time - time_) * length(each.shift);
     time_ = time;
+}
+
+void Obstacles::put_aside(float distance) {
+    for (Obstacle& each : all_) each.clear -= distance;
 }
 
 float Obstacles::farthest_shift() const {
@@ -258,7 +265,7 @@ float Obstacles::cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit) {
         first = t;
         hit = i;
     }
-    for (Obstacle& each : all_) each.clear -= first * way;
+    put_aside(first * way);
     return first;
 }
 

@@ -89,6 +89,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"shapes", {"hosting", "bindings", "drawing", "events"}},
              {"joints", {"hosting", "bindings"}},
              {"fields", {"hosting", "bindings"}},
+             {"movers", {"hosting", "bindings", "drawing", "events", "bodies"}},
              {"worlds", {"hosting", "bindings", "drawing", "events"}},
              {"saving", {"hosting"}},
          }},

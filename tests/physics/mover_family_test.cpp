@@ -87,11 +87,13 @@ class Family {
     std::mt19937 random_;
 };
 
-/// How deep the mover is in what does not move; one-sided shapes that it passes do not count.
-float depth(const Mover& mover, const World& world, bool of_moving) {
+/// How deep the mover is in static bodies, or in kinematic ones as well; one-sided shapes that it
+/// passes do not count. Dynamic bodies do not see a mover that has no body.
+float depth(const Mover& mover, const World& world, bool of_kinematic) {
     float least = 0.0f;
     for (const MoverPlane& plane : mover.planes(world, 0.0f))
-        if (of_moving || plane.shape.body().type() == BodyType::static_body)
+        if (plane.shape.body().type() <=
+            (of_kinematic ? BodyType::kinematic_body : BodyType::static_body))
             least = std::min(least, plane.separation);
     return -least;
 }

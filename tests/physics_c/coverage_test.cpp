@@ -15,8 +15,9 @@ using namespace fettle::physics;
 
 namespace {
 
-const char* const headers[] = {"body.h",           "shape.h",           "joint.h", "field.h",
-                               "sliding_joints.h", "coupling_joints.h", "owner.h", "world.h"};
+const char* const headers[] = {"body.h",  "shape.h",          "joint.h",
+                               "field.h", "sliding_joints.h", "coupling_joints.h",
+                               "owner.h", "world.h",          "mover.h"};
 
 /// What stands for a method that has no function with its name, or for its overloads.
 const std::map<std::string, std::vector<std::string>> other_names = {
@@ -56,6 +57,17 @@ const std::map<std::string, std::string> exceptions = {
     {"World::joint_generation",
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
     {"Owner::tell_unlocked", "the library calls it"},
+    {"Mover::definition", "in C it is a structure of the caller, as is the state"},
+    {"Mover::set_definition", "in C it is a structure of the caller"},
+    {"Mover::state", "in C it is a structure of the caller"},
+    {"Mover::set_state", "in C it is a structure of the caller"},
+    {"Mover::position", "a member of the state in C"},
+    {"Mover::set_position", "a member of the state in C"},
+    {"Mover::on_ground", "a member of the state in C"},
+    {"Mover::ground_normal", "a member of the state in C"},
+    {"Mover::ground", "a member of the state in C"},
+    {"Mover::climbing", "a member of the state in C"},
+    {"Mover::set_climbing", "a member of the state in C"},
 };
 
 std::string snake_case(const std::string& name) {
@@ -215,6 +227,10 @@ TEST_CASE("every member of a structure of the library is one in C") {
         {"geometry.h", "Movement", "movement"},
         {"outlines.h", "JoinOptions", "join_options"},
         {"outlines.h", "GridLayout", "grid_layout"},
+        {"mover.h", "MoverDef", "mover_def"},
+        {"mover.h", "MoverState", "mover_state"},
+        {"mover.h", "MoverPlane", "mover_plane"},
+        {"mover.h", "Moved", "moved"},
         {"statistics.h", "StepStatistics", "statistics"},
         {"statistics.h", "MemoryShare", "memory_share"},
         {"types.h", "BodyState", "body_state"},

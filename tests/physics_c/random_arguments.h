@@ -224,6 +224,14 @@ class Arguments {
         def.point = {number(), number()};
         def.falloff = std::abs(number());
     }
+    void begin(fettle_mover_def& def) { fettle_mover_def_init(&def, sizeof def); }
+    void begin(fettle_mover_state& state) {
+        fettle_mover_state_init(&state, sizeof state);
+        state.position = {number(), number()};
+        state.on_ground = below(2) == 0;
+        state.ground = id();
+        state.dropped = id();
+    }
     void begin(fettle_query_filter& filter) { fettle_query_filter_init(&filter, sizeof filter); }
     void begin(fettle_debug_draw& draw) { fettle_debug_draw_init(&draw, sizeof draw); }
     // Pointers in a definition must lead somewhere.

@@ -260,6 +260,9 @@ constexpr Call every_call[] = {
     CALL(fettle_rotary_limit_joint_upper_angle), CALL(fettle_rotary_limit_joint_set_upper_angle),
     CALL(fettle_explosion_def_init), CALL(fettle_world_explode_surfaces),
     CALL(fettle_world_create_filter_joint), CALL(fettle_world_create_rotary_limit_joint),
+    CALL(fettle_mover_def_init), CALL(fettle_mover_state_init), CALL(fettle_mover_move),
+    CALL(fettle_mover_drop), CALL(fettle_mover_fits), CALL(fettle_mover_set_height),
+    CALL(fettle_mover_planes),
 };
 // clang-format on
 

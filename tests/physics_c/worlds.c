@@ -421,6 +421,40 @@ static const char* contacts_are_named_by_two_shapes(void) {
     return NULL;
 }
 
+static const char* a_mover_walks_to_a_wall(void) {
+    fettle_world* world = new_world();
+    fettle_mover_def def;
+    fettle_mover_state state;
+    fettle_moved moved;
+    fettle_mover_plane plane;
+    uint32_t count;
+    bool done;
+    const fettle_id wall = new_body(world, FETTLE_BODY_STATIC, 3, 1);
+    add(world, wall, FETTLE_SHAPE_BOX);
+    DONE_C(fettle_mover_def_init(&def, sizeof def));
+    DONE_C(fettle_mover_state_init(&state, sizeof state));
+    CHECK_C(def.radius == 0.4f && def.up.y == 1 && def.mask == ~(uint64_t)0);
+    for (int i = 0; i < 60; ++i) {
+        DONE_C(fettle_mover_move(world, &def, &state, 3, 0, 1.0f / 60, &moved));
+        DONE_C(fettle_world_step(world, 1.0f / 60));
+    }
+    CHECK_C(moved.hit_wall && moved.wall != 0 && !moved.on_ground);
+    CHECK_C(state.position.x > 2.05f && state.position.x < 2.1f);
+    DONE_C(fettle_mover_planes(world, &def, &state, 0.1f, &plane, 1, &count));
+    CHECK_C(count == 1 && plane.normal.x < -0.9f && plane.shape == moved.wall);
+    DONE_C(fettle_mover_fits(world, &def, &state, 1, &done));
+    CHECK_C(done);
+    DONE_C(fettle_mover_set_height(world, &def, &state, 1, &done));
+    CHECK_C(done && def.height == 1);
+    DONE_C(fettle_mover_drop(world, &def, &state, &done));
+    CHECK_C(!done);
+    def.skin = 0;
+    CHECK_C(fettle_mover_move(world, &def, &state, 3, 0, 1, &moved) == FETTLE_INVALID &&
+            message_has("skin"));
+    DONE_C(fettle_world_destroy(world));
+    return NULL;
+}
+
 const struct named_c_test worlds_in_c[] = {
     {"a ball falls on a box", a_ball_falls_on_a_box},
     {"definitions have the defaults of the library", definitions_have_the_defaults_of_the_library},
@@ -432,6 +466,7 @@ const struct named_c_test worlds_in_c[] = {
     {"a list says how many there are", a_list_says_how_many_there_are},
     {"joints are told apart by their type", joints_are_told_apart_by_their_type},
     {"a liquid lifts what is lighter", a_liquid_lifts_what_is_lighter},
+    {"a mover walks to a wall", a_mover_walks_to_a_wall},
     {"many worlds are stepped and read at once", many_worlds_are_stepped_and_read_at_once},
     {"geometries need no world", geometries_need_no_world},
     {"bodies have names and limits and are disabled", bodies_have_names_and_limits_and_are_disabled},

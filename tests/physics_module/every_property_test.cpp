@@ -14,8 +14,8 @@ namespace {
 
 Cases all_cases() {
     Cases all;
-    for (const Cases& some :
-         {body_cases(), shape_cases(), form_cases(), world_cases(), joint_cases(), field_cases()})
+    for (const Cases& some : {body_cases(), shape_cases(), form_cases(), world_cases(),
+                              joint_cases(), field_cases(), mover_cases()})
         for (const auto& [name, one] : some) {
             INFO(name);
             REQUIRE(all.emplace(name, one).second);

@@ -48,6 +48,7 @@ Cases form_cases();
 Cases world_cases();
 Cases joint_cases();
 Cases field_cases();
+Cases mover_cases();
 
 // Helpers for writing cases.
 inline std::function<Value(Stage&)> to(Value value) {

@@ -20,6 +20,7 @@ inline constexpr const char* every_class = R"(
     world.cut = Body { position = vec(4, 0.6), Concave {}, Polygon {} }
     world.rail = Body { type = "static", position = vec(0, -3), Chain {} }
     world.pushed = Body { type = "kinematic", position = vec(8, 3), Box {} }
+    world.hero = Mover { position = vec(14, 0.1), walk = 1 }
     world.bare = Body { position = vec(12, 3) }
     local function other(name)
         return Body { position = vec(-8, 5), Circle { radius = 0.3 } }

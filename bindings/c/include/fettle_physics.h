@@ -32,6 +32,7 @@
 #include <fettle/physics_c/callbacks.h>
 #include <fettle/physics_c/query.h>
 #include <fettle/physics_c/geometry.h>
+#include <fettle/physics_c/mover.h>
 #include <fettle/physics_c/columns.h>
 #include <fettle/physics_c/drawing.h>
 /* clang-format on */

@@ -140,9 +140,9 @@ void draw_names(const property::Tree& tree, physics::World& world, Painter& pain
 
 }  // namespace
 
-void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& painter,
-                double alpha) {
-    Hosting& hosting = *static_cast<ShapeKind*>(context)->hosting;
+namespace {
+
+void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     HostedWorld& in = hosting.hosted(row);
     if (!in.looks.get(slot_of(row)).visible) return;
     const physics::Shape shape = hosting.shape(row);
@@ -158,6 +158,20 @@ void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& 
     if (!alone) painter.part_of(0);
     // With several shapes, their positions show the rotation.
     if (alone) draw_mark(shape, frame, paint, painter);
+}
+
+}  // namespace
+
+void draw_shape(void* context, const property::Tree&, Handle, Row row, Painter& painter,
+                double alpha) {
+    draw_figure(*static_cast<ShapeKind*>(context)->hosting, row, painter, alpha);
+}
+
+void draw_mover(void* context, const property::Tree&, Handle, Row row, Painter& painter,
+                double alpha) {
+    Hosting& hosting = *static_cast<Hosting*>(context);
+    if (const physics::Shape shape = capsule_of(hosting.body(row)))
+        draw_figure(hosting, make_row(world_number(row), shape.index()), painter, alpha);
 }
 
 void draw_world_overlays(void* context, const property::Tree& tree, Handle, Row row,

@@ -2,6 +2,7 @@
 // no record of it is made.
 
 #include <algorithm>
+#include <utility>
 
 #include <bindings/bindings.h>
 #include <events/events.h>
@@ -23,10 +24,14 @@ std::vector<Field> pair_fields(Moment moment) {
              ? "The other body; the world itself for its bounds."
              : "The other body; the world itself for its bounds. It may have been deleted: then "
                "only alive(), name, class and is_a() can be used."},
-        {"shape", Type::reference, "", "The shape of this body.", "Shape"},
+        {.name = "shape",
+         .type = Type::reference,
+         .doc = "The shape of this body; nil for the capsule of a mover.",
+         .reference_class = "Shape",
+         .nullable = true},
         {.name = "other_shape",
          .type = Type::reference,
-         .doc = "The shape of the other; nil for the bounds.",
+         .doc = "The shape of the other; nil for the bounds and for the capsule of a mover.",
          .reference_class = "Shape",
          .nullable = true},
     };
@@ -168,7 +173,9 @@ void Hosting::report(HostedWorld& hosted) {
     pair(contact_persist, events.contact_persist, all);
     pair(contact_hit, events.contact_hit, all);
     sensed(sensor_end, events.sensor_end);
+    sensed(sensor_end, std::exchange(hosted.left, {}));
     sensed(sensor_begin, events.sensor_begin);
+    sensed(sensor_begin, std::exchange(hosted.entered, {}));
     const auto each = [&](const Event& event, const std::vector<physics::BodyId>& bodies) {
         if (event.listeners == 0) return;
         for (const physics::BodyId id : bodies)

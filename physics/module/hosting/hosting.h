@@ -19,6 +19,7 @@
 
 #include <hosting/joints.h>
 #include <hosting/looks.h>
+#include <hosting/movers.h>
 
 namespace fettle::physics_module {
 
@@ -71,6 +72,8 @@ struct HostedWorld {
     // Only in limbo: velocities that were set, by body slot. Shapes that are added later move the
     // center of mass, but the body gets this velocity when it enters a world.
     SlotValues<std::optional<physics::Vec2>> velocities;
+    Movers movers;
+    std::vector<physics::SensorEvent> entered, left;  // sensors and movers, in the last step
     // Instances of objects that were destroyed while they touched others, by generation. The event
     // of the end of the touch contains them.
     std::unordered_map<std::uint32_t, Handle> departed_bodies, departed_shapes;
@@ -158,6 +161,7 @@ class Hosting {
     Row place_world(Handle self, Row row);
     void destroy_world(Row row);
     Row create_body(Handle self);
+    Row create_mover(Handle self);  // movers.cpp
     Row place_body(Handle self, Row row);
     void destroy_body(Row row);
     Row create_shape(Handle self, const physics::Geometry& geometry);

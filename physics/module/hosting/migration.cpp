@@ -91,7 +91,8 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const Handle instance = unpack(shapes[i].user_data());
         const Row left = make_row(world_number(from), shapes[i].index());
-        tree.set_row(instance, leave_shape(left, to, copies[i]));
+        const Row placed = leave_shape(left, to, copies[i]);
+        if (instance) tree.set_row(instance, placed);  // the capsule of a mover has none
     }
     if (const auto center = old.center_override()) fresh.set_center(center);
     // Computes the new center of mass now, since the velocity is that of the center.
@@ -106,6 +107,13 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     hosted(from).velocities.forget(slot_of(from));
     const auto color = hosted(from).body_colors.take(slot_of(from));
     if (color) target.body_colors.set(fresh.index(), color);
+    if (MoverRecord mover = hosted(from).movers.get(slot_of(from)); mover.slot != 0) {
+        hosted(from).movers.forget(slot_of(from));
+        mover.on_ground = 0;
+        mover.ground = mover.dropped = mover.bumped = mover.was_ground = {};
+        mover.sensors = {};
+        target.movers.set(fresh.index(), mover);
+    }
     joints.disconnect_all(old);
     old.destroy();
     joints.set_connect_needed();

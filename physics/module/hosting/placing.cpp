@@ -75,6 +75,7 @@ void Hosting::destroy_body(Row row) {
     if (gone.is_touching()) in.departed_bodies[gone.id().generation] = unpack(gone.user_data());
     in.body_colors.forget(slot_of(row));
     in.velocities.forget(slot_of(row));
+    in.movers.forget(slot_of(row));
     joints.disconnect_all(gone);
     physics::Body(gone).destroy();
 }

@@ -41,6 +41,7 @@ struct ModuleData {
     std::vector<std::optional<property::Color>> body_colors;
     std::vector<std::optional<physics::Vec2>> velocities;
     std::vector<Ties> ties;
+    std::vector<MoverRecord> movers;
     Departed bodies, shapes;
 };
 
@@ -60,6 +61,7 @@ void save_beside(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.body_colors.all());
     to.put(hosted.velocities.all());
     to.put(hosted.ties.all());
+    to.put(hosted.movers.all());
     put(to, hosted.departed_bodies);
     put(to, hosted.departed_shapes);
 }
@@ -73,6 +75,7 @@ ModuleData read_module_data(property::ByteReader& from) {
     data.body_colors = from.list<std::optional<property::Color>>();
     data.velocities = from.list<std::optional<physics::Vec2>>();
     data.ties = from.list<Ties>();
+    data.movers = from.list<MoverRecord>();
     for (const Look& look : data.looks)
         from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
                      "a look");
@@ -81,6 +84,7 @@ ModuleData read_module_data(property::ByteReader& from) {
         from.require(is_optional(velocity) && (!velocity || velocity->is_finite()), "a velocity");
     for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
+    from.require(are_sound(data.movers), "a mover");
     data.bodies = get_departed(from);
     data.shapes = get_departed(from);
     return data;
@@ -94,6 +98,7 @@ void put_module_data(ModuleData data, HostedWorld& hosted) {
     hosted.body_colors.replace(std::move(data.body_colors));
     hosted.velocities.replace(std::move(data.velocities));
     hosted.ties.replace(std::move(data.ties));
+    hosted.movers.replace(std::move(data.movers));
     hosted.departed_bodies = std::move(data.bodies);
     hosted.departed_shapes = std::move(data.shapes);
 }

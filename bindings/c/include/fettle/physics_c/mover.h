@@ -1,0 +1,96 @@
+/* A character mover: it moves a capsule through a world, along walls, up slopes and steps, on
+ * moving platforms. It is no object of the world but two structures of the caller: the definition,
+ * and the state, which is all that it keeps from move to move. Errors are those of basics.h; a
+ * definition with a value out of its range is refused by every function that takes it. */
+
+#pragma once
+
+#include <fettle/physics_c/definitions.h>
+
+FETTLE_PHYSICS_C_BEGIN
+
+/** Settings of a mover: an upright capsule, whose position is its lowest point. */
+typedef struct fettle_mover_def {
+    uint32_t size;
+    int32_t group;     /* 0; as fettle_shape_def.group */
+    uint64_t category; /* 1; categories of the mover */
+    uint64_t mask;     /* all bits; categories of the shapes that are obstacles */
+    uint64_t ledges;   /* 0; categories of shapes that are solid only from above */
+    fettle_id body;    /* 0; a body whose shapes are no obstacles */
+    fettle_vec2 up;    /* (0, 1); from its feet to its head, of any length but 0 */
+    float radius;      /* 0.4 m, 0.01 to 1000 */
+    float height;      /* 1.8 m, at least twice the radius, at most 1000 */
+    float max_slope;   /* 0.87 rad, 0 to 1.5; steeper ground is a wall */
+    float step_height; /* 0.3 m, 0 to 1000; it climbs steps up to this height */
+    float snap;        /* 0.25 m, 0 to 1000; it stays on ground that falls away by this in a move */
+    float skin;        /* 0.01 m, 0.001 to 0.1; distance that it keeps from everything */
+    float mass;        /* 80 kg, at least 0; its weight on dynamic bodies */
+    float push_force;  /* 600 N, at least 0; at most this pushes a dynamic body */
+} fettle_mover_def;
+
+/** The state of a mover: a plain value that can be copied and saved. */
+typedef struct fettle_mover_state {
+    uint32_t size;
+    bool on_ground;
+    bool climbing;             /* true: it moves freely, without ground, steps and rides */
+    fettle_vec2 position;      /* of its feet, m */
+    fettle_vec2 ground_normal; /* zero in the air */
+    fettle_id ground;          /* the shape on which it stands; 0 in the air */
+    fettle_id dropped;         /* the shape through which it falls; 0: none */
+} fettle_mover_state;
+
+/** What happened in a move. */
+typedef struct fettle_moved {
+    fettle_vec2 motion;          /* m, the ride on the ground included */
+    fettle_vec2 velocity;        /* that is left, m/s, relative to the ground */
+    fettle_vec2 ground_normal;   /* zero in the air */
+    fettle_vec2 ground_velocity; /* of the ground at its feet, m/s */
+    fettle_vec2 wall_normal;     /* of the last wall or ceiling that it hit */
+    fettle_id ground;            /* shape below its feet; 0 in the air */
+    fettle_id wall;              /* shape of the last wall or ceiling; 0: none */
+    bool on_ground;
+    bool hit_wall;
+    bool hit_ceiling;
+    bool stepped; /* it climbed a step */
+    bool crushed; /* it has no place between what presses it */
+} fettle_moved;
+
+/** A plane that bounds the motion of a mover. */
+typedef struct fettle_mover_plane {
+    fettle_vec2 normal; /* from the shape to the mover; its length is 1 */
+    fettle_vec2 point;  /* on the surface, m */
+    float separation;   /* m; negative when they overlap */
+    fettle_id shape;
+} fettle_mover_plane;
+
+/** Write the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */
+fettle_code fettle_mover_def_init(fettle_mover_def* def, size_t size);
+fettle_code fettle_mover_state_init(fettle_mover_state* state, size_t size);
+
+/** Moves it by velocity (m/s, relative to the ground) times dt (s), and with the ground. To be
+    called before fettle_world_step with the same dt. It does nothing unless dt > 0. `moved` may be
+    null. */
+fettle_code fettle_mover_move(fettle_world* world, const fettle_mover_def* def,
+                              fettle_mover_state* state, float velocity_x, float velocity_y,
+                              float dt, fettle_moved* moved);
+
+/** Lets it fall through the ledge or the chain on which it stands; false in `dropped`, which may be
+    null: it stands on none. */
+fettle_code fettle_mover_drop(const fettle_world* world, const fettle_mover_def* def,
+                              fettle_mover_state* state, bool* dropped);
+
+/** Whether a mover of this height (m) has room at its position. */
+fettle_code fettle_mover_fits(const fettle_world* world, const fettle_mover_def* def,
+                              const fettle_mover_state* state, float height, bool* fits);
+
+/** Changes def->height if there is room for it; otherwise `changed`, which may be null, is false.
+ */
+fettle_code fettle_mover_set_height(const fettle_world* world, fettle_mover_def* def,
+                                    const fettle_mover_state* state, float height, bool* changed);
+
+/** The planes of all obstacles within a distance (m, 0 to 1000), nearest first. */
+fettle_code fettle_mover_planes(const fettle_world* world, const fettle_mover_def* def,
+                                const fettle_mover_state* state, float distance,
+                                fettle_mover_plane* out, uint32_t room, uint32_t* count);
+
+FETTLE_PHYSICS_C_END

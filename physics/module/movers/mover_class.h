@@ -1,0 +1,19 @@
+#pragma once
+
+#include <hosting/hosting.h>
+
+namespace fettle::physics_module {
+
+void define_mover(Hosting& hosting);
+
+/// Moves all movers of a world, before its step of `dt` seconds.
+void move_movers(HostedWorld& hosted, float dt);
+/// Finds the sensors in which movers are, after the step.
+void sense_movers(HostedWorld& hosted);
+/// Emits the events of the last step.
+void report_movers(Hosting& hosting, HostedWorld& hosted);
+
+/// Takes the height for standing or for crouching, if there is room for it, and the radius.
+void adapt_capsule(HostedWorld& hosted, std::uint32_t slot);
+
+}  // namespace fettle::physics_module

@@ -1,0 +1,280 @@
+// The step of movers, and its events.
+
+#include <algorithm>
+#include <cmath>
+
+#include <bindings/bindings.h>
+#include <movers/mover_class.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using physics::Vec2;
+
+enum Happened : std::uint32_t { landed = 1, left_ground = 2, bumped = 4, crushed = 8 };
+
+Vec2 aside(const Vec2& up) {
+    return {up.y, -up.x};
+}
+
+physics::Mover mover_of(const MoverRecord& record, const physics::Body& body) {
+    physics::Mover mover(definition(record, body), body.position());
+    physics::MoverState state;
+    state.position = body.position();
+    state.ground_normal = {record.normal_x, record.normal_y};
+    state.ground = record.ground;
+    state.dropped = record.dropped;
+    state.on_ground = record.on_ground != 0;
+    state.climbing = record.climbing != 0;
+    mover.set_state(state);
+    return mover;
+}
+
+/// Something else moved the body: it does not ride on what was below it.
+bool was_moved(const MoverRecord& record, const Vec2& position) {
+    const Vec2 off = position - Vec2(record.place_x, record.place_y);
+    return off.length() > 0.01f + 1e-5f * position.length();
+}
+
+/// The velocity relative to the ground. What was written to the body counts.
+Vec2 relative_velocity(const MoverRecord& record, const physics::Body& body) {
+    const Vec2 now = body.velocity();
+    if (now.x == record.shown_x && now.y == record.shown_y)
+        return {record.velocity_x, record.velocity_y};
+    return record.on_ground != 0 ? Vec2(now - Vec2(record.ground_x, record.ground_y)) : now;
+}
+
+float approached(float from, float to, float most) {
+    return from + std::clamp(to - from, -most, most);
+}
+
+/// The velocity that it wants in this step.
+Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const Vec2& up,
+                     float dt) {
+    const Vec2 right = aside(up);
+    if (record.climbing != 0) return record.walk * right + record.climb * up;
+    const Vec2 before = relative_velocity(record, body);
+    const bool stands = record.on_ground != 0;
+    const float rate = stands ? record.acceleration : record.air_acceleration;
+    const float along = approached(before.dot(right), record.walk, rate * dt);
+    Vec2 wanted = along * right + before.dot(up) * up;
+    if (!stands) wanted += dt * body.gravity_scale() * body.world().gravity();
+    const float limit = 1e4f;
+    return {std::clamp(wanted.x, -limit, limit), std::clamp(wanted.y, -limit, limit)};
+}
+
+void note_events(MoverRecord& record, const MoverRecord& before, const physics::Moved& moved,
+                 float fall) {
+    record.happened = 0;
+    if (moved.on_ground && before.on_ground == 0) {
+        record.happened |= landed;
+        record.landing_speed = std::max(0.0f, fall);
+    }
+    if (!moved.on_ground && before.on_ground != 0) record.happened |= left_ground;
+    record.was_ground = before.ground;
+    const bool wall = moved.hit_wall && before.on_wall == 0;
+    const bool ceiling = moved.hit_ceiling && before.on_ceiling == 0;
+    if (wall || ceiling) {
+        record.happened |= bumped;
+        record.bump_x = moved.wall_normal.x;
+        record.bump_y = moved.wall_normal.y;
+        record.bumped = moved.wall.id();
+    }
+    if (moved.crushed && before.crushed == 0) record.happened |= crushed;
+}
+
+void store(MoverRecord& record, const physics::Mover& mover, const physics::Moved& moved) {
+    const physics::MoverState& state = mover.state();
+    record.on_ground = moved.on_ground;
+    record.on_wall = moved.hit_wall;
+    record.on_ceiling = moved.hit_ceiling;
+    record.crushed = moved.crushed;
+    record.ground = state.ground;
+    record.dropped = state.dropped;
+    record.normal_x = state.ground_normal.x;
+    record.normal_y = state.ground_normal.y;
+    record.ground_x = moved.ground_velocity.x;
+    record.ground_y = moved.ground_velocity.y;
+    record.place_x = state.position.x;
+    record.place_y = state.position.y;
+}
+
+/// The slots of the movers that live; others could be in a damaged save.
+std::vector<std::uint32_t> slots_of(const HostedWorld& in) {
+    std::vector<std::uint32_t> slots;
+    for (const MoverRecord& record : in.movers.all()) {
+        const auto slot = static_cast<std::uint32_t>(record.slot);
+        if (slot < in.world.body_slots() && in.world.body_generation(slot) != 0)
+            slots.push_back(slot);
+    }
+    return slots;
+}
+
+/// True if the library does not report this sensor to a kinematic body.
+bool is_unreported_sensor(const physics::Shape& shape) {
+    if (!shape.sensor()) return false;
+    const physics::Body body = shape.body();
+    return body.type() != physics::BodyType::dynamic_body || std::isinf(body.mass());
+}
+
+void sense_one(HostedWorld& in, std::uint32_t slot) {
+    const physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
+    const physics::Shape shape = capsule_of(body);
+    MoverRecord record = in.movers.get(slot);
+    const auto before = record.sensors;
+    record.sensors = {};
+    std::size_t count = 0;
+    if (shape && body.type() == physics::BodyType::kinematic_body) {
+        const physics::QueryFilter filter{.category = shape.category(),
+                                          .mask = shape.mask(),
+                                          .group = shape.group(),
+                                          .sensors = true,
+                                          .accept = {}};
+        for (const physics::Shape& found : in.world.query_overlap(shape, filter))
+            if (is_unreported_sensor(found) && count < record.sensors.size())
+                record.sensors[count++] = found.id();
+    }
+    const auto contains = [](const auto& list, physics::ShapeId id) {
+        return std::find(list.begin(), list.end(), id) != list.end();
+    };
+    const auto note = [&](std::vector<physics::SensorEvent>& to, physics::ShapeId id) {
+        to.push_back({.sensor = id,
+                      .visitor = shape.id(),
+                      .sensor_body = in.world.shape(id).body().id(),
+                      .visitor_body = body.id()});
+    };
+    for (const physics::ShapeId id : before)
+        if (id && shape && !contains(record.sensors, id) && in.world.is_valid(id) &&
+            in.world.shape(id).body())
+            note(in.left, id);
+    for (const physics::ShapeId id : record.sensors)
+        if (id && !contains(before, id)) note(in.entered, id);
+    if (record.sensors != before) in.movers.set(slot, record);
+}
+
+void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
+    physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
+    if (body.type() != physics::BodyType::kinematic_body) {
+        MoverRecord record = in.movers.get(slot);
+        record.on_ground = record.on_wall = record.on_ceiling = record.happened = 0;
+        record.ground = {};
+        in.movers.set(slot, record);
+        return;
+    }
+    adapt_capsule(in, slot);
+    MoverRecord record = in.movers.get(slot);
+    if (was_moved(record, body.position())) {
+        record.on_ground = 0;
+        record.ground = {};
+    }
+    const MoverRecord before = record;
+    const Vec2 up = body.world_vector({0.0f, 1.0f});
+    const Vec2 wanted = wanted_velocity(record, body, up, dt);
+    physics::Mover mover = mover_of(record, body);
+    const physics::Moved moved = mover.move(in.world, wanted, dt);
+    store(record, mover, moved);
+    note_events(record, before, moved, -wanted.dot(up));
+
+    // In the air the velocity is absolute, and on the ground relative to it.
+    Vec2 left = moved.velocity;
+    if (before.on_ground != 0) left += Vec2(before.ground_x, before.ground_y);
+    if (moved.on_ground) left -= moved.ground_velocity;
+    if (moved.on_ground) left -= left.dot(up) * up;
+    record.velocity_x = left.x;
+    record.velocity_y = left.y;
+    const Vec2 shown = moved.motion / dt;
+    if (body.velocity() != shown) body.set_velocity(shown);
+    const Vec2 given = body.velocity();
+    record.shown_x = given.x;
+    record.shown_y = given.y;
+    in.movers.set(slot, record);
+}
+
+/// The body and the shape with this id, if they exist and have instances.
+std::pair<Handle, Handle> instances_of(Hosting& hosting, HostedWorld& hosted, physics::ShapeId id) {
+    if (!hosted.world.is_valid(id)) return {};
+    const physics::Shape shape = hosted.world.shape(id);
+    const physics::Body body = shape.body();
+    const Handle owner = body ? hosting.instance_of(body.user_data()) : Handle{};
+    return {owner ? owner : hosted.self, hosting.instance_of(shape.user_data())};
+}
+
+}  // namespace
+
+void adapt_capsule(HostedWorld& hosted, std::uint32_t slot) {
+    physics::Body body = hosted.world.body({slot, hosted.world.body_generation(slot)});
+    physics::Shape shape = capsule_of(body);
+    if (!shape) return;
+    MoverRecord record = hosted.movers.get(slot);
+    const bool crouches = record.crouch != 0;
+    const physics::Vec2 top = shape.to();
+    const float now = top.y + shape.rounding();
+    MoverRecord changed = record;
+    changed.crouched = crouches;
+    const physics::MoverDef def = definition(changed, body);
+    if (def.height > now + 1e-4f) {
+        physics::MoverDef small = def;
+        small.height = std::max(now, 2.0f * def.radius);
+        physics::Mover mover(small, body.position());
+        if (!mover.fits(hosted.world, def.height)) return;
+    }
+    if (changed.crouched != record.crouched) hosted.movers.set(slot, changed);
+    const physics::Segment wanted = capsule(def.radius, def.height);
+    if (wanted.to != top || wanted.rounding != shape.rounding()) shape.set_geometry(wanted);
+}
+
+void move_movers(HostedWorld& hosted, float dt) {
+    if (!(dt > 0.0f) || hosted.world.locked()) return;
+    for (const std::uint32_t slot : slots_of(hosted)) move_one(hosted, slot, dt);
+}
+
+void sense_movers(HostedWorld& hosted) {
+    if (hosted.world.locked()) return;
+    hosted.entered.clear();
+    hosted.left.clear();
+    for (const std::uint32_t slot : slots_of(hosted)) sense_one(hosted, slot);
+}
+
+void report_movers(Hosting& hosting, HostedWorld& hosted) {
+    struct Told {
+        Handle mover;
+        MoverRecord record;
+    };
+    std::vector<Told> all;
+    for (const std::uint32_t slot : slots_of(hosted)) {
+        MoverRecord record = hosted.movers.get(slot);
+        if (record.happened == 0) continue;
+        const physics::Body body = hosted.world.body({slot, hosted.world.body_generation(slot)});
+        all.push_back({hosting.instance_of(body.user_data()), record});
+        record.happened = 0;
+        hosted.movers.set(slot, record);
+    }
+    // All instances are found first: a handler may delete any of them.
+    struct Event {
+        Handle mover;
+        const char* name;
+        std::vector<Value> values;
+    };
+    std::vector<Event> events;
+    for (const auto& [mover, record] : all) {
+        if (!mover) continue;
+        const auto below = instances_of(hosting, hosted, record.ground);
+        const auto left = instances_of(hosting, hosted, record.was_ground);
+        const auto [other, other_shape] = instances_of(hosting, hosted, record.bumped);
+        if (record.happened & left_ground) events.push_back({mover, "left_ground", {left.first}});
+        if (record.happened & landed)
+            events.push_back({mover, "landed", {below.first, to_value(record.landing_speed)}});
+        if (record.happened & bumped)
+            events.push_back(
+                {mover, "bumped", {other, other_shape, widen(record.bump_x, record.bump_y)}});
+        if (record.happened & crushed) events.push_back({mover, "crushed", {}});
+    }
+    for (Event& event : events) {
+        if (!hosting.tree.alive(event.mover)) continue;
+        const property::Event* which = hosting.tree.class_of(event.mover).event(event.name);
+        if (which != nullptr && which->listeners != 0 && hosting.tree.listens(event.mover, *which))
+            hosting.tree.emit(event.mover, *which, std::move(event.values));
+    }
+}
+
+}  // namespace fettle::physics_module
