@@ -127,6 +127,21 @@ TEST_CASE_METHOD(Scene, "a mover drops through a ledge") {
     CHECK(y(hero) == Approx(0.01).margin(0.01));
 }
 
+TEST_CASE_METHOD(Scene, "a mover that is turned walks on a wall") {
+    const Handle wall = body("Box", {6, 5}, "static");
+    set(shape_of(wall), "height", 40.0);
+    set(world(), "gravity", Vec2(10, 0));
+    set(hero, "position", Vec2(4, 5));
+    set(hero, "angle", 1.5707963);
+    set(hero, "walk", 2);
+    step(90);
+    CHECK(flag("on_ground"));
+    CHECK(get(hero, "ground").reference() == wall);
+    CHECK(vec(hero, "ground_normal").x == Approx(-1));
+    CHECK(x(hero) == Approx(5.495).margin(0.006));
+    CHECK(y(hero) > 7);
+}
+
 TEST_CASE_METHOD(Scene, "a sensor and a query see a mover") {
     const Handle zone = body("Box", {0, 1}, "static");
     set(shape_of(zone), "sensor", true);
