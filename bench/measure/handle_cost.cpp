@@ -11,7 +11,7 @@ namespace fettle::bench {
 namespace {
 
 constexpr int handle_timings = 15;
-constexpr int calls = 1'000'000;  // of each timing
+constexpr int calls_a_timing = 1'000'000;
 
 void require(fettle_code code) {
     if (code != FETTLE_DONE) throw std::runtime_error(fettle_last_error());
@@ -22,8 +22,8 @@ HandleCost cost(const char* name, Call call) {
     std::vector<double> ns;
     for (int k = 0; k < handle_timings; ++k) {
         const ThreadClock clock;
-        for (int i = 0; i < calls; ++i) require(call(i));
-        ns.push_back(clock.elapsed_ms() * 1e6 / calls);
+        for (int i = 0; i < calls_a_timing; ++i) require(call(i));
+        ns.push_back(clock.elapsed_ms() * 1e6 / calls_a_timing);
     }
     return {name, median(ns), *std::ranges::min_element(ns)};
 }
