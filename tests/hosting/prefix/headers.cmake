@@ -24,9 +24,9 @@ endforeach()
 foreach(header abi host)
   file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/headers/${header}.c" CONTENT "#include <fettle/module/${header}.h>\n")
 endforeach()
-# Both interfaces in C, together.
-file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/headers/both.c"
-     CONTENT "#include <fettle/module/host.h>\n#include <fettle_physics.h>\n")
-add_library(header_c OBJECT headers/abi.c headers/host.c headers/both.c)
-target_link_libraries(header_c PRIVATE Fettle::module Fettle::physics_c)
+# All interfaces in C, together.
+file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/headers/all.c"
+     CONTENT "#include <fettle/module/host.h>\n#include <fettle_physics.h>\n#include <fettle_host.h>\n")
+add_library(header_c OBJECT headers/abi.c headers/host.c headers/all.c)
+target_link_libraries(header_c PRIVATE Fettle::module Fettle::physics_c Fettle::host)
 target_compile_options(header_c PRIVATE -Wall -Wextra -Wpedantic -Werror -std=c11)

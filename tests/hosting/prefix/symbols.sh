@@ -24,7 +24,7 @@ count=0 names=0 wrong=0
 for file in "$libraries"/libfettle_*.so; do
     [[ -e $file ]] || continue
     all=$(shown "$file")
-    foreign=$(grep -vE '^([^(]* )?fettle(::|_[a-z_]+$)' <<<"$all" || true)
+    foreign=$(grep -vE '^([^(]* )?fettle(::|_[a-z_0-9]+$)' <<<"$all" || true)
     private=$({ grep 'fettle::' <<<"$all" || true; } | identifiers | comm -23 - "$words")
     wanted=$(basename -- "$(readlink -f -- "$file")" | sed -E 's/(\.so\.0\.[0-9]+|\.so\.[1-9][0-9]*)\..*/\1/')
     if [[ ! -e $libraries/$wanted || $("$objdump" -p "$file") != *SONAME*"$wanted"* ]]; then
