@@ -57,6 +57,15 @@ Game& live(const fettle_hosted* hosted) {
     return *hosted->game;
 }
 
+property::Value answer_of(fettle_code code, const fettle_hosted_value& result) {
+    const property::Value value = value_of("the result of the function", result);
+    if (code == FETTLE_DONE) return value;
+    throw std::invalid_argument(value.is(property::Type::text)
+                                    ? value.text()
+                                    : "the function of the host failed with the code " +
+                                          std::to_string(code));
+}
+
 void refuse_property(fettle_property_id id) {
     throw Failure{FETTLE_STALE, "property " + std::to_string(id) +
                                     ": there is no such handle, or it was released"};

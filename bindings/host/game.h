@@ -33,6 +33,15 @@ struct Callback {
     void* user = nullptr;
 };
 
+class Game;
+
+/// A method of a class that the caller has defined.
+struct BoundMethod {
+    Game* game = nullptr;
+    fettle_method_callback call = nullptr;
+    void* user = nullptr;
+};
+
 /// The parts of a game, put together as the program `fettle` does.
 class Game {
   public:
@@ -40,6 +49,7 @@ class Game {
     Game(const Game&) = delete;
 
     physics_module::PhysicsModule physics;  // before the tree, which uses its memory
+    std::deque<BoundMethod> methods;
     property::Tree tree;
     app::Services services;
     script::Runtime lua;

@@ -56,12 +56,7 @@ property::Value call_function(Game& game, const Callback<fettle_function_callbac
         code = called.function(called.user, passed.data(),
                                static_cast<std::uint32_t>(passed.size()), &result);
     });
-    const property::Value value = value_of("the result of the function", result);
-    if (code == FETTLE_DONE) return value;
-    throw std::invalid_argument(value.is(property::Type::text)
-                                    ? value.text()
-                                    : "the function of the host failed with the code " +
-                                          std::to_string(code));
+    return answer_of(code, result);
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ class Arguments {
                                                 "world.**",
                                                 "Body",
                                                 "Circle",
+                                                "Wheel",
+                                                "Tyre",
                                                 "Object",
                                                 "apply_impulse",
                                                 "contact_begin",
@@ -170,6 +172,35 @@ class Arguments {
         def_.assets = argument(static_cast<const char**>(nullptr));
         if (below(5) == 0) def_.size = below(100);
         return &def_;
+    }
+    const fettle_class_def* argument(const fettle_class_def**) {
+        constexpr const char** text = nullptr;
+        fettle_class_def_init(&class_, sizeof class_);
+        class_.name = argument(text);
+        if (below(2) == 0) class_.base = argument(text);
+        field_ = {argument(text), argument(text), nullptr, int32_t(below(10))};
+        property_ = {};
+        property_.name = argument(text);
+        property_.type = int32_t(below(10));
+        property_.default_value = value();
+        property_.min = argument(static_cast<double*>(nullptr));
+        property_.max = argument(static_cast<double*>(nullptr));
+        method_ = {argument(text), nullptr, &field_, below(2), below(3), nullptr, this};
+        if (below(9) != 0)
+            method_.call = [](void* user, fettle_instance, const fettle_hosted_value*, uint32_t,
+                              fettle_hosted_value* result) {
+                nested(user);
+                *result = static_cast<Arguments*>(user)->value();
+                return fettle_code(static_cast<Arguments*>(user)->below(2));
+            };
+        event_ = {argument(text), argument(text), below(20) == 0 ? nullptr : &field_, below(2)};
+        class_.properties = below(20) == 0 ? nullptr : &property_;
+        class_.methods = &method_;
+        class_.events = &event_;
+        class_.property_count = below(2);
+        class_.method_count = below(2);
+        class_.event_count = below(2);
+        return below(20) == 0 ? nullptr : &class_;
     }
     const fettle_hosted_input* argument(const fettle_hosted_input**) {
         static constexpr const char* names[] = {
@@ -256,6 +287,11 @@ class Arguments {
     fettle_hosted_value values_[8] = {}, elements_[4][4] = {};
     fettle_hosted_def def_{};
     fettle_hosted_input input_{};
+    fettle_class_def class_{};
+    fettle_property_def property_{};
+    fettle_method_def method_{};
+    fettle_event_def event_{};
+    fettle_field_def field_{};
     double map_[6] = {};
     size_t saved_size_ = 0;
     alignas(16) char scratch_[4096] = {};
@@ -275,6 +311,7 @@ constexpr Call every_call[] = {
     CALL(fettle_hosted_load), CALL(fettle_hosted_reload), CALL(fettle_hosted_run),
     CALL(fettle_hosted_call), CALL(fettle_hosted_evaluate), CALL(fettle_hosted_add_function),
     CALL(fettle_hosted_frame), CALL(fettle_hosted_step), CALL(fettle_hosted_barrier),
+    CALL(fettle_class_def_init), CALL(fettle_hosted_define),
     CALL(fettle_hosted_hash), CALL(fettle_hosted_find), CALL(fettle_hosted_is_alive),
     CALL(fettle_hosted_make), CALL(fettle_hosted_delete), CALL(fettle_hosted_move),
     CALL(fettle_hosted_parent), CALL(fettle_hosted_child), CALL(fettle_hosted_children),

@@ -20,6 +20,7 @@
 #include <fettle/host/basics.h>
 #include <fettle/host/value.h>
 #include <fettle/host/game.h>
+#include <fettle/host/class.h>
 #include <fettle/host/instance.h>
 #include <fettle/host/property.h>
 #include <fettle/host/watch.h>

@@ -62,7 +62,7 @@ fettle_code fettle_hosted_call(fettle_hosted* game, const char* function,
 
 /** Runs a command as if it was typed into the console: an expression gives its value, an assignment
     can be undone. `result` may be null. `output` may be null; otherwise it gets the lines that the
-    console shows. FETTLE_FAILED after an error; then nothing that it changed was lost. */
+    console shows. FETTLE_FAILED after an error; what the command changed before it stays. */
 fettle_code fettle_hosted_evaluate(fettle_hosted* game, const char* command,
                                    fettle_hosted_value* result, const char** output);
 

@@ -1,0 +1,72 @@
+/* Classes that a program adds to a game. Their instances are made by fettle_hosted_make and by
+ * scripts, and the console, snapshots and the past have them, since the game keeps their values. A
+ * class stays as long as the game. */
+
+#pragma once
+
+#include <fettle/host/value.h>
+
+FETTLE_HOST_BEGIN
+
+/** A property. Texts may be null where nothing else is said. */
+typedef struct fettle_property_def {
+    const char* name; /* not null */
+    const char* unit; /* "kg" */
+    const char* doc;
+    fettle_hosted_value default_value; /* nil: zero of the type */
+    double min, max;                   /* limits of a number; both 0: none */
+    int32_t type;                      /* one of fettle_value_type; FETTLE_VALUE_NIL: any type */
+    bool nullable;                     /* nil is a value */
+} fettle_property_def;
+
+/** A parameter of a method, or a field of an event. */
+typedef struct fettle_field_def {
+    const char* name; /* not null */
+    const char* unit;
+    const char* doc;
+    int32_t type; /* one of fettle_value_type, but not FETTLE_VALUE_NIL */
+} fettle_field_def;
+
+/** Called by scripts, by the console and by fettle_hosted_call_method. Results are those of
+    fettle_function_callback. Missing arguments are nil. */
+typedef fettle_code (*fettle_method_callback)(void* user, fettle_instance self,
+                                              const fettle_hosted_value* arguments, uint32_t count,
+                                              fettle_hosted_value* result);
+
+typedef struct fettle_method_def {
+    const char* name; /* not null */
+    const char* doc;
+    const fettle_field_def* parameters;
+    uint32_t parameter_count;
+    uint32_t required; /* so many parameters must be given */
+    fettle_method_callback call;
+    void* user;
+} fettle_method_def;
+
+typedef struct fettle_event_def {
+    const char* name; /* not null */
+    const char* doc;
+    const fettle_field_def* fields;
+    uint32_t field_count;
+} fettle_event_def;
+
+/** A class. fettle_class_def_init makes all members 0 and null. */
+typedef struct fettle_class_def {
+    uint32_t size;
+    uint32_t property_count, method_count, event_count;
+    const char* name; /* not null; "Wheel" */
+    const char* base; /* null: "Object" */
+    const char* doc;
+    const fettle_property_def* properties;
+    const fettle_method_def* methods;
+    const fettle_event_def* events;
+} fettle_class_def;
+
+fettle_code fettle_class_def_init(fettle_class_def* def, size_t size);
+
+/** FETTLE_INVALID, and nothing changes, for a name that is taken, that is no name, or that is
+   nearly one of the base class, and for a default that the property would refuse. Not in a
+   callback. */
+fettle_code fettle_hosted_define(fettle_hosted* game, const fettle_class_def* def);
+
+FETTLE_HOST_END
