@@ -43,10 +43,10 @@ property::Property property_of(const fettle_property_def& def) {
     return made;
 }
 
-std::vector<property::Field> fields_of(const char* what, const fettle_field_def* fields,
+std::vector<property::Field> fields_of(const char* what, const fettle_parameter_def* fields,
                                        std::uint32_t count) {
     std::vector<property::Field> made;
-    each(what, fields, count, [&](const fettle_field_def& def) {
+    each(what, fields, count, [&](const fettle_parameter_def& def) {
         property::Field field;
         field.name = text_of("name of a field", def.name);
         field.type = type_of(field.name, def.type);

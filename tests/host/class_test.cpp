@@ -50,7 +50,7 @@ struct Magnet {
     Magnet(const Magnet&) = delete;
 
     fettle_property_def strength = number_property("strength", 20);
-    fettle_field_def by{"by", "N", "How hard.", FETTLE_VALUE_NUMBER};
+    fettle_parameter_def by{"by", "N", "How hard.", FETTLE_VALUE_NUMBER};
     fettle_method_def method{"pull", "Pulls once.", &by, 1, 1, pull, nullptr};
     fettle_event_def pulled{"pulled", "It has pulled.", &by, 1};
     fettle_class_def def;

@@ -1,5 +1,8 @@
 /* A hosted game as a program in C11 uses it. */
 
+/* Both interfaces can be included together. */
+#include <fettle_physics.h>
+
 #include "game.h"
 
 #include <string.h>

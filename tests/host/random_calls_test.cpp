@@ -291,7 +291,7 @@ class Arguments {
     fettle_property_def property_{};
     fettle_method_def method_{};
     fettle_event_def event_{};
-    fettle_field_def field_{};
+    fettle_parameter_def field_{};
     double map_[6] = {};
     size_t saved_size_ = 0;
     alignas(16) char scratch_[4096] = {};

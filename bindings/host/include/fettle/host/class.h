@@ -20,12 +20,12 @@ typedef struct fettle_property_def {
 } fettle_property_def;
 
 /** A parameter of a method, or a field of an event. */
-typedef struct fettle_field_def {
+typedef struct fettle_parameter_def {
     const char* name; /* not null */
     const char* unit;
     const char* doc;
     int32_t type; /* one of fettle_value_type, but not FETTLE_VALUE_NIL */
-} fettle_field_def;
+} fettle_parameter_def;
 
 /** Called by scripts, by the console and by fettle_hosted_call_method. Results are those of
     fettle_function_callback. Missing arguments are nil. */
@@ -36,7 +36,7 @@ typedef fettle_code (*fettle_method_callback)(void* user, fettle_instance self,
 typedef struct fettle_method_def {
     const char* name; /* not null */
     const char* doc;
-    const fettle_field_def* parameters;
+    const fettle_parameter_def* parameters;
     uint32_t parameter_count;
     uint32_t required; /* so many parameters must be given */
     fettle_method_callback call;
@@ -46,7 +46,7 @@ typedef struct fettle_method_def {
 typedef struct fettle_event_def {
     const char* name; /* not null */
     const char* doc;
-    const fettle_field_def* fields;
+    const fettle_parameter_def* fields;
     uint32_t field_count;
 } fettle_event_def;
 
