@@ -66,6 +66,13 @@ property::Value answer_of(fettle_code code, const fettle_hosted_value& result) {
                                           std::to_string(code));
 }
 
+property::Handle living(const Game& game, fettle_instance instance) {
+    const property::Handle handle = handle_of(instance);
+    if (!handle) throw Failure{FETTLE_STALE, "instance 0: there is none"};
+    game.tree.require(handle);
+    return handle;
+}
+
 void refuse_property(fettle_property_id id) {
     throw Failure{FETTLE_STALE, "property " + std::to_string(id) +
                                     ": there is no such handle, or it was released"};

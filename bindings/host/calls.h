@@ -79,6 +79,9 @@ inline const HeldProperty* quick(const fettle_hosted* hosted, fettle_property_id
     const HeldProperty& found = held[place];
     return found.generation == id >> 32 && found.property != nullptr ? &found : nullptr;
 }
+/// The instance; throws Error(deleted), or Failure for 0.
+property::Handle living(const Game& game, fettle_instance instance);
+
 [[noreturn]] void refuse_property(fettle_property_id id);
 /// The property that a caller holds; throws Failure if there is none.
 inline const HeldProperty& found(const fettle_hosted* hosted, fettle_property_id id) {

@@ -10,7 +10,7 @@ namespace property = fettle::property;
 
 namespace {
 
-app::InputEvent event_of(const fettle_hosted_input& input) {
+app::InputEvent input_event(const fettle_hosted_input& input) {
     check_size(input);
     if (input.kind < 0 || input.kind > FETTLE_INPUT_GAMEPAD_DISCONNECTED)
         throw Failure{FETTLE_INVALID, "kind = " + std::to_string(input.kind) +
@@ -45,7 +45,7 @@ fettle_code fettle_hosted_input_init(fettle_hosted_input* input, size_t size) {
 fettle_code fettle_hosted_handle(fettle_hosted* hosted, const fettle_hosted_input* input,
                                  bool* used) {
     return outside(__func__, hosted, "get input", [&](Game& game) {
-        const app::InputEvent event = event_of(needed("input", input));
+        const app::InputEvent event = input_event(needed("input", input));
         game.run_scripts([&] {
             const bool taken = game.console && game.console->handle(event);
             if (used != nullptr) *used = taken;
@@ -86,8 +86,8 @@ fettle_code fettle_console_is_open(fettle_hosted* hosted, bool* is_open) {
 
 fettle_code fettle_console_select(fettle_hosted* hosted, fettle_instance instance) {
     return outside(__func__, hosted, "select", [&](Game& game) {
-        if (instance != 0) game.tree.require(handle_of(instance));
-        game.needed_console().select(handle_of(instance));
+        fettle::console::Console& console = game.needed_console();
+        console.select(instance == 0 ? property::Handle() : living(game, instance));
     });
 }
 

@@ -10,14 +10,7 @@ using property::Handle;
 
 namespace {
 
-/// The instance; throws Error(deleted), or Failure for 0.
-Handle living(const Game& game, fettle_instance instance) {
-    const Handle handle = handle_of(instance);
-    if (!handle) throw Failure{FETTLE_STALE, "instance 0: there is none"};
-    game.tree.require(handle);
-    return handle;
-}
-/// The same; 0 is a null handle.
+/// The instance; 0 is a null handle.
 Handle living_or_none(const Game& game, fettle_instance instance) {
     return instance == 0 ? Handle() : living(game, instance);
 }

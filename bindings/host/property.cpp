@@ -122,8 +122,7 @@ fettle_code fettle_property_of(fettle_hosted* hosted, fettle_instance instance, 
                                fettle_property_id* property) {
     return with(__func__, hosted, [&](Game& game) {
         fettle_property_id& result = needed("property", property);
-        const property::Handle of = handle_of(instance);
-        game.tree.require(of);
+        const property::Handle of = living(game, instance);
         result = hold(game, {of, &game.tree.property(of, text_of("name", name)), {}});
     });
 }

@@ -73,11 +73,6 @@ const property::Event& event_of(const property::Class& of, const char* name) {
     return *found;
 }
 
-property::Handle living(const Game& game, fettle_instance instance) {
-    game.tree.require(handle_of(instance));
-    return handle_of(instance);
-}
-
 }  // namespace
 
 fettle_code fettle_hosted_watch(fettle_hosted* hosted, const char* pattern,
