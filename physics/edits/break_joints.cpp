@@ -16,9 +16,12 @@ void break_joints(const Editing& e, const JointScratch& scratch, float rate) {
         };
         const auto tell = [&](auto& list) {
             const auto [a, b] = joint.bodies;
+            const auto named = [&](uint32_t body) {
+                return body == 0 ? BodyId() : body_id(e.columns, body);  // the world has no id
+            };
             list.push_back({{strain.joint, e.columns.joint_generations[strain.joint]},
-                            body_id(e.columns, a),
-                            body_id(e.columns, b),
+                            named(a),
+                            named(b),
                             force,
                             torque});
         };

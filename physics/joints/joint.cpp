@@ -23,6 +23,11 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
+/// A damping ratio beyond which the arithmetic of a soft row has no digits left.
+float check_ratio(const char* what, float value) {
+    return check_range(what, value, 0.0f, 1000.0f);
+}
+
 constexpr const char* two_bodies = "body_a and body_b: expected two different bodies";
 
 }  // namespace
@@ -67,7 +72,7 @@ JointRecord checked(const World& world, JointType type, const JointDef& def) {
     record.report_torque = check_strength("report_torque", def.report_torque);
     record.constraint_hertz = check_not_negative("constraint_hertz", def.constraint_hertz);
     record.constraint_damping_ratio =
-        check_not_negative("constraint_damping_ratio", def.constraint_damping_ratio);
+        check_ratio("constraint_damping_ratio", def.constraint_damping_ratio);
     return record;
 }
 
@@ -219,7 +224,7 @@ FETTLE_JOINT_VALUE(break_torque, check_strength)
 FETTLE_JOINT_VALUE(report_force, check_strength)
 FETTLE_JOINT_VALUE(report_torque, check_strength)
 FETTLE_JOINT_VALUE(constraint_hertz, check_not_negative)
-FETTLE_JOINT_VALUE(constraint_damping_ratio, check_not_negative)
+FETTLE_JOINT_VALUE(constraint_damping_ratio, check_ratio)
 
 void Joint::set_broken(bool broken) {
     detail::set_joint_broken(edited(__func__).editing(), id_.index, broken);

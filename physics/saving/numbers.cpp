@@ -160,7 +160,7 @@ void check(const JointRecord& joint, size_t slot) {
     check_strength("report_force", joint.report_force);
     check_strength("report_torque", joint.report_torque);
     check_not_negative("constraint_hertz", joint.constraint_hertz);
-    check_not_negative("constraint_damping_ratio", joint.constraint_damping_ratio);
+    check_range("constraint_damping_ratio", joint.constraint_damping_ratio, 0.0f, 1000.0f);
     joint_kind(joint.type).check(joint);
     for (const float impulse : joint.impulses.as<std::array<float, 6>>())
         require(are_finite(impulse), "the impulses of joint", slot);

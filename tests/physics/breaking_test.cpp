@@ -37,6 +37,7 @@ TEST_CASE("a broken joint tells which and how hard it was pulled and can be mend
     REQUIRE(world.events().joint_broke.size() == 1);
     const JointBreakEvent& event = world.events().joint_broke[0];
     REQUIRE(event.joint == weld.id());
+    REQUIRE((event.body_a == BodyId()));  // the world
     REQUIRE(event.body_b == beam.id());
     REQUIRE(event.torque == Approx(moment).epsilon(0.01));
     REQUIRE(event.force.y == Approx(10.0f * beam.mass()).epsilon(0.01));

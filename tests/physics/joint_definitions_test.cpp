@@ -138,6 +138,9 @@ TEST_CASE("a definition without a meaning makes no joint") {
         Catch::Matchers::Contains("lower_spring_force"));
     CHECK_THROWS_WITH(world.create_ratchet_joint({.body_b = body.id(), .tooth = -1.0f}),
                       Catch::Matchers::Contains("tooth"));
+    CHECK_THROWS_WITH(
+        world.create_weld_joint({.body_b = body.id(), .constraint_damping_ratio = 3e38f}),
+        Catch::Matchers::Contains("constraint_damping_ratio"));
     CHECK(world.joint_count() == 0);
 }
 

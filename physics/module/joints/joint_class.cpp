@@ -55,9 +55,12 @@ void define_joint(Hosting& hosting) {
                "How fast it corrects an error of its position; 0: 60 Hz, and more where it "
                "connects bodies of very different masses.",
                setting<&Joint::constraint_hertz, &Joint::set_constraint_hertz>(hosting)),
-        amount("constraint_damping_ratio", 2, "", "Damping ratio of a constraint_hertz above 0.",
-               setting<&Joint::constraint_damping_ratio, &Joint::set_constraint_damping_ratio>(
-                   hosting)),
+        within(
+            {.min = 0, .max = 1000},
+            number("constraint_damping_ratio", 2, "",
+                   "Damping ratio of a constraint_hertz above 0.",
+                   setting<&Joint::constraint_damping_ratio, &Joint::set_constraint_damping_ratio>(
+                       hosting))),
         simulated(flag("broken", false, "True if it broke and does not act; false repairs it.",
                        setting<&Joint::broken, &Joint::set_broken>(hosting))),
         {.name = "force",

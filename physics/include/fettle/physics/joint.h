@@ -65,7 +65,8 @@ class Joint {
     /// of very different masses. The solver `direct` holds joints exactly, whatever this is.
     float constraint_hertz() const;
     void set_constraint_hertz(float hertz);
-    float constraint_damping_ratio() const;  ///< 2 by default; only with a `constraint_hertz`
+    /// 0 … 1000; 2 by default. Only with a `constraint_hertz`.
+    float constraint_damping_ratio() const;
     void set_constraint_damping_ratio(float ratio);
     bool broken() const;
     void set_broken(bool broken);  ///< false repairs the joint

@@ -93,7 +93,7 @@ fettle_code fettle_joint_constraint_hertz(const fettle_world* world, fettle_id j
 fettle_code fettle_joint_set_constraint_hertz(fettle_world* world, fettle_id joint,
                                               float constraint_hertz);
 
-/** At least 0, finite; 2 by default. Only with a constraint_hertz. */
+/** From 0 to 1000; 2 by default. Only with a constraint_hertz. */
 fettle_code fettle_joint_constraint_damping_ratio(const fettle_world* world, fettle_id joint,
                                                   float* constraint_damping_ratio);
 fettle_code fettle_joint_set_constraint_damping_ratio(fettle_world* world, fettle_id joint,
