@@ -33,8 +33,8 @@ class JointFunctions {
 
   public:
     static constexpr JointKind kind(const char* name) {
-        return {name, sizeof(Constraint), begin, check, prepare, warm_start, solve, relax,
-                load, write_rows,         store};
+        return {name, sizeof(Constraint), begin,      check, prepare, warm_start, solve, relax,
+                load, push_on_a,          write_rows, store};
     }
 
   private:
@@ -101,6 +101,13 @@ class JointFunctions {
 
     static JointLoad load(const JointArray& array, size_t index) {
         return array.as<Constraint>()[index].load();
+    }
+    static Vec2 push_on_a(const JointArray& array, size_t index) {
+        const Constraint& c = array.as<Constraint>()[index];
+        if constexpr (requires { c.push_on_a(); })
+            return c.push_on_a();
+        else
+            return -c.load().push;
     }
 
     static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {

@@ -1,3 +1,4 @@
+#include <solver/accounting.h>
 #include <solver/contact_solver.h>
 #include <solver/joint_passes.h>
 #include <solver/joint_response.h>
@@ -166,6 +167,7 @@ struct alignas(line_size) SoftStep {
         const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
         const auto move_bodies = move_loop(block);
         prepare_block(block, wide);
+        begin_substeps(input, block);
         for (int substep = 0; substep < input.settings.substeps; ++substep) {
             (substep > 0 ? begin_again : begin).run();
             if (substep == 0) warm_start.run();
@@ -175,6 +177,7 @@ struct alignas(line_size) SoftStep {
                 relax.run();
             else
                 relax_and_store.run();
+            add_substep(input, block, wide);
         }
     }
 
@@ -308,6 +311,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     step.prepare_block(block, first.wide);
     if (!contacts.extras.empty()) first.bounce(block);
     zero_locked(input);
+    begin_substeps(input, block);
     for (int substep = 0; substep < input.settings.substeps; ++substep) {
         const bool again = first.repeats && substep > 0;
         (again ? begin_again : begin).run();
@@ -322,6 +326,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();
         zero_locked(input);
         strain_joints(input.joints);
+        add_substep(input, block, first.wide);
     }
     if (!contacts.extras.empty()) {
         first.restitute(block);

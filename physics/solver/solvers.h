@@ -3,6 +3,7 @@
 #include <constraints/joint_ends.h>
 #include <constraints/stiffness.h>
 #include <state/step_scratch.h>
+#include <state/velocity_sums.h>
 #include <state/world_state.h>
 #include <threads/pool.h>
 #include <wide/kernels.h>
@@ -22,6 +23,7 @@ struct SolverInput {
     ContactScratch& contacts;
     ScheduleScratch& schedule;
     ThreadPool* threads;
+    std::span<VelocitySums> sums;  ///< of the bodies whose changes of velocity are added up
 };
 
 /// Solves with the solver of the settings.

@@ -38,6 +38,8 @@ struct JointKind {
                           JointRange range);
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
+    /// The impulse on the center of mass of body a in a sub-step.
+    Vec2 (*push_on_a)(const JointArray& array, size_t index);
     /// Writes the rows of all joints, at the current poses of their bodies. The conditions of
     /// `solve` and `relax` are all written at once.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);

@@ -2,6 +2,7 @@
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
 #include <schedule/schedule.h>
+#include <solver/accounting.h>
 #include <solver/joint_passes.h>
 #include <solver/serial_contacts.h>
 #include <solver/solvers.h>
@@ -107,11 +108,16 @@ void WorldData::step(float dt) {
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
     prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
-    const SolverInput solver_input = {of_step,         objects,      active,
-                                      strips,          body_scratch, joint_scratch,
-                                      contact_scratch, schedule,     threads};
+    const SolverInput solver_input = {
+        of_step,         objects,
+        active,          strips,
+        body_scratch,    joint_scratch,
+        contact_scratch, schedule,
+        threads,         groups ? std::span(self.sums) : std::span<VelocitySums>()};
+    begin_sums(solver_input, columns, steps, h);
     solve(solver_input, joint_step, stiffness, kernels, statistics);
     if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
+    end_sums(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings, dt);
     last_substep = h;
     last_length = h * float(settings.substeps);
@@ -128,6 +134,8 @@ void WorldData::step(float dt) {
                        pair_scratch, contact_list(), activity(), pending, user_filter(),
                        self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
                       dt);
+    for (VelocitySums& sums : self.sums)
+        if (sums.solver_body != 0) sums.after = states[sums.body.index].velocity;
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     forget_ends(active, body_scratch);

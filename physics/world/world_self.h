@@ -2,6 +2,7 @@
 
 #include <fettle/physics/callbacks.h>
 #include <fettle/physics/owner.h>
+#include <state/velocity_sums.h>
 #include <threads/pool.h>
 #include <world/world_link.h>
 
@@ -24,8 +25,8 @@ inline constexpr const char in_draw[] = "a function of the DebugDraw (World::dra
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
-/// Data of a world that are not part of its state: identity, user functions, owner, threads, and
-/// lock. Copying or restoring a state does not change them.
+/// Data of a world that are not part of its state: identity, user functions, owner, threads, lock,
+/// and accounts. Copying or restoring a state does not change them.
 struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state without a world
     PairFilter filter;
@@ -34,6 +35,7 @@ struct WorldSelf {
     std::vector<std::function<void()>> after_step;  ///< to be called once, after a step
     const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
     std::unique_ptr<ThreadPool> pool;
+    std::vector<VelocitySums> sums;  ///< of the bodies of `World::keep_account`
 
     WorldSelf();
     ~WorldSelf();

@@ -474,6 +474,7 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, set_friction_mix, world, (MixRule::average)),
         EDIT(World, set_restitution_mix, world, (MixRule::average)),
         EDIT(World, set_persist_events, world, (true)),
+        EDIT(World, keep_account, world, (things.body.id())),
         EDIT(World, wake_all, world, ()),
         EDIT(World, ignore_until_separated, world, (things.box, things.circle)),
         EDIT(World, reserve, world, ({.bodies = 2})),

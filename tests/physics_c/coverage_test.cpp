@@ -56,6 +56,8 @@ const std::map<std::string, std::string> exceptions = {
     {"World::field", "makes a handle, which is an id in C"},
     {"World::joint_generation",
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
+    {"World::keep_account", "for tools that explain a world, as the console does"},
+    {"World::account", "for tools that explain a world, as the console does"},
     {"Owner::tell_unlocked", "the library calls it"},
     {"Mover::definition", "in C it is a structure of the caller, as is the state"},
     {"Mover::set_definition", "in C it is a structure of the caller"},

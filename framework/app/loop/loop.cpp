@@ -9,6 +9,7 @@
 #include <fettle/app/foreground.h>
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/explaining.h>
 
 #include <time/state_hash.h>
 
@@ -219,7 +220,8 @@ void Loop::repeat_after_return(double real_dt) {
 bool Loop::prelude(double dt, double real_dt, Stopwatch& watch) {
     services_.clock.real += real_dt;
     (void)timeline_.take_return();
-    tree_.locate_writes(services_.view.show.blame);
+    const bool looked_at = property::take_prepared(tree_);
+    tree_.locate_writes(services_.view.show.blame || looked_at);
     if (halted_) {
         services_.input.drop();
         barrier();  // edits from the console still take effect

@@ -5,6 +5,7 @@
 #include <fettle/property/acceptance.h>
 #include <fettle/property/drawing.h>
 #include <fettle/property/error.h>
+#include <fettle/property/explaining.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/restoring.h>
@@ -333,6 +334,8 @@ void each_restored(const Tree& tree, const std::function<void(Handle, const Clas
 }
 
 // --- Steps
+
+void explain_with(Tree&, const Property&, Explainer) {}
 
 std::uint64_t Tree::step() const {
     const State& s = *state_;

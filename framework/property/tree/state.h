@@ -3,8 +3,11 @@
 
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include <fettle/property/explaining.h>
 
 #include <history/history.h>
 
@@ -41,6 +44,8 @@ struct Tree::State {
     Formulas formulas{changes, underway};
     Structure structure{formulas, underway};
     History history{structure};
+    std::unordered_map<const Property*, Explainer> explainers;
+    bool looked_at = false;                 // somebody looks at an instance
     const Event* restored_event = nullptr;  // of Game
     SnapshotState snapshots;
     std::vector<std::pair<const Class*, AddedRules*>> added_rules;

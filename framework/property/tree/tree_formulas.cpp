@@ -87,12 +87,6 @@ void formula_problem_told(Tree& tree, Handle instance, const Property& property)
     tree.state().formulas.problem_reported({instance.index, property.symbol});
 }
 
-Explanation Tree::why(Handle instance, const Property& property) const {
-    state_->instances.require(instance, property);
-    std::vector<Cell> seen;
-    return state_->formulas.why(instance, property, seen);
-}
-
 void Tree::compile_formulas_with(FormulaCompiler compiler) {
     state_->formulas.compiler = std::move(compiler);
 }

@@ -93,7 +93,7 @@ int who(lua_State* L) {
 }
 
 void explain(Machine& machine, const Explanation& why, const std::string& indent) {
-    std::string line = indent + why.path + " = " + why.value;
+    std::string line = indent + why.path + (why.value.empty() ? "" : " = " + why.value);
     if (!why.source.empty()) line += "   is " + one_line(why.source);
     if (!why.problem.empty()) line += "   in error: " + why.problem;
     if (why.repeated) line += "   (see above)";
@@ -106,7 +106,10 @@ int why(lua_State* L) {
     const Place place = property_at(L, "why");
     const Explanation explanation = machine.tree.why(place.instance, *place.property);
     explain(machine, explanation, "");
-    if (explanation.source.empty()) who(L);
+    // What a module has explained needs no writer, unless there is one.
+    if (explanation.source.empty() &&
+        (explanation.from.empty() || machine.tree.who(place.instance, *place.property).known))
+        who(L);
     return 0;
 }
 

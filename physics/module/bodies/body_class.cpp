@@ -6,6 +6,7 @@
 
 #include <bindings/bindings.h>
 #include <bodies/body_class.h>
+#include <bodies/explanations.h>
 #include <bodies/touches.h>
 #include <events/events.h>
 
@@ -319,6 +320,7 @@ void define_body(Hosting& hosting) {
     hosting.woke = defined.event("woke");
     hosting.slept = defined.event("slept");
     hosting.note_pair_events(defined, &PairEvent::of_body);
+    explain_bodies(hosting, defined);
 }
 
 }  // namespace fettle::physics_module

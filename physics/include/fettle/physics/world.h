@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fettle/physics/account.h>
 #include <fettle/physics/body.h>
 #include <fettle/physics/callbacks.h>
 #include <fettle/physics/coupling_joints.h>
@@ -311,8 +312,16 @@ class World {
 
     const Events& events() const;  ///< of the last step
     const StepStatistics& statistics() const;
-    /// Heap memory of the world, by purpose, without callbacks and threads. Memory that a step can
-    /// rebuild is freed when most bodies have fallen asleep.
+    /// From the next step on, adds up what changes the velocity of this body; other results do not
+    /// depend on that. Of more than `most_accounts` bodies, the ones asked for first are dropped.
+    /// Accounts are for the solver `soft_step`. They are not part of the state: a copy has none.
+    void keep_account(BodyId body);
+    static constexpr size_t most_accounts = 8;
+    /// What changed the velocity of a body in the last step; none if that was not added up, or if
+    /// the body was asleep or does not move by forces.
+    std::optional<VelocityAccount> account(BodyId body) const;
+    /// Heap memory of the world, by purpose, without callbacks, threads and accounts. Memory that a
+    /// step can rebuild is freed when most bodies have fallen asleep.
     std::vector<MemoryShare> memory() const;
     /// Hash of position, angle and velocities of all bodies, in slot order. Equal histories have
     /// equal hashes.

@@ -1,0 +1,213 @@
+// What changed the velocity and the pose of a body in the last step.
+
+#include <bodies/motion_account.h>
+
+#include <cmath>
+
+#include <fettle/physics/locked.h>
+#include <fettle/property/explaining.h>
+
+#include <bindings/bindings.h>
+
+namespace fettle::physics_module {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A change that is not listed, because it is only rounding: as a share of the largest number.
+constexpr float only_rounding = 2e-6f;
+
+class Motion {
+  public:
+    Motion(Hosting& hosting, Handle self)
+        : hosting_(hosting),
+          row_(hosting.tree.row(self)),
+          world_(hosting.world(row_)),
+          body_(hosting.body(row_)),
+          path_(hosting.tree.path(self)),
+          world_path_(hosting.hosted(row_).self ? hosting.tree.path(hosting.hosted(row_).self)
+                                                : "world") {}
+
+    Lines velocity() {
+        if (const std::string reason = still(); !reason.empty()) return {reason};
+        const auto account = world_.account(body_.id());
+        if (!account) return estimated();
+        largest_ = account->before.length() + account->after.length() + account->gravity.length();
+        say("before the last step: ", account->earlier);
+        add("between the steps (writes, edits of shapes): ", account->before - account->earlier);
+        forces(account->gravity, account->force, account->applied);
+        add("fields of force: ", account->fields);
+        for (const physics::ContactShare& share : account->contacts)
+            push(named(share), share.change, share.impulse);
+        for (const physics::JointShare& share : account->joints)
+            push(named(share.joint), share.change, share.impulse);
+        add("damping (" + path_ + ".linear_damping): ", account->damping);
+        add("the rest (locked axes, limits of speed, blows through joints): ", account->rest);
+        add("written since the step: ", body_.velocity() - account->after);
+        return std::move(lines_);
+    }
+
+    Lines position() {
+        const physics::Pose before = world_.previous(slot_of(row_));
+        const physics::Vec2 moved = body_.position() - before.position;
+        const auto dt = static_cast<float>(hosting_.last_dt);
+        const physics::Vec2 by_velocity = dt * body_.velocity();
+        if (moved == physics::Vec2{} && by_velocity != physics::Vec2{})
+            return {"it was put here after the last step"};
+        // The velocity is that of the center of mass.
+        const physics::Vec2 turned = offset(before.angle) - offset(body_.angle());
+        largest_ = body_.position().length() + moved.length();
+        unit_ = " m";
+        say("before the last step: ", before.position);
+        if (body_.type() != physics::BodyType::static_body)
+            say(path_ + ".velocity × " + text(hosting_.last_dt) + " s: + ", by_velocity);
+        add("turned about its center of mass: ", turned);
+        add("within the step (other velocities before its end, overlaps): ",
+            moved - by_velocity - turned);
+        return std::move(lines_);
+    }
+
+    Lines angle() {
+        const float before = world_.previous(slot_of(row_)).angle;
+        const float turned = body_.angle() - before;
+        const float by_velocity = static_cast<float>(hosting_.last_dt) * body_.angular_velocity();
+        if (turned == 0 && by_velocity != 0) return {"it was put here after the last step"};
+        Lines lines{"before the last step: " + text(to_value(before)) + " rad",
+                    path_ + ".angular_velocity × " + text(hosting_.last_dt) + " s: + " +
+                        text(to_value(by_velocity)) + " rad"};
+        if (const float rest = turned - by_velocity;
+            std::fabs(rest) > only_rounding * (std::fabs(before) + std::fabs(turned)))
+            lines.push_back("within the step (other velocities before its end): + " +
+                            text(to_value(rest)) + " rad");
+        return lines;
+    }
+
+    void prepare() {
+        try {
+            world_.keep_account(body_.id());
+        } catch (const physics::Locked&) {
+            // Asked by a function that the world calls: there is no account yet.
+        }
+    }
+
+  private:
+    /// Why nothing changes the velocity; "" if something may.
+    std::string still() const {
+        if (!hosting_.hosted(row_).self) return "it is in no world, so nothing moves it";
+        if (body_.type() == physics::BodyType::static_body) return "a static body does not move";
+        if (body_.type() == physics::BodyType::kinematic_body)
+            return "a kinematic body keeps the velocity that was written";
+        if (std::isinf(body_.mass())) return "a body of infinite mass does not move";
+        if (!body_.awake()) return "it is asleep (" + path_ + ".awake)";
+        return world_.solver() == physics::Solver::soft_step
+                   ? ""
+                   : "the changes are only added up by the solver \"soft_step\" (" + world_path_ +
+                         ".solver)";
+    }
+
+    /// The impulses of contacts are those of the last sub-step: nothing else is kept of a step that
+    /// was not added up.
+    Lines estimated() {
+        prepare();
+        const float dt = static_cast<float>(hosting_.last_dt), mass = body_.mass();
+        const auto substeps = static_cast<float>(world_.last_substeps());
+        lines_.push_back(
+            "about, since the sums of this step were not kept; those of the next are:");
+        forces(dt * body_.gravity_scale() * world_.gravity(), dt / mass * body_.force(),
+               physics::Vec2{});
+        for (const physics::Contact& contact : body_.contacts()) {
+            const bool first = contact.body_a == body_.id();
+            const physics::Vec2 tangent(contact.normal.y, -contact.normal.x);
+            physics::Vec2 impulse = {};
+            for (int k = 0; k < contact.point_count; ++k) {
+                const physics::ContactPoint& p = contact.points[static_cast<std::size_t>(k)];
+                impulse +=
+                    substeps * (p.normal_impulse * contact.normal + p.tangent_impulse * tangent);
+            }
+            if (first) impulse = -1.0f * impulse;
+            push(named({.own = first ? contact.shape_a : contact.shape_b,
+                        .other = first ? contact.shape_b : contact.shape_a,
+                        .body = first ? contact.body_b : contact.body_a}),
+                 impulse / mass, impulse);
+        }
+        for (const physics::Joint& joint : body_.joints()) {
+            const float side = joint.body_b() == body_ ? dt : -dt;
+            push(named(joint.id()), side / mass * joint.force(), side * joint.force());
+        }
+        return std::move(lines_);
+    }
+
+    void forces(const physics::Vec2& gravity, const physics::Vec2& force,
+                const physics::Vec2& applied) {
+        const std::string scale =
+            body_.gravity_scale() == 1.0f ? "" : " × " + path_ + ".gravity_scale";
+        add(world_path_ + ".gravity" + scale + ": ", gravity);
+        add(path_ + ".force: ", force);
+        add("apply_force: ", applied);
+    }
+
+    physics::Vec2 offset(float angle) const {
+        const physics::Vec2 center = body_.center();
+        const float c = std::cos(angle), s = std::sin(angle);
+        return {c * center.x - s * center.y, s * center.x + c * center.y};
+    }
+
+    std::string text(const Value& value) const {
+        return hosting_.tree.text(value, property::Precision::single_precision);
+    }
+    std::string text(const physics::Vec2& v) const { return text(to_value(v)); }
+    void say(const std::string& what, const physics::Vec2& v) {
+        lines_.push_back(what + text(v) + unit_);
+    }
+    /// Lists a change, unless there is none.
+    void add(const std::string& what, const physics::Vec2& change) {
+        if (change.length() > only_rounding * largest_) say(what + "+ ", change);
+    }
+    void push(const std::string& by, const physics::Vec2& change, const physics::Vec2& impulse) {
+        if (impulse == physics::Vec2{}) return;
+        lines_.push_back(by + ": + " + text(change) + unit_ + ", impulse " + text(impulse) +
+                         " N s");
+    }
+
+    std::string path_of(std::uint64_t user_data, const std::string& otherwise) const {
+        const Handle instance = hosting_.instance_of(user_data);
+        return instance ? hosting_.tree.path(instance) : otherwise;
+    }
+    std::string named(const physics::ContactShare& share) const {
+        if (share.body.index == 0) return "contact with the bounds of " + world_path_;
+        return "contact with " + (world_.is_valid(share.other)
+                                      ? path_of(world_.shape(share.other).user_data(), "a shape")
+                                      : "a shape that is deleted");
+    }
+    std::string named(physics::JointId joint) const {
+        return "joint " + (world_.is_valid(joint)
+                               ? path_of(world_.joint(joint).user_data(), "without a name")
+                               : "that is deleted");
+    }
+
+    Hosting& hosting_;
+    Row row_;
+    physics::World& world_;
+    physics::Body body_;
+    std::string path_, world_path_, unit_ = " m/s";
+    float largest_ = 0;
+    Lines lines_;
+};
+
+property::Explainer explained(Hosting& hosting, Lines (Motion::*explain)()) {
+    return {
+        .sources = [&hosting, explain](Handle self) { return (Motion(hosting, self).*explain)(); }};
+}
+
+}  // namespace
+
+void explain_motion(Hosting& hosting, const property::Class& body) {
+    property::Tree& tree = hosting.tree;
+    property::Explainer velocity = explained(hosting, &Motion::velocity);
+    velocity.prepare = [&hosting](Handle self) { Motion(hosting, self).prepare(); };
+    property::explain_with(tree, *body.property("velocity"), std::move(velocity));
+    property::explain_with(tree, *body.property("position"), explained(hosting, &Motion::position));
+    property::explain_with(tree, *body.property("angle"), explained(hosting, &Motion::angle));
+}
+
+}  // namespace fettle::physics_module

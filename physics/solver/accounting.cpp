@@ -1,0 +1,165 @@
+#include <solver/accounting.h>
+#include <state/joint_kind.h>
+
+#include <algorithm>
+
+namespace fettle::physics::detail {
+namespace {
+
+Vec2 along(const ContactConstraint& c, float normal, float tangent) {
+    return normal * c.normal + tangent * right_perp(c.normal);
+}
+
+VelocitySums::OfContact& sum_of(VelocitySums& sums, uint32_t contact) {
+    const auto found = std::ranges::find(sums.contacts, contact, &VelocitySums::OfContact::contact);
+    if (found != sums.contacts.end()) return *found;
+    return sums.contacts.emplace_back(VelocitySums::OfContact{.contact = contact});
+}
+
+/// Calls `add(lane)` for the lanes of a group that contain the body.
+void for_lanes(const WideContact& wide, uint32_t body, auto&& add) {
+    for (int lane = 0; lane < lanes; ++lane) {
+        if (wide.a[lane] == wide.b[lane]) return;  // the rest is unused
+        if (wide.a[lane] == body || wide.b[lane] == body) add(lane);
+    }
+}
+
+void add_wide(VelocitySums& sums, const SolverInput& input, const SolverBlock& block,
+              WideBlock& from) {
+    for (size_t group = block.first_group; group < block.group_end; ++group) {
+        const WideContact& wide = *from.contacts_of(group);
+        for_lanes(wide, sums.solver_body, [&](int lane) {
+            const WidePoint &p = wide.points[0], &q = wide.points[1];
+            const float normal = p.normal_impulse[lane] + q.normal_impulse[lane];
+            const float tangent = p.tangent_impulse[lane] + q.tangent_impulse[lane];
+            const Vec2 n = {wide.normal_x[lane], wide.normal_y[lane]};
+            const float side = wide.b[lane] == sums.solver_body ? 1.0f : -1.0f;
+            const uint32_t acting = input.contacts.lane_contacts[group * lanes + size_t(lane)];
+            VelocitySums::OfContact& sum = sum_of(sums, input.contacts.acting[acting].slot);
+            sum.impulse = sum.impulse + side * (normal * n + tangent * right_perp(n));
+        });
+    }
+}
+
+/// Calls `add(constraint, sum, side)` for the serial contacts of a body.
+void for_serial(VelocitySums& sums, const SolverInput& input, auto&& add) {
+    for (const ContactConstraint& c : input.contacts.constraints)
+        if (c.a == sums.solver_body || c.b == sums.solver_body)
+            add(c, sum_of(sums, c.contact), c.b == sums.solver_body ? 1.0f : -1.0f);
+}
+
+void add_serial(VelocitySums& sums, const SolverInput& input) {
+    for_serial(
+        sums, input, [](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
+            for (int k = 0; k < c.count; ++k) {
+                const ConstraintPoint& p = c.points[k];
+                sum.impulse = sum.impulse + side * along(c, p.normal_impulse, p.tangent_impulse);
+                sum.counted[k] += p.normal_impulse;
+            }
+        });
+}
+
+void add_joints(VelocitySums& sums, const SolverInput& input) {
+    if (input.objects.bodies[sums.body.index].joint_count == 0) return;
+    for (size_t i = 0; i < input.joints.joint_arrays.size(); ++i) {
+        const JointArray& array = input.joints.joint_arrays[i];
+        const JointKind& kind = joint_kind(JointScratch::type_of(i));
+        for (size_t k = 0; k < array.joints.size(); ++k) {
+            const uint32_t slot = array.joints[k];
+            const auto& bodies = input.objects.joints[slot].bodies;
+            if (bodies[0] != sums.body.index && bodies[1] != sums.body.index) continue;
+            const Vec2 push =
+                bodies[1] == sums.body.index ? kind.load(array, k).push : kind.push_on_a(array, k);
+            auto found = std::ranges::find(sums.joints, slot, &VelocitySums::OfJoint::slot);
+            if (found == sums.joints.end())
+                found = sums.joints.insert(found, VelocitySums::OfJoint{.slot = slot});
+            found->impulse = found->impulse + push;
+        }
+    }
+}
+
+}  // namespace
+
+void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h) {
+    for (VelocitySums& sums : input.sums) {
+        const bool follows = sums.step != 0 && sums.step == steps && sums.solver_body != 0;
+        const Vec2 earlier = sums.after;
+        sums = {.body = sums.body, .step = steps + 1};
+        if (!columns.is_valid(sums.body)) continue;
+        const BodyRecord& record = input.objects.bodies[sums.body.index];
+        if (record.mobility != Mobility::dynamic || record.solver_index == 0) continue;
+        sums.solver_body = record.solver_index;
+        const SolverBody& body = input.bodies.solver_bodies[sums.solver_body];
+        const SolverForce& force = input.bodies.solver_forces[sums.solver_body];
+        const Vec2 moves = {record.locked_x ? 0.0f : 1.0f, record.locked_y ? 0.0f : 1.0f};
+        const float substeps = float(input.settings.substeps);
+        sums.inverse_mass = body.inverse_mass * moves;
+        sums.before = body.velocity;
+        sums.earlier = follows ? earlier : sums.before;
+        sums.gravity = substeps * h * record.gravity_scale * scaled(moves, input.settings.gravity);
+        sums.force = substeps * h * scaled(sums.inverse_mass, record.force);
+        sums.applied = substeps * h * scaled(sums.inverse_mass, record.step_force);
+        sums.fields =
+            substeps * scaled(moves, force.change) - (sums.gravity + sums.force + sums.applied);
+    }
+}
+
+void begin_substeps(const SolverInput& input, const SolverBlock& block) {
+    for (VelocitySums& sums : input.sums) {
+        const std::span bodies = input.schedule.blocks.bodies_of(block);
+        if (sums.solver_body == 0 || std::ranges::find(bodies, sums.solver_body) == bodies.end())
+            continue;
+        sums.block = uint32_t(&block - &input.schedule.blocks[0]);
+        sums.last = input.bodies.solver_bodies[sums.solver_body].velocity;
+    }
+}
+
+void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& wide) {
+    const auto index = uint32_t(&block - &input.schedule.blocks[0]);
+    for (VelocitySums& sums : input.sums) {
+        if (sums.solver_body == 0 || sums.block != index) continue;
+        add_wide(sums, input, block, wide);
+        if (index == 0) {
+            add_serial(sums, input);
+            add_joints(sums, input);
+        }
+        const SolverForce& force = input.bodies.solver_forces[sums.solver_body];
+        const auto lost_by = [](float keep, float inverse_mass) {
+            return inverse_mass > 0.0f ? keep - 1.0f : 0.0f;  // not along a locked axis
+        };
+        const Vec2 lost = {lost_by(force.keep.x, sums.inverse_mass.x),
+                           lost_by(force.keep.y, sums.inverse_mass.y)};
+        sums.damping = sums.damping + scaled(lost, sums.last + force.change);
+        sums.last = input.bodies.solver_bodies[sums.solver_body].velocity;
+    }
+}
+
+void end_sums(const SolverInput& input, const Columns& columns) {
+    const ObjectState& objects = input.objects;
+    for (VelocitySums& sums : input.sums) {
+        if (sums.solver_body == 0) continue;
+        // The impulses of bounces are not in those of any sub-step.
+        for_serial(sums, input,
+                   [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
+                       if (c.extra == 0) return;
+                       const ContactExtra& extra = input.contacts.extras[c.extra - 1];
+                       for (int k = 0; k < c.count; ++k)
+                           sum.impulse =
+                               sum.impulse + side * along(c, extra.total[k] - sum.counted[k], 0.0f);
+                   });
+        std::erase_if(sums.contacts, [](const VelocitySums::OfContact& sum) {
+            return sum.impulse.x == 0.0f && sum.impulse.y == 0.0f;
+        });
+        for (VelocitySums::OfContact& sum : sums.contacts) {
+            const ContactRecord& c = objects.contacts[sum.contact];
+            const bool first = c.body_a == sums.body.index;
+            sum.own = shape_id(objects, columns, first ? c.shape_a : c.shape_b);
+            sum.other = shape_id(objects, columns, first ? c.shape_b : c.shape_a);
+            sum.body = body_id(columns, first ? c.body_b : c.body_a);
+        }
+        for (VelocitySums::OfJoint& sum : sums.joints)
+            sum.joint = {sum.slot, columns.joint_generations[sum.slot]};
+    }
+}
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <solver/solvers.h>
+
+// Sums of impulses for the few bodies whose changes of velocity the user asked for. The passes of
+// the solver do not know about them: after each sub-step, the impulses of the constraints on these
+// bodies are added. A step without such bodies does none of this.
+
+namespace fettle::physics::detail {
+
+/// Begins the sums of a step, after the forces were gathered. `h`: sub-step, s.
+void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h);
+/// To be called before the first sub-step of a block, after its bounces.
+void begin_substeps(const SolverInput& input, const SolverBlock& block);
+/// To be called after each sub-step of a block. `wide` has the wide contacts of the block.
+void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& wide);
+/// Ends the sums after the solver, while all contacts of the step still exist.
+void end_sums(const SolverInput& input, const Columns& columns);
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,57 @@
+#include <world/live.h>
+
+#include <algorithm>
+
+// What changed the velocity of a body in the last step.
+
+namespace fettle::physics {
+
+using namespace detail;
+
+void World::keep_account(BodyId body) {
+    WorldData& data = edit(__func__);
+    std::vector<VelocitySums>& all = data.self.sums;
+    const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
+    std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });
+    if (!data.is_valid(body) || std::ranges::any_of(all, of_body)) return;
+    if (all.size() == most_accounts) all.erase(all.begin());
+    all.push_back({.body = body});
+}
+
+std::optional<VelocityAccount> World::account(BodyId body) const {
+    const WorldData& data = *data_;
+    const auto& all = data.self.sums;
+    const auto found = std::ranges::find(all, body, &VelocitySums::body);
+    if (found == all.end() || found->step == 0 || found->step != data.steps ||
+        found->solver_body == 0)
+        return std::nullopt;
+    const VelocitySums& sums = *found;
+    const auto change_by = [&](Vec2 impulse) {
+        return Vec2{sums.inverse_mass.x * impulse.x, sums.inverse_mass.y * impulse.y};
+    };
+    VelocityAccount account;
+    account.earlier = sums.earlier;
+    account.before = sums.before;
+    account.after = sums.after;
+    account.gravity = sums.gravity;
+    account.force = sums.force;
+    account.applied = sums.applied;
+    account.fields = sums.fields;
+    account.damping = sums.damping;
+    Vec2 rest = sums.after - sums.before -
+                (sums.gravity + sums.force + sums.applied + sums.fields + sums.damping);
+    for (const VelocitySums::OfContact& sum : sums.contacts) {
+        const Vec2 change = change_by(sum.impulse);
+        rest = rest - change;
+        account.contacts.push_back({sum.own, sum.other, sum.body, sum.impulse, change});
+    }
+    for (const VelocitySums::OfJoint& sum : sums.joints) {
+        const Vec2 change = change_by(sum.impulse);
+        rest = rest - change;
+        account.joints.push_back({sum.joint, sum.impulse, change});
+    }
+    account.rest = rest;
+    return account;
+}
+
+}  // namespace fettle::physics

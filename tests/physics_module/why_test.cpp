@@ -1,0 +1,248 @@
+// Why a body has its mass, its velocity and its pose: what is told adds up.
+
+#include <fettle/property/explaining.h>
+#include <limits>
+#include <regex>
+
+#include "catch.h"
+#include "game.h"
+
+namespace why_test {
+
+using namespace fettle;
+using physics_module::testing::Game;
+using property::Handle;
+using property::Value;
+using property::Vec2;
+
+namespace {
+
+std::vector<std::string> lines(Game& game, Handle of, const char* name) {
+    std::vector<std::string> all;
+    for (const property::Explanation& source :
+         game.tree.why(of, game.tree.property(of, name)).from) {
+        all.push_back(source.path);
+        UNSCOPED_INFO(source.path);
+    }
+    return all;
+}
+
+/// The sum of the first vectors behind the colons.
+Vec2 sum_of(const std::vector<std::string>& lines) {
+    Vec2 sum(0, 0);
+    const std::regex vec(": (\\+ )?vec\\(([^,]+), ([^)]+)\\)");
+    for (const std::string& line : lines)
+        if (std::smatch found; std::regex_search(line, found, vec))
+            sum += Vec2(std::stod(found[2]), std::stod(found[3]));
+    return sum;
+}
+
+bool has(const std::vector<std::string>& lines, const std::string& text) {
+    for (const std::string& line : lines)
+        if (line.find(text) != std::string::npos) return true;
+    return false;
+}
+
+/// Asks in each of some steps; returns the lines of the last one.
+std::vector<std::string> adds_up(Game& game, Handle body, int steps) {
+    lines(game, body, "velocity");
+    std::vector<std::string> last;
+    for (int i = 0; i < steps; ++i) {
+        game.step();
+        last = lines(game, body, "velocity");
+        const Vec2 is = game.vec(body, "velocity");
+        CHECK((sum_of(last) - is).length() < 1e-4 * (1 + is.length()));
+        CHECK_FALSE(has(last, "about"));
+        if (has(last, "the rest")) {
+            FAIL_CHECK("step " << i << " has a rest");
+        }
+    }
+    return last;
+}
+
+}  // namespace
+
+TEST_CASE("a velocity is the sum of what changed it on a stack") {
+    Game game;
+    game.floor();
+    std::vector<Handle> boxes;
+    for (int i = 0; i < 4; ++i) boxes.push_back(game.body("Box", {0, 0.5 + i}));
+    game.set(game.world(), "sleeping", false);
+    for (const Handle box : {boxes[0], boxes[2]}) {
+        const auto told = adds_up(game, box, 30);
+        CHECK(has(told, "world.gravity: + vec(0, -0.16"));
+        CHECK(has(told, "contact with world."));
+    }
+    game.set(boxes[1], "velocity", Vec2(0, 3));
+    const auto told = adds_up(game, boxes[1], 1);
+    CHECK(has(told, "impulse vec("));
+}
+
+TEST_CASE("a write between two steps is told apart") {
+    Game game;
+    const Handle ball = game.body("Circle", {0, 5});
+    adds_up(game, ball, 2);
+    game.set(ball, "velocity", Vec2(4, 0));
+    CHECK(has(lines(game, ball, "velocity"), "written since the step: + vec(4, "));
+    game.step();
+    const auto told = lines(game, ball, "velocity");
+    CHECK(has(told, "between the steps (writes, edits of shapes): + vec(4, "));
+    CHECK((sum_of(told) - game.vec(ball, "velocity")).length() < 1e-4);
+}
+
+TEST_CASE("forces and damping are told apart") {
+    Game game;
+    const Handle ball = game.body("Circle", {0, 5});
+    game.set(ball, "force", Vec2(7, 0));
+    game.set(ball, "linear_damping", 2.0);
+    game.set(ball, "gravity_scale", 0.5);
+    const auto told = adds_up(game, ball, 20);
+    CHECK(has(told, ".force: + vec(0.1"));
+    CHECK(has(told, "linear_damping): + vec(-"));
+    CHECK(has(told, "gravity_scale: + vec(0, -0.08"));
+    game.set(ball, "locked_y", true);
+    game.step();
+    CHECK_FALSE(has(adds_up(game, ball, 3), "gravity"));
+}
+
+TEST_CASE("joints, springs and pulleys are in the sum") {
+    Game game;
+    const Handle left = game.body("Circle", {-2, 0}), right = game.body("Box", {2, 0}),
+                 hung = game.body("Circle", {0, -3});
+    game.make("RevoluteJoint", game.world(),
+              {{"body_a", left}, {"anchor_a", Vec2(2, 1)}, {"anchor_b", Vec2(0, 1)}});
+    game.make("DistanceJoint", game.world(),
+              {{"body_a", left}, {"body_b", right}, {"hertz", 3.0}, {"length", 3.0}});
+    game.make(
+        "PulleyJoint", game.world(),
+        {{"body_a", right}, {"body_b", hung}, {"ground_a", Vec2(2, 4)}, {"ground_b", Vec2(0, 4)}});
+    for (const Handle body : {left, right, hung}) lines(game, body, "velocity");
+    for (int i = 0; i < 40; ++i) {
+        game.step();
+        for (const Handle body : {left, right, hung}) {
+            std::string all;
+            const auto told = lines(game, body, "velocity");
+            for (const std::string& line : told) all += line + "\n";
+            INFO(game.tree.path(body) << "\n" << all);
+            CHECK((sum_of(told) - game.vec(body, "velocity")).length() < 1e-3);
+            if (i < 5) CHECK(has(told, "joint world."));  // later the rope is slack
+        }
+    }
+}
+
+TEST_CASE("a conveyor, a bounce and a rolling ellipse are in the sum") {
+    Game game;
+    const Handle floor = game.floor();
+    game.set(game.shape_of(floor), "surface_speed", 2.0);
+    const Handle crate = game.body("Box", {0, 0.5});
+    CHECK(has(adds_up(game, crate, 20), "contact with world."));
+    const Handle ball = game.body("Circle", {6, 1});
+    game.set(game.shape_of(ball), "restitution", 0.8);
+    game.set(ball, "velocity", Vec2(1, -6));
+    adds_up(game, ball, 30);
+    const Handle egg = game.body("Ellipse", {-6, 1});
+    lines(game, egg, "velocity");
+    for (int i = 0; i < 30; ++i) {
+        game.step();
+        CHECK((sum_of(lines(game, egg, "velocity")) - game.vec(egg, "velocity")).length() < 1e-3);
+    }
+}
+
+TEST_CASE("many bodies are solved in several blocks and every account adds up") {
+    Game game;
+    game.floor();
+    std::vector<Handle> all;
+    for (int column = 0; column < 30; ++column)
+        for (int i = 0; i < 20; ++i)
+            all.push_back(game.body("Box", {-18.0 + 1.2 * column, 0.5 + 1.01 * i}));
+    for (const std::size_t i : {0u, 310u, 599u}) adds_up(game, all[i], 6);
+}
+
+TEST_CASE("an account changes no result") {
+    Game plain, asked;
+    for (Game* game : {&plain, &asked}) {
+        game->floor();
+        for (int i = 0; i < 5; ++i) game->body("Box", {0.1 * i, 0.6 + 1.1 * i});
+    }
+    for (int i = 0; i < 60; ++i) {
+        const auto bodies = asked.tree.children(asked.world());
+        lines(asked, bodies[bodies.size() - 1], "velocity");
+        plain.step();
+        asked.step();
+    }
+    CHECK(plain.physics.hash() == asked.physics.hash());
+}
+
+TEST_CASE("the first answer is an estimate and bodies that do not move have a reason") {
+    Game game;
+    const Handle floor = game.floor(), box = game.body("Box", {0, 0.5});
+    game.step(20);
+    const auto first = lines(game, box, "velocity");
+    CHECK(has(first, "about"));
+    CHECK(has(first, "contact with world."));
+    CHECK(has(lines(game, floor, "velocity"), "static body does not move"));
+    game.set(floor, "type", "kinematic");
+    CHECK(has(lines(game, floor, "velocity"), "keeps the velocity that was written"));
+    game.set(floor, "type", "static");
+    const Handle lost = game.make("Body", game.tree.root());
+    CHECK(has(lines(game, lost, "velocity"), "in no world"));
+    game.set(lost, "mass", std::numeric_limits<double>::infinity());
+    game.tree.move(lost, game.world());
+    CHECK(has(lines(game, lost, "velocity"), "infinite mass"));
+    REQUIRE(game.falls_asleep(box));
+    CHECK(has(lines(game, box, "velocity"), "asleep"));
+    property::prepare_explanations(game.tree, box);
+    game.set(box, "awake", true);
+    game.step();
+    CHECK_FALSE(has(lines(game, box, "velocity"), "about"));
+}
+
+TEST_CASE("mass, center and inertia are sums over the shapes") {
+    Game game;
+    const Handle body = game.body("Box", {0, 5});
+    const Handle box = game.shape_of(body), ball = game.make("Circle", body);
+    game.set(box, "density", 3.0);
+    game.set(ball, "center", Vec2(2, 0));
+    const auto first_numbers = [](const std::vector<std::string>& told) {
+        double sum = 0;
+        for (const std::string& line : told) sum += std::stod(line.substr(line.find(": ") + 2));
+        return sum;
+    };
+    const auto mass = lines(game, body, "mass");
+    REQUIRE(mass.size() == 2);
+    CHECK(mass[0].starts_with(game.tree.path(box) + ": 3 kg = density 3 kg/m² × area 1 m²"));
+    CHECK(first_numbers(mass) == Approx(game.number(body, "mass")).epsilon(1e-5));
+    CHECK(first_numbers(lines(game, body, "inertia")) ==
+          Approx(game.number(body, "inertia")).epsilon(1e-5));
+    Vec2 center(0, 0);
+    const std::regex part("vec\\(([^,]+), ([^)]+)\\) m, with (\\S+) of");
+    for (const std::string& line : lines(game, body, "center")) {
+        std::smatch found;
+        REQUIRE(std::regex_search(line, found, part));
+        center += std::stod(found[3]) * Vec2(std::stod(found[1]), std::stod(found[2]));
+    }
+    CHECK((center - game.vec(body, "center")).length() < 1e-5);
+    game.set(body, "mass", 8.0);
+    CHECK(has(lines(game, body, "mass"), "it was set"));
+    CHECK(has(lines(game, body, "inertia"), "because the mass was set"));
+    const Handle bare = game.make("Body", game.world());
+    CHECK(has(lines(game, bare, "mass"), "has 1 kg"));
+    game.step();
+    REQUIRE_FALSE(lines(game, bare, "center").empty());
+    REQUIRE_FALSE(lines(game, bare, "inertia").empty());
+}
+
+TEST_CASE("a position is velocity times the length of the step") {
+    Game game;
+    const Handle ball = game.body("Circle", {0, 5});
+    game.set(ball, "angular_velocity", 3.0);
+    game.step(10);
+    const auto told = lines(game, ball, "position");
+    CHECK(has(told, ".velocity × 0.01666"));
+    CHECK((sum_of(told) + Vec2(0, 0) - game.vec(ball, "position")).length() < 1e-4);
+    CHECK(has(lines(game, ball, "angle"), ".angular_velocity × "));
+    game.set(ball, "position", Vec2(1, 9));
+    CHECK(has(lines(game, ball, "position"), "put here"));
+}
+
+}  // namespace why_test
