@@ -45,7 +45,9 @@ void ContextMenu::draw_value(const property::Place& place) {
     if (select_class && item("Select all of its class", "All edits go to all of them"))
         select_class(tree_.class_of(owner));
     if (property.read_only) return;
-    if (item("Formula …", "Puts the beginning of a formula into the prompt")) insert(path + " is ");
+    if (item("Formula …", "Types a formula: is EXPRESSION")) {
+        if (!place.part.empty() || !begin_formula || !begin_formula(place)) insert(path + " is ");
+    }
     if (place.part.empty() && item("Reset", "Back to its default")) run(path + " = nil");
     if (!property.transient && item("Keep", "Writes the edit of it into the game"))
         run("keep(" + lua_string(path) + ")");

@@ -27,6 +27,9 @@ class ContextMenu {
     /// Puts a text into the prompt; into the clipboard.
     std::function<void(const std::string&text)> insert, copy;
 
+    /// Begins typing a formula of that property. False if it cannot be typed there.
+    std::function<bool(const property::Place&)> begin_formula;
+
     /// Opens the menu of that path in the next frame, at the mouse.
     void open(std::string path) {
         path_ = std::move(path);

@@ -43,6 +43,9 @@ class Inspector {
     /// scroll to.
     void select(property::Handle instance, const std::string& property = {});
 
+    /// Scrolls to a property of the selected instance.
+    void show(const property::Property& property) { scroll_to_property_ = property.name; }
+
     /// Draws into the current ImGui window.
     void draw(ImFont* bold);
     bool about_to_type() const { return editor_.about_to_type(); }

@@ -81,16 +81,18 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     problems_of_ = instance;
     edited_ = false;
     Target target{instance, &property};
-    float available = ImGui::GetContentRegionAvail().x;
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const float available = whole - gutter_width(whole);
     bool tall = property.type == Type::list || property.any_type;
     bool plain = !tall && mixed_.others().empty() && !problems_.contains(&property) &&
                  tree_.formula_count() == 0;
-    if (plain && !ImGui::IsRectVisible(ImVec2(available, ImGui::GetFrameHeight()))) {
-        ImGui::Dummy(ImVec2(available, ImGui::GetFrameHeight()));
+    if (plain && !ImGui::IsRectVisible(ImVec2(whole, ImGui::GetFrameHeight()))) {
+        ImGui::Dummy(ImVec2(whole, ImGui::GetFrameHeight()));
         return false;
     }
     ImGui::PushID(&property);
     float start = ImGui::GetCursorPosX();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
     float label_width = std::floor(available * label_share);
     bool ad_hoc = property.binding.kind == property::BindingKind::ad_hoc;
     const property::Formula* formula = tree_.formula(instance, property);
@@ -103,6 +105,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         !property.read_only && !ad_hoc && !computed && tree_.overridden(instance, property);
     bool gone = false;
     std::string mixed;
+    gutter(target, ImVec2(corner.x + available, corner.y), whole - available);
+    ImGui::SetCursorScreenPos(corner);
     label(target, label_width, resettable, formula != nullptr, bold);
     ImGui::SameLine(start + label_width);
     try {
@@ -112,7 +116,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         mixed = mixed_.look(tree_, property, value);
         float button = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
         ImGui::BeginGroup();
-        widget(target, value, available - label_width - button);
+        if (!formula_line(target, source, available - label_width - button))
+            widget(target, value, available - label_width - button);
         ImGui::EndGroup();
         widgets_[&property] = item_rect();
         if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && menu)
@@ -125,19 +130,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
         problems_[&property] = property::exception_text(error);
     }
     const bool settled = fields_.take_settled();
-    if (const std::string expression = fields_.take_formula(); !expression.empty() && define) {
-        std::string refused;
-        edit_all(target, "formula of " + property.name, [&](Handle to, const Property& its) {
-            const std::string why = define(tree_.path(to, its), expression);
-            if (refused.empty()) refused = why;
-        });
-        problems_.erase(&property);
-        if (!refused.empty()) {
-            problems_[&property] = refused;
-            fields_.refuse();
-        }
-        edited_ = true;
-    }
+    if (const std::string expression = fields_.take_formula(); !expression.empty())
+        define_formula(target, expression);
     if (std::string typed = fields_.take_problem(); !typed.empty()) {
         problems_[&property] = typed;
         edited_ = true;  // an expression ran, which may have changed anything
@@ -146,7 +140,10 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     }
     if (!gone) {
         remark(start + label_width, palette::dim, mixed);
-        remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+        if (formula_of_ != &property) {
+            remark(start + label_width, palette::note, source.empty() ? source : "is " + source);
+            if (!source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
+        }
         remark(start + label_width, palette::error, wrong);
         remark(start + label_width, palette::error, problem(property));
     }
@@ -171,8 +168,11 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
     ImGui::Dummy(ImVec2(width - ImGui::GetStyle().ItemSpacing.x, ImGui::GetFrameHeight()));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float y = at.y + ImGui::GetStyle().FramePadding.y;
-    if (formula)
-        draw_text(list, ImVec2(at.x - mark * 0.1f, y), palette::note, "ƒ");
+    const bool may_be = !target.property->read_only && define && ImGui::IsItemHovered();
+    const bool on_mark = ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x < at.x + 2 * mark;
+    if (formula || may_be)
+        draw_text(list, ImVec2(at.x - mark * 0.1f, y),
+                  formula || on_mark ? palette::note : palette::faint, "ƒ");
     else if (overridden)
         list.AddCircleFilled(ImVec2(at.x + mark * 0.35f, at.y + ImGui::GetFrameHeight() / 2),
                              ImGui::GetFontSize() * 0.14f, palette::accent);
@@ -188,6 +188,9 @@ void PropertyEditor::label(const Target& target, float width, bool overridden, b
     draw_text_fit(list, ImVec2(at.x + mark, y), color, target.property->name, room);
     if (!ImGui::IsItemHovered()) return;
     if (ImGui::IsMouseClicked(1) && menu) menu(tree_.path(target.instance, *target.property));
+    // A double click on the name does the same: the sign is small.
+    if (may_be && ((on_mark && ImGui::IsMouseClicked(0)) || ImGui::IsMouseDoubleClicked(0)))
+        begin_formula(*target.property);
     const FontScope mono(fonts().mono);
     tooltip(target, bold);
 }
@@ -275,7 +278,12 @@ void PropertyEditor::number(const Target& target, const Value& value, float widt
 }
 
 void PropertyEditor::text(const Target& target, const Value& value, float width) {
-    if (auto changed = fields_.text("##value", value.text(), width)) write(target, Value(*changed));
+    auto changed = fields_.text("##value", value.text(), width);
+    if (!changed) return;
+    if (define && changed->starts_with("is "))
+        define_formula(target, changed->substr(3));
+    else
+        write(target, Value(*changed));
 }
 
 void PropertyEditor::enumerator(const Target& target, const Value& value, float width) {

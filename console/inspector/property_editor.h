@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <fettle/property/tree.h>
 
@@ -33,6 +34,13 @@ class PropertyEditor {
     /// Called with the path of a property that was clicked with the right button.
     std::function<void(const std::string& path)> menu;
 
+    /// Called when the last writer of the property with that path is clicked.
+    std::function<void(const property::Cause&, const std::string& path)> go_to_write;
+    /// The rectangle of the last writer in the last frame; empty if it was not visible.
+    Rect gutter_rect(const property::Property& property) const;
+    /// Begins typing a formula in the row of a property of the shown instance.
+    void begin_formula(const property::Property& property) { formula_begins_ = &property; }
+
     /// Edits go to these instances, too, as far as they have the property.
     void also_edit(const std::vector<property::Handle>& others) { mixed_.compare_with(others); }
     /// True if something was edited; then other properties may not exist any more.
@@ -46,7 +54,10 @@ class PropertyEditor {
     Rect widget_rect(const property::Property& property) const;
     bool about_to_type() const { return fields_.about_to_type(); }
     /// Forgets the shown errors, because another instance is edited.
-    void forget() { problems_.clear(); }
+    void forget() {
+        problems_.clear();
+        formula_of_ = nullptr;
+    }
     std::size_t problems() const { return problems_.size(); }
     /// Why the last edit of a property of the shown instance was refused; "" if it was not.
     std::string problem(const property::Property& property) const;
@@ -64,7 +75,15 @@ class PropertyEditor {
     bool reset_button(const Target& target);
     /// Draws a line of text below the widget.
     void remark(float left, ImU32 color, const std::string& text);
+    /// Width of the column with the last writer: a text, or a mark if there is no room for one.
+    static float gutter_width(float available);
+    static constexpr float wide_enough = 40;  // font heights
+    void gutter(const Target& target, ImVec2 at, float width);
     void widget(const Target& target, const property::Value& value, float width);
+    /// The line for a formula, in place of the widget. False if no formula is typed here.
+    bool formula_line(const Target& target, const std::string& source, float width);
+    /// Defines a formula for the instance and the other selected ones.
+    void define_formula(const Target& target, const std::string& expression);
     void boolean(const Target& target, const property::Value& value);
     void number(const Target& target, const property::Value& value, float width);
     void text(const Target& target, const property::Value& value, float width);
@@ -98,14 +117,21 @@ class PropertyEditor {
     MixedValues mixed_;
     Fields fields_;
     ReferencePicker references_;
+    // The property whose formula is typed, and the one for which typing begins in this frame.
+    const property::Property *formula_of_ = nullptr, *formula_begins_ = nullptr;
     bool edited_ = false;
     bool dragging_ = false;
     std::unordered_map<const property::Property*, std::string> problems_;
     property::Handle problems_of_;
-    std::unordered_map<const property::Property*, Rect> widgets_;
+    std::unordered_map<const property::Property*, Rect> widgets_, gutters_;
 };
 
 /// The descriptor in one line: "number · kg · 0 to inf · default 1".
 std::string describe(const property::Tree& tree, const property::Property& property);
+
+/// Who wrote: "main.lua:30", "console, step 412", "physics".
+std::string writer_text(const property::Cause& cause);
+/// File and line of a place in a script; no file for other places.
+std::pair<std::string, int> script_place(const std::string& where);
 
 }  // namespace fettle::console

@@ -31,8 +31,43 @@ void PropertyEditor::attempt(const Target& target, const std::function<void()>& 
     }
 }
 
+void PropertyEditor::define_formula(const Target& target, const std::string& expression) {
+    if (!define) return;
+    std::string refused;
+    edit_all(target, "formula of " + target.property->name, [&](Handle to, const Property& its) {
+        const std::string why = define(tree_.path(to, its), expression);
+        if (refused.empty()) refused = why;
+    });
+    problems_.erase(target.property);
+    if (!refused.empty()) {
+        problems_[target.property] = refused;
+        fields_.refuse();
+    }
+    edited_ = true;
+}
+
+bool PropertyEditor::formula_line(const Target& target, const std::string& source, float width) {
+    constexpr const char* id = "##formula";
+    if (formula_begins_ == target.property) {
+        formula_of_ = formula_begins_;
+        formula_begins_ = nullptr;
+        fields_.begin_text(id, "is " + source);
+    }
+    if (formula_of_ != target.property) return false;
+    if (const auto typed = fields_.text(id, "", width)) {
+        std::string_view expression = *typed;
+        if (expression == "is" || expression.starts_with("is ")) expression.remove_prefix(2);
+        const std::size_t begin = expression.find_first_not_of(' ');
+        if (begin != std::string_view::npos)
+            define_formula(target, std::string(expression.substr(begin)));
+    }
+    if (!fields_.types_into(id)) formula_of_ = nullptr;
+    return true;
+}
+
 void PropertyEditor::begin_frame() {
     widgets_.clear();
+    gutters_.clear();
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) end_drag();
 }
 

@@ -41,6 +41,9 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     }
     for (const std::string& source : target.property->derives_from)
         ImGui::BulletText("from %s", source.c_str());
+    if (const property::Provenance written = tree_.who(target.instance, *target.property);
+        written.known)
+        ImGui::TextUnformatted(("written last by " + written.cause.text()).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
     ImGui::TextUnformatted(tree_.path(target.instance, *target.property).c_str());
     ImGui::PopStyleColor();

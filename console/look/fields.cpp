@@ -105,6 +105,11 @@ void Fields::start_typing(ImGuiID field, std::string text) {
     problem_.clear();
 }
 
+void Fields::begin_text(const char* id, std::string text) {
+    start_typing(ImGui::GetID(id), std::move(text));
+    before_ = "\n";  // no line that is typed equals it: Enter takes the text as it stands
+}
+
 void Fields::refuse() {
     if (committed_ == 0 || !by_enter_) return;
     typing_ = std::exchange(committed_, 0);

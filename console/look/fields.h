@@ -31,6 +31,10 @@ class Fields {
     /// One line of text. Returns the new text when Enter is pressed or the field loses the focus.
     std::optional<std::string> text(const char* id, const std::string& value, float width);
 
+    /// The text field `id` gets the focus in the next frames, with that text.
+    void begin_text(const char* id, std::string text);
+    bool types_into(const char* id) const { return typing_ == ImGui::GetID(id); }
+
     /// A field was clicked for typing and gets the keyboard within the next frames.
     bool about_to_type() const { return typing_ != 0 && !typing_active_; }
     /// Must be called once per frame, after all fields.

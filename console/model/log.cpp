@@ -87,7 +87,12 @@ void Log::command(std::string_view text) {
 }
 
 void Log::error(const script::ScriptError& error) {
-    add(LineKind::error, error.message);
+    std::string message = error.message;
+    if (message.size() > max_message_bytes) {
+        message.resize(code_point_boundary(message, max_message_bytes));
+        message += " …";
+    }
+    add(LineKind::error, message);
     if (!error.source_line.empty()) {
         std::string source = clean_text(error.source_line);
         std::replace(source.begin(), source.end(), '\n', ' ');

@@ -38,6 +38,7 @@ class Log {
   public:
     static constexpr std::size_t max_lines = 20'000;
     static constexpr std::size_t max_line_bytes = 16 * 1024;
+    static constexpr std::size_t max_message_bytes = 1000;  // of an error
     /// Output of one command with more lines is folded after the first of them.
     static constexpr std::size_t max_unfolded = 60, shown_of_folded = 40;
 

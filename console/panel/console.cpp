@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fettle/property/exception_text.h>
+#include <fettle/property/explaining.h>
 #include <fettle/property/path.h>
 
 #include <inspector/several.h>
@@ -89,6 +91,9 @@ void Console::State::connect() {
         if (said.error) return said.error->message;
         return said.incomplete ? std::string("the formula ends too early") : std::string();
     };
+    inspector.editor().go_to_write = [this](const property::Cause& cause, const std::string& path) {
+        go_to_write(cause, path);
+    };
     log_view.menu = [this](std::string_view path) { context_menu.open(std::string(path)); };
     log_view.take_file = [this](const std::string& file) {
         clipboard->write(file);
@@ -103,6 +108,13 @@ void Console::State::connect() {
     inspector.say = [this](const std::string& problem) { log.error(problem); };
     context_menu.select_class = [this](const property::Class& wanted) {
         choose_all(all_of_class(tree, wanted));
+    };
+    context_menu.begin_formula = [this](const property::Place& place) {
+        if (!settings.flag("inspector")) return false;
+        if (inspector.selected() != place.instance) choose(place.instance);
+        inspector.show(*place.property);
+        inspector.editor().begin_formula(*place.property);
+        return true;
     };
     context_menu.insert = inspector.insert;
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
@@ -215,6 +227,44 @@ void Console::State::find_selected_again() {
     }
 }
 
+// A command, so that a recording contains it and the log tells why it is refused.
+void Console::State::look_at_step(std::uint64_t step) {
+    Handle time;
+    if (const property::Property* paused = pause_property(tree, time)) {
+        const property::Tree::CauseScope cause(tree, property::Writer::module);
+        tree.set(time, *paused, Value(true));
+    }
+    run("time:go_to(" + std::to_string(step) + ")");
+}
+
+void Console::State::go_to_write(const property::Cause& cause, const std::string& path) {
+    const auto [file, line] = script_place(cause.where);
+    if (file.empty()) {
+        if (cause.writer == property::Writer::simulation)
+            run("why " + path);
+        else
+            look_at_step(cause.step);
+        return;
+    }
+    std::string text;
+    try {
+        text = options.script ? options.script(file) : "";
+    } catch (const std::exception& error) {
+        return log.error(property::exception_text(error));
+    }
+    constexpr int around = 3;
+    log.note(cause.text() + " wrote " + path);
+    std::size_t begin = 0;
+    for (int n = 1; begin < text.size() && n <= line + around; ++n) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (n >= line - around)
+            log.output((n == line ? "› " : "  ") + std::to_string(n) + "  " +
+                       text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    log_view.scroll_to_end();
+}
+
 bool Console::State::is_link(std::string_view path) const {
     try {
         property::resolve(tree, path);
@@ -257,6 +307,7 @@ void Console::after_step() {
 void Console::between_frames() {
     State& s = *state_;
     s.restore_observed();
+    if (s.was_open) property::prepare_explanations(s.tree, s.inspector.selected());
     s.observing.between_frames(s.options.review);
     s.export_plots();
     s.ghosts.watch(s.settings.flag("ghosts"));

@@ -456,7 +456,19 @@ TEST_CASE("the menu of a property pins and plots and copies its path") {
     choose("Reset");
     CHECK(rig.value("world.ball.mass") == Value(1.0));
     choose("Formula …");
-    CHECK(state.prompt.edit().text() == "world.ball.mass is ");
+    rig.show();
+    for (const char c : std::string("2 + 3")) {
+        app::InputEvent event;
+        event.kind = app::EventKind::text;
+        event.character = static_cast<char32_t>(c);
+        rig.lua.handle(event);
+    }
+    rig.press_key("enter");
+    rig.show();
+    CHECK(rig.value("world.ball.mass") == Value(5.0));
+    state.settings.set("inspector", Value(false));
+    rig.show();
+    CHECK_FALSE(state.context_menu.begin_formula(property::resolve(rig.tree, "world.ball.mass")));
 }
 
 }  // namespace observing_test

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -59,8 +60,27 @@ int guess_column(const ScriptError& error) {
     return column_of(error.source_line, word == std::string::npos ? path : path.substr(word + 1));
 }
 
+void shorten_source(ScriptError& error) {
+    constexpr std::size_t most = 400, before = 150;  // bytes
+    std::string& line = error.source_line;
+    if (line.size() <= most) return;
+    // Lines of this length are made by programs: a byte is a column.
+    const auto column = static_cast<std::size_t>(std::max(error.column, 0));
+    std::size_t begin = column > before ? std::min(column - before, line.size()) : 0;
+    std::size_t end = std::min(begin + most, line.size());
+    const auto inside = [&](std::size_t at) {
+        return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80;
+    };
+    while (inside(begin)) ++begin;
+    while (end > begin && inside(end)) --end;
+    if (column > 0 && begin > 0) error.column -= static_cast<int>(begin) - 1;
+    line =
+        (begin > 0 ? "…" : "") + line.substr(begin, end - begin) + (end < line.size() ? "…" : "");
+}
+
 std::vector<std::string> error_lines(const ScriptError& error) {
-    std::vector<std::string> lines = {error.message};
+    constexpr std::size_t widest_message = 1000;
+    std::vector<std::string> lines = {cut(error.message, widest_message)};
     if (!error.source_line.empty()) {
         std::string line = error.source_line;
         for (char& c : line)

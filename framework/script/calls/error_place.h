@@ -11,5 +11,7 @@ void place_from_message(ScriptError& error);
 /// name in the message. This is a quoted name, or the last name of the path at the beginning of the
 /// message. Returns 0 if the line does not contain the name.
 int guess_column(const ScriptError& error);
+/// Of a very long source line, leaves the part around the column.
+void shorten_source(ScriptError& error);
 
 }  // namespace fettle::script

@@ -178,6 +178,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     }
     error.source_line = machine.sources.line(error.file, error.line);
     error.column = guess_column(error);
+    shorten_source(error);
     error.traceback = traceback_of(L, level);
     if (found) error.locals = locals_of(L, frame);
     return error;
@@ -188,6 +189,7 @@ ScriptError bare_error(Machine& machine, std::string message) {
     error.message = with_refusal(machine.budget, std::move(message));
     place_from_message(error);
     error.source_line = machine.sources.line(error.file, error.line);
+    shorten_source(error);
     return error;
 }
 
@@ -198,6 +200,7 @@ ScriptError describe_place(Machine& machine, lua_State* L) {
         place.file = frame.short_src;
         place.line = frame.currentline;
         place.source_line = machine.sources.line(place.file, place.line);
+        shorten_source(place);
         place.locals = locals_of(L, frame);
     }
     place.traceback = traceback_of(L, 0);

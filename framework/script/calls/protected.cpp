@@ -90,6 +90,7 @@ void tell_where_stopped(Machine& machine, ScriptError& error) {
     error.line = machine.budget.line();
     error.source_line = machine.sources.line(error.file, error.line);
     error.column = 0;
+    shorten_source(error);
 }
 
 }  // namespace

@@ -58,6 +58,9 @@ struct Options {
         branch{};
     /// Writes this moment into a file, and returns what it wrote. Without it, `share` is refused.
     std::function<std::string(const std::string& file)> share{};
+    /// Returns the text of a script of the game, "main.lua"; throws if it cannot be read. Without
+    /// it, the lines that wrote a value are not shown.
+    std::function<std::string(const std::string& file)> script{};
     /// The times of the last frames, which must outlive the console; null: they are not shown.
     const app::FrameLog* frames = nullptr;
     /// Receives what breaks and searches of the past find, in addition to the log.
