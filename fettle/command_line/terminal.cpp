@@ -4,7 +4,12 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+
+#ifdef FETTLE_WITH_CONSOLE
+#include <fettle/console/terminal_colors.h>
+#endif
 
 namespace fettle::program {
 
@@ -87,6 +92,47 @@ void print_line(std::string_view text) {
     if (terminal) text = shown;
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fputc('\n', stdout);
+}
+
+#ifdef FETTLE_WITH_CONSOLE
+namespace {
+
+bool shows_colors() {
+    const char* const no_color = std::getenv("NO_COLOR");
+    const char* const kind = std::getenv("TERM");
+    return is_terminal(stdout) && (no_color == nullptr || *no_color == '\0') && kind != nullptr &&
+           std::string_view(kind) != "dumb";
+}
+
+}  // namespace
+#endif
+
+namespace {
+
+void print_line_of_answer(std::string_view text, bool of_error) {
+#ifdef FETTLE_WITH_CONSOLE
+    static const bool colors = shows_colors();
+    if (colors) {
+        const std::string shown = on_one_line(text);
+        const std::string colored =
+            of_error ? console::colored_error(shown) : console::colored_output(shown);
+        std::fwrite(colored.data(), 1, colored.size(), stdout);
+        std::fputc('\n', stdout);
+        return;
+    }
+#endif
+    (void)of_error;
+    print_line(text);
+}
+
+}  // namespace
+
+void print_answer(const std::vector<std::string>& lines) {
+    bool of_error = false;
+    for (const std::string& line : lines) {
+        of_error = of_error || line.starts_with("✗");
+        print_line_of_answer(line, of_error);
+    }
 }
 
 bool all_printed() {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fettle::program {
 
@@ -19,6 +20,9 @@ void tell(std::string_view message);
 void tell_lines(std::string_view text);
 /// Writes a line of a game's output to stdout; control characters are escaped only for a terminal.
 void print_line(std::string_view text);
+/// Writes the lines of an answer of the console (`lines_of`): in the console's colors if stdout is
+/// a terminal, NO_COLOR is not set, and TERM is not "dumb".
+void print_answer(const std::vector<std::string>& lines);
 /// Flushes stdout. If that fails, reports the error and returns false.
 bool all_printed();
 

@@ -75,7 +75,7 @@ class Attached {
         if (answer->incomplete && !line.empty()) return;
         if (answer->incomplete) print_line("✗ the command ends too early");
         pending_.clear();
-        for (const std::string& each : answer->lines) print_line(each);
+        print_answer(answer->lines);
         std::fflush(stdout);
     }
 

@@ -130,7 +130,7 @@ class Repl {
     }
 
     void answer(const script::Evaluation& said) {
-        for (const std::string& line : lines_of(said)) print_line(line);
+        print_answer(lines_of(said));
         std::fflush(stdout);
     }
 

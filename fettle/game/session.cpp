@@ -282,6 +282,11 @@ void Session::make_console(app::Clipboard* clipboard) {
         .branch = [this](std::int64_t from, const auto& change,
                          const auto& look) { loop_->timeline().branch(from, change, look); },
         .share = [this](const std::string& name) { return share(name); },
+        .script =
+            [this](const std::string& file) {
+                constexpr std::string_view lua[] = {".lua"};
+                return assets_.read("script", file, lua);
+            },
         .frames = &services_->clock.frames,
         .found =
             [this](const std::string& line) {
