@@ -31,6 +31,7 @@ Plan = class("Plan") { open = true, tint = color("red"), list = {1, 2, 3} }
 world.floor = Body { type = "static", Box { width = 20, height = 1 } }
 for i = 1, 4 do world["crate" .. i] = Body { position = vec(i / 4, i), Box {} } end
 world.hero = Ball { position = vec(-2, 1), Circle {}, target = world.crate1 }
+world.walker = Mover { position = vec(3, 0.6), walk = 1, Circle {} }
 world.plan = Plan {}
 world.odd = Body { position = vec(-4, 2), Polygon {}, Ellipse {}, Capsule {}, Segment {} }
 world.cut = Body { position = vec(-6, 2), Concave {} }

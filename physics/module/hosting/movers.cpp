@@ -1,7 +1,8 @@
 #include <hosting/movers.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <limits>
 
 #include <hosting/hosting.h>
 
@@ -57,16 +58,24 @@ void Movers::forget(std::uint32_t slot) {
 
 namespace {
 
-bool is_finite(const MoverRecord& record) {
-    const float numbers[] = {
-        record.radius,      record.height,        record.crouch_height,    record.max_slope,
-        record.step_height, record.snap,          record.push_force,       record.walk,
-        record.climb,       record.acceleration,  record.air_acceleration, record.velocity_x,
-        record.velocity_y,  record.shown_x,       record.shown_y,          record.place_x,
-        record.place_y,     record.normal_x,      record.normal_y,         record.ground_x,
-        record.ground_y,    record.landing_speed, record.bump_x,           record.bump_y};
-    return std::all_of(std::begin(numbers), std::end(numbers),
-                       [](float x) { return std::isfinite(x); });
+bool is_within(float value, float least, float most) {
+    return value >= least && value <= most;
+}
+
+/// True if writes could have made the settings, and steps the state.
+bool is_sound(const MoverRecord& r) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    const float state[] = {r.velocity_x, r.velocity_y, r.shown_x,      r.shown_y,  r.place_x,
+                           r.place_y,    r.normal_x,   r.normal_y,     r.ground_x, r.ground_y,
+                           r.bump_x,     r.bump_y,     r.landing_speed};
+    return is_within(r.radius, 0.01f, 500.0f) && is_within(r.height, 0.02f, 1000.0f) &&
+           is_within(r.crouch_height, 0.02f, 1000.0f) && is_within(r.max_slope, 0.0f, 1.5f) &&
+           is_within(r.step_height, 0.0f, 1000.0f) && is_within(r.snap, 0.0f, 1000.0f) &&
+           is_within(r.push_force, 0.0f, 1e9f) && is_within(r.walk, -largest, largest) &&
+           is_within(r.climb, -largest, largest) && is_within(r.acceleration, 0.0f, largest) &&
+           is_within(r.air_acceleration, 0.0f, largest) &&
+           std::all_of(std::begin(state), std::end(state),
+                       [](float x) { return is_within(x, -1e9f, 1e9f); });
 }
 
 }  // namespace
@@ -74,7 +83,7 @@ bool is_finite(const MoverRecord& record) {
 bool are_sound(const std::vector<MoverRecord>& records) {
     std::uint64_t last = 0;
     for (const MoverRecord& record : records) {
-        if (record.slot <= last || record.slot >= max_slots || !is_finite(record)) return false;
+        if (record.slot <= last || record.slot >= max_slots || !is_sound(record)) return false;
         last = record.slot;
     }
     return true;

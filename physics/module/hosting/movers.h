@@ -58,7 +58,7 @@ class Movers {
 /// The settings as the library takes them. They are valid whatever the record holds.
 physics::MoverDef definition(const MoverRecord& record, const physics::Body& body);
 
-/// True if all numbers are finite and the slots are in order.
+/// True if all numbers are in their ranges and the slots are in order.
 bool are_sound(const std::vector<MoverRecord>& records);
 
 /// The shape of a mover: the one that belongs to no instance. Empty if there is none.

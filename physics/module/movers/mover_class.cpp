@@ -45,17 +45,18 @@ Binding switch_of(Hosting& hosting) {
         });
 }
 
-/// A property of the capsule.
-template <auto Get, auto Set>
+/// A property of the capsule; `otherwise` if a damaged save has none.
+template <auto Get, auto Set, std::uint64_t otherwise>
 Binding of_capsule(Hosting& hosting) {
     return accessor(
-        hosting, [](Hosting& h, Row row) { return to_value((capsule_of(h.body(row)).*Get)()); },
+        hosting,
+        [](Hosting& h, Row row) {
+            const physics::Shape shape = capsule_of(h.body(row));
+            return to_value(shape ? (shape.*Get)() : otherwise);
+        },
         [](Hosting& h, Row row, const Value& value) {
             physics::Shape shape = capsule_of(h.body(row));
-            if constexpr (std::is_same_v<typename Setter<Set>::Argument, std::int32_t>)
-                (shape.*Set)(static_cast<std::int32_t>(value.integer()));
-            else
-                (shape.*Set)(from_value<typename Setter<Set>::Argument>(value));
+            if (shape) (shape.*Set)(from_value<std::uint64_t>(value));
         });
 }
 
@@ -155,12 +156,13 @@ std::vector<Property> limits(Hosting& h) {
          .type = Type::integer,
          .default_value = 1,
          .doc = "Its categories, as bits: see `Shape.category`.",
-         .binding = of_capsule<&physics::Shape::category, &physics::Shape::set_category>(h)},
+         .binding = of_capsule<&physics::Shape::category, &physics::Shape::set_category, 1>(h)},
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
          .doc = "Categories of the shapes that stop it and that meet it, as bits; -1 is all.",
-         .binding = of_capsule<&physics::Shape::mask, &physics::Shape::set_mask>(h)},
+         .binding =
+             of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h)},
         flag("visible", true, "True if its capsule is drawn; turn it off under a sprite.",
              visible(h)),
     };

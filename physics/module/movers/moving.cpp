@@ -52,14 +52,16 @@ float approached(float from, float to, float most) {
 Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const Vec2& up,
                      float dt) {
     const Vec2 right = aside(up);
-    if (record.climbing != 0) return record.walk * right + record.climb * up;
+    const float limit = 1e4f;  // m/s
+    const float walk = std::clamp(record.walk, -limit, limit);
+    const float climb = std::clamp(record.climb, -limit, limit);
+    if (record.climbing != 0) return walk * right + climb * up;
     const Vec2 before = relative_velocity(record, body);
     const bool stands = record.on_ground != 0;
     const float rate = stands ? record.acceleration : record.air_acceleration;
-    const float along = approached(before.dot(right), record.walk, rate * dt);
+    const float along = approached(before.dot(right), walk, rate * dt);
     Vec2 wanted = along * right + before.dot(up) * up;
     if (!stands) wanted += dt * body.gravity_scale() * body.world().gravity();
-    const float limit = 1e4f;
     return {std::clamp(wanted.x, -limit, limit), std::clamp(wanted.y, -limit, limit)};
 }
 
