@@ -14,10 +14,10 @@ constexpr double patience = 0.25;  // seconds until the list is read again
 
 std::string when(const property::Tweak& tweak) {
     const auto time = static_cast<std::time_t>(tweak.time);
-    std::tm parts{};
+    std::tm date{};
     char text[32] = "";
-    if (localtime_r(&time, &parts) != nullptr)
-        std::strftime(text, sizeof text, tweak.earlier ? "%F %R" : "%T", &parts);
+    if (localtime_r(&time, &date) != nullptr)
+        std::strftime(text, sizeof text, tweak.earlier ? "%F %R" : "%T", &date);
     return "step " + std::to_string(tweak.step) + "  " + text;
 }
 

@@ -185,8 +185,8 @@ void Hosting::report(HostedWorld& hosted) {
     };
     each(*woke, events.woke);
     each(*slept, events.slept);
-    const auto strained = [&](const Event& event, const auto& all) {
-        for (const auto& e : all) {
+    const auto strained = [&](const Event& event, const auto& reported) {
+        for (const auto& e : reported) {
             const physics::Joint joint = hosted.world.joint(e.joint);
             const Handle self = joint ? instance_of(joint.user_data()) : Handle{};
             if (self && tree.listens(self, event))

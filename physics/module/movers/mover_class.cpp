@@ -64,7 +64,7 @@ std::uint32_t capsule_slot(Hosting& hosting, Row row) {
     return capsule_of(hosting.body(row)).index();
 }
 
-Binding visible(Hosting& hosting) {
+Binding capsule_visible(Hosting& hosting) {
     return accessor(
         hosting,
         [](Hosting& h, Row row) { return h.hosted(row).looks.get(capsule_slot(h, row)).visible; },
@@ -164,7 +164,7 @@ std::vector<Property> limits(Hosting& h) {
          .binding =
              of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h)},
         flag("visible", true, "True if its capsule is drawn; turn it off under a sprite.",
-             visible(h)),
+             capsule_visible(h)),
     };
 }
 
