@@ -1251,6 +1251,7 @@ Mover = {}
 ---@field instance Joint To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
+---Its force or torque was larger than report_force or report_torque.
 ---@class Joint.loaded
 ---@field force vec Force of the joint in the step. · N
 ---@field torque number Torque of the joint in the step, besides that of the force. · N m

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <regex>
 
 #include "program.h"
 
@@ -59,6 +60,9 @@ class Terminal {
             const ssize_t count = read(terminal_, bytes.data(), bytes.size());
             if (count <= 0) break;
             screen_.append(bytes.data(), std::size_t(count));
+            // Without the colors.
+            static const std::regex color("\x1b\\[[0-9;]*m");
+            screen_ = std::regex_replace(screen_, color, "");
         }
         UNSCOPED_INFO("the screen: " << screen_);
         return false;

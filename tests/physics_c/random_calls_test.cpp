@@ -285,7 +285,7 @@ TEST_CASE("calls in any order with any arguments leave consistent worlds") {
         if (std::strcmp(call.name, "fettle_world_create_body") == 0 ||
             std::strcmp(call.name, "fettle_body_add") == 0 ||
             std::strcmp(call.name, "fettle_world_step") == 0)
-            calls.insert(calls.end(), 20, call);
+            calls.insert(calls.end(), 30, call);
     uint32_t most_touching = 0;
     for (uint32_t seed = 1; seed <= 30; ++seed) {
         Arguments arguments(seed);
