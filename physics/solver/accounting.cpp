@@ -11,9 +11,15 @@ Vec2 along(const ContactConstraint& c, float normal, float tangent) {
 }
 
 VelocitySums::OfContact& sum_of(VelocitySums& sums, uint32_t contact) {
-    const auto found = std::ranges::find(sums.contacts, contact, &VelocitySums::OfContact::contact);
-    if (found != sums.contacts.end()) return *found;
+    for (VelocitySums::OfContact& sum : sums.contacts)
+        if (sum.contact == contact) return sum;
     return sums.contacts.emplace_back(VelocitySums::OfContact{.contact = contact});
+}
+
+VelocitySums::OfJoint& sum_of_joint(VelocitySums& sums, uint32_t slot) {
+    for (VelocitySums::OfJoint& sum : sums.joints)
+        if (sum.slot == slot) return sum;
+    return sums.joints.emplace_back(VelocitySums::OfJoint{.slot = slot});
 }
 
 /// Calls `add(lane)` for the lanes of a group that contain the body.
@@ -70,10 +76,8 @@ void add_joints(VelocitySums& sums, const SolverInput& input) {
             if (bodies[0] != sums.body.index && bodies[1] != sums.body.index) continue;
             const Vec2 push =
                 bodies[1] == sums.body.index ? kind.load(array, k).push : kind.push_on_a(array, k);
-            auto found = std::ranges::find(sums.joints, slot, &VelocitySums::OfJoint::slot);
-            if (found == sums.joints.end())
-                found = sums.joints.insert(found, VelocitySums::OfJoint{.slot = slot});
-            found->impulse = found->impulse + push;
+            VelocitySums::OfJoint& sum = sum_of_joint(sums, slot);
+            sum.impulse = sum.impulse + push;
         }
     }
 }
@@ -107,7 +111,8 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
 void begin_substeps(const SolverInput& input, const SolverBlock& block) {
     for (VelocitySums& sums : input.sums) {
         const std::span bodies = input.schedule.blocks.bodies_of(block);
-        if (sums.solver_body == 0 || std::ranges::find(bodies, sums.solver_body) == bodies.end())
+        if (sums.solver_body == 0 ||
+            std::find(bodies.begin(), bodies.end(), sums.solver_body) == bodies.end())
             continue;
         sums.block = uint32_t(&block - &input.schedule.blocks[0]);
         sums.last = input.bodies.solver_bodies[sums.solver_body].velocity;

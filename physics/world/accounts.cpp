@@ -13,7 +13,7 @@ void World::keep_account(BodyId body) {
     std::vector<VelocitySums>& all = data.self.sums;
     const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
     std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });
-    if (!data.is_valid(body) || std::ranges::any_of(all, of_body)) return;
+    if (!data.is_valid(body) || std::any_of(all.begin(), all.end(), of_body)) return;
     if (all.size() == most_accounts) all.erase(all.begin());
     all.push_back({.body = body});
 }
@@ -21,7 +21,8 @@ void World::keep_account(BodyId body) {
 std::optional<VelocityAccount> World::account(BodyId body) const {
     const WorldData& data = *data_;
     const auto& all = data.self.sums;
-    const auto found = std::ranges::find(all, body, &VelocitySums::body);
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const VelocitySums& sums) { return sums.body == body; });
     if (found == all.end() || found->step == 0 || found->step != data.steps ||
         found->solver_body == 0)
         return std::nullopt;

@@ -381,6 +381,20 @@ Violations overlong_files(const SourceTree& tree) {
     return found;
 }
 
+Violations unportable_names(const SourceTree& tree) {
+    static const std::regex name(R"(^[^/]*std::(ranges::|bit_cast|atomic_ref).*)");
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        const bool portable = (lies_in(path, "physics") && !lies_in(path, "physics/module")) ||
+                              lies_in(path, "bindings/c") || lies_in(path, "vector");
+        for (std::size_t i = 0; portable && i < file.lines.size(); ++i) {
+            if (std::regex_match(file.lines[i], name))
+                found.push_back(at(file, i + 1, "not every standard library has this"));
+        }
+    }
+    return found;
+}
+
 Violations careless_headers(const SourceTree& tree) {
     static const std::regex opens("^using namespace .*");  // inside a function it would be indented
     Violations found;

@@ -52,6 +52,10 @@ Violations vague_names(const SourceTree& tree);
 /// A file contains one idea: at most 500 lines.
 Violations overlong_files(const SourceTree& tree);
 
+/// The physics library and its interface in C use nothing that the standard libraries of other
+/// systems lack (docs/design/testing.md).
+Violations unportable_names(const SourceTree& tree);
+
 /// Headers have `#pragma once`. Headers of a part contain no `using namespace`, which would affect
 /// every file that includes them.
 Violations careless_headers(const SourceTree& tree);

@@ -88,6 +88,10 @@ TEST_CASE("no file is longer than the limit") {
     CHECK(listed(overlong_files(project())) == "");
 }
 
+TEST_CASE("physics uses only what every standard library has") {
+    CHECK(listed(unportable_names(project())) == "");
+}
+
 TEST_CASE("headers have pragma once and contain no using namespace") {
     CHECK(listed(careless_headers(project())) == "");
 }
