@@ -1,5 +1,5 @@
-# `cpack` makes two Debian packages: `fettle` (program, shared libraries, modules, demos) and `fettle-dev` (headers and what
-# finds them). tests/hosting/packages.sh installs both on a bare Debian.
+# `cpack` makes three Debian packages: `fettle` (program, shared libraries, modules, demos), `fettle-dev` (headers and what
+# finds them) and, where cffi is installed, `python3-fettle`. tests/hosting/packages.sh installs them on a bare Debian.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fettle)
@@ -10,6 +10,12 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "2D games in which every property is live"
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL runtime development)
+if(BUILD_SHARED_LIBS)
+  add_subdirectory(bindings/python)
+  if(FETTLE_PYTHON_PACKAGE)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+  endif()
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
@@ -47,6 +53,17 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "Headers of Fettle's libraries: rigid bodies, the live property tree,
 modules that plug in, the console for other people's windows; and the
 files by which CMake and pkg-config find them.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-fettle)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "fettle (= ${PROJECT_VERSION}), python3, python3-cffi-backend, python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+  "Rigid bodies in the plane, for Python.
+.
+Positions and velocities are arrays of numpy that are never copied, and
+many worlds are stepped at once, as learning programs need it.")
 
 # --- What every package of Debian has -----------------------------------------------------------------------------------
 
@@ -86,10 +103,14 @@ if(FETTLE_GZIP)
     execute_process(COMMAND "${FETTLE_GZIP}" -9nc "${from}" OUTPUT_FILE "${made}/${name}.gz" COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
   install(FILES "${made}/fettle.1.gz" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT runtime)
-  foreach(package runtime development)
+  foreach(package IN LISTS CPACK_COMPONENTS_ALL)
     string(TOUPPER ${package} upper)
     set(documents "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
-    install(FILES "${made}/copyright" "${made}/changelog.gz" DESTINATION "${documents}" COMPONENT ${package})
+    set(unless)
+    if(package STREQUAL "python")
+      set(unless EXCLUDE_FROM_ALL)
+    endif()
+    install(FILES "${made}/copyright" "${made}/changelog.gz" DESTINATION "${documents}" COMPONENT ${package} ${unless})
   endforeach()
 endif()
 include(CPack)

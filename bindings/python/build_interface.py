@@ -1,8 +1,10 @@
-"""Makes fettle/_interface.py from the headers in C. Run by pip, and by hand for use in the checkout."""
+"""Makes fettle/_interface.py from the headers in C. Run by pip, by hand for use in the checkout, and for the Debian
+package, with the folder to make it in as argument."""
 
 import os
 import pathlib
 import re
+import sys
 
 from cffi import FFI
 
@@ -26,4 +28,4 @@ ffi.cdef(declarations())
 ffi.set_source("fettle._interface", None)
 
 if __name__ == "__main__":
-    ffi.compile(tmpdir=str(here))
+    ffi.compile(tmpdir=sys.argv[1] if len(sys.argv) > 1 else str(here))

@@ -23,6 +23,8 @@ rm -f -- "$build"/*.deb
 (cd -- "$build" && cpack -G DEB >cpack.log 2>&1) || { cat -- "$build/cpack.log"; exit 1; }
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$build/CMakeCache.txt")
 packages=("$build"/fettle_"$version"_*.deb "$build"/fettle-dev_"$version"_*.deb)
+python=$build/python3-fettle_${version}_all.deb  # where cffi was there
+[[ ! -e $python ]] || packages+=("$python")
 for package in "${packages[@]}"; do
     dpkg-deb --show --showformat '${Package} ${Version}, ${Installed-Size} kB; depends on ${Depends}\n' "$package"
     if command -v lintian >/dev/null; then lintian --fail-on error --tag-display-limit 0 "$package"; fi
@@ -102,8 +104,22 @@ expect 'the ball hit [1-9]' inside sh -c 'g++ -std=c++20 /examples/bare/main.cpp
 expect 'wind' inside sh -c 'cmake -S /examples/module -B /module >/built.log 2>&1 && cmake --build /module >>/built.log 2>&1 ||
     { cat /built.log; exit 1; }; fettle run /module/game --headless --steps 9 --eval "print(modules.wind.version, \"wind\")"'
 
+# --- Python --------------------------------------------------------------------------------------------------------------------
+if [[ -e $python ]]; then
+    quietly inside apt-get install -y --no-install-recommends "/packages/$(basename -- "$python")"
+    expect '^5 m at 1 s' somebody python3 -c '
+import fettle
+world = fettle.World(gravity=(0, 0))
+ball = world.body(velocity=(5, 0))
+for _ in range(60):
+    world.step(1 / 60)
+print(f"{ball.position.x:.0f} m at 1 s")'
+fi
+
 # --- Removing ----------------------------------------------------------------------------------------------------------------
-quietly inside apt-get purge -y fettle fettle-dev
+third=()
+[[ ! -e $python ]] || third=(python3-fettle)
+quietly inside apt-get purge -y fettle fettle-dev "${third[@]}"
 left=$(cd -- "$root" && find usr etc var/lib -iname '*fettle*' -not -path 'var/lib/apt/*')
 if [[ -n $left ]]; then printf 'left behind:\n%s\n' "$left"; exit 1; fi
 echo "the packages install, run, build and go on a bare $codename"
