@@ -174,6 +174,22 @@ TEST_CASE_METHOD(Scene, "a press crushes a mover") {
     CHECK(log == Log{"crushed"});
 }
 
+TEST_CASE_METHOD(Scene, "a disabled mover does not move and tells nothing") {
+    for (const char* event : {"landed", "left_ground", "bumped", "crushed"}) listen(event);
+    set(hero, "walk", 3);
+    step(5);
+    set(hero, "enabled", false);
+    const Vec2 there = vec(hero, "position");
+    step(60);
+    CHECK(log.empty());
+    CHECK_FALSE(flag("on_ground"));
+    CHECK(vec(hero, "position") == there);
+    set(hero, "enabled", true);
+    step(30);
+    CHECK(flag("on_ground"));
+    CHECK(vec(hero, "position").x > there.x + 1);
+}
+
 TEST_CASE_METHOD(Scene, "a restored mover has the same future") {
     const Handle crate = body("Box", {2, 0.5});
     set(shape_of(crate), "density", 30);

@@ -126,7 +126,7 @@ void sense_one(HostedWorld& in, std::uint32_t slot) {
     const auto before = record.sensors;
     record.sensors = {};
     std::size_t count = 0;
-    if (shape && body.type() == physics::BodyType::kinematic_body) {
+    if (shape && body.enabled() && body.type() == physics::BodyType::kinematic_body) {
         const physics::QueryFilter filter{.category = shape.category(),
                                           .mask = shape.mask(),
                                           .group = shape.group(),
@@ -156,7 +156,7 @@ void sense_one(HostedWorld& in, std::uint32_t slot) {
 
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
-    if (body.type() != physics::BodyType::kinematic_body) {
+    if (body.type() != physics::BodyType::kinematic_body || !body.enabled()) {
         MoverRecord record = in.movers.get(slot);
         record.on_ground = record.on_wall = record.on_ceiling = record.happened = 0;
         record.ground = {};
