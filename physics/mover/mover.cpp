@@ -190,9 +190,9 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
-        const Vec2 weight = def_.mass * dt * world.gravity();
+        // A force, not an impulse: what weighs much less than the mover would jump under it.
         Body body = world.body(data.body_id(below->body));
-        body.apply_impulse(weight, ground.point);
+        body.apply_force(bounded(def_.mass * world.gravity(), 1e12f), ground.point);
     }
     return moved;
 }

@@ -250,6 +250,19 @@ TEST_CASE("a mover weighs on a dynamic plank") {
     CHECK(plank.angle() < -0.02f);
 }
 
+TEST_CASE("a light crate rests below a heavy mover") {
+    World world;
+    add_floor(world);
+    Body crate = world.create_body({.position = {0, 0.5f}});
+    crate.add(Box{.width = 3, .height = 1});
+    Walker hero(world, {0, 1.01f});
+    hero.step(0, 120);
+    CHECK(hero.last.on_ground);
+    CHECK(crate.velocity().length() < 0.01f);
+    CHECK(hero.last.ground_velocity.length() < 0.01f);
+    CHECK(hero.y() - crate.position().y == Approx(0.505f).margin(0.01f));
+}
+
 TEST_CASE("a mover crouches and stands up only where there is room") {
     World world;
     add_floor(world);
