@@ -3,6 +3,7 @@
 #include <collision/ellipse.h>
 #include <collision/piece.h>
 #include <contacts/border.h>
+#include <contacts/contact_list.h>
 #include <distance/distance.h>
 #include <mover/obstacles.h>
 #include <world/world_data.h>
@@ -76,10 +77,14 @@ void Obstacles::find(Box4 box, Vec2 position, uint32_t carrier, float dt,
         fastest = max(fastest, min(dt * speed, farthest));
     }
     box = grow(box, fastest);
+    const uint32_t self = def_.body.index;
+    const bool has_body = self != 0 && self < data_.bodies.size() &&
+                          data_.body_generations[self] != 0 && data_.body_id(self) == def_.body;
     const auto visit = [&](uint32_t shape) {
         if (!overlap(data_.boxes[shape], box) || !is_accepted(data_, filter_, shape)) return;
         const uint32_t body = data_.forms[shape].body;
         if (body == none || data_.body_id(body) == def_.body) return;
+        if (has_body && joint_forbids_contact(data_, self, body)) return;
         if (left_out && data_.shape_id(data_.named_shape(shape)) == *left_out) return;
         add(shape, position, carrier, dt);
     };

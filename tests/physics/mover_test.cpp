@@ -263,6 +263,21 @@ TEST_CASE("a light crate rests below a heavy mover") {
     CHECK(hero.y() - crate.position().y == Approx(0.505f).margin(0.01f));
 }
 
+TEST_CASE("a mover passes through a body that a joint keeps apart from its own") {
+    World world;
+    add_floor(world);
+    Body wall = world.create_body({.type = BodyType::static_body, .position = {3, 1}});
+    wall.add(Box{.width = 1, .height = 2});
+    const Body own = world.create_body({.type = BodyType::kinematic_body});
+    FilterJoint joint = world.create_filter_joint({.body_a = own.id(), .body_b = wall.id()});
+    Walker hero(world, {0, 0.01f}, {.body = own.id()});
+    hero.step(3, 120);
+    CHECK(hero.x() > 5.0f);
+    joint.destroy();
+    hero.step(-3, 120);
+    CHECK(hero.x() > 3.8f);
+}
+
 TEST_CASE("a mover crouches and stands up only where there is room") {
     World world;
     add_floor(world);
