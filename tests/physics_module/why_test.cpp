@@ -245,4 +245,21 @@ TEST_CASE("a position is velocity times the length of the step") {
     CHECK(has(lines(game, ball, "position"), "put here"));
 }
 
+TEST_CASE_METHOD(Game, "a mover walks by itself and a disabled body does not move") {
+    floor();
+    const Handle hero = make("Mover", world(), {{"position", Vec2(0, 5)}, {"walk", 2.0}});
+    step(2);
+    CHECK(has(lines(*this, hero, "velocity"), "in the air, with world.mover_1.walk = 2 m/s"));
+    CHECK(has(lines(*this, hero, "velocity"), "world.gravity: + vec(0, -0.16"));
+    step(120);
+    CHECK(has(lines(*this, hero, "velocity"), "on ground, with world.mover_1.walk = 2 m/s"));
+    set(hero, "climbing", true);
+    CHECK(has(lines(*this, hero, "velocity"), "climbs"));
+    set(hero, "enabled", false);
+    CHECK(has(lines(*this, hero, "velocity"), "it is disabled (world.mover_1.enabled)"));
+    const Handle ball = body("Circle", {3, 4});
+    set(ball, "enabled", false);
+    CHECK(has(lines(*this, ball, "velocity"), "it is disabled"));
+}
+
 }  // namespace why_test

@@ -30,6 +30,7 @@ class Motion {
 
     Lines velocity() {
         if (const std::string reason = still(); !reason.empty()) return {reason};
+        if (body_.type() == physics::BodyType::kinematic_body) return of_mover();
         const auto account = world_.account(body_.id());
         if (!account) return estimated();
         largest_ = account->before.length() + account->after.length() + account->gravity.length();
@@ -95,14 +96,47 @@ class Motion {
     std::string still() const {
         if (!hosting_.hosted(row_).self) return "it is in no world, so nothing moves it";
         if (body_.type() == physics::BodyType::static_body) return "a static body does not move";
+        if (!body_.enabled())
+            return "it is disabled (" + path_ +
+                   ".enabled): it keeps its velocity and does not move";
         if (body_.type() == physics::BodyType::kinematic_body)
-            return "a kinematic body keeps the velocity that was written";
+            return mover().slot != 0 ? "" : "a kinematic body keeps the velocity that was written";
         if (std::isinf(body_.mass())) return "a body of infinite mass does not move";
         if (!body_.awake()) return "it is asleep (" + path_ + ".awake)";
         return world_.solver() == physics::Solver::soft_step
                    ? ""
                    : "the changes are only added up by the solver \"soft_step\" (" + world_path_ +
                          ".solver)";
+    }
+
+    MoverRecord mover() const { return hosting_.hosted(row_).movers.get(slot_of(row_)); }
+
+    /// A mover finds its velocity itself.
+    Lines of_mover() {
+        const MoverRecord record = mover();
+        const auto setting = [&](const char* name, float value, const char* unit) {
+            return path_ + "." + name + " = " + text(to_value(value)) + " " + unit;
+        };
+        const std::string walk = setting("walk", record.walk, "m/s");
+        if (record.climbing != 0)
+            return {"it climbs (" + path_ + ".climbing), with " + walk + " and " +
+                    setting("climb", record.climb, "m/s")};
+        if (record.on_ground != 0) {
+            lines_.push_back("it walks on ground, with " + walk + ", by at most " +
+                             setting("acceleration", record.acceleration, "m/s\xC2\xB2"));
+            const physics::Vec2 ground(record.ground_x, record.ground_y);
+            if (ground != physics::Vec2{}) say(path_ + ".ground_velocity: + ", ground);
+        } else {
+            lines_.push_back("it is in the air, with " + walk + ", by at most " +
+                             setting("air_acceleration", record.air_acceleration, "m/s\xC2\xB2"));
+            largest_ = 0;
+            forces(static_cast<float>(hosting_.last_dt) * body_.gravity_scale() * world_.gravity(),
+                   {}, {});
+        }
+        if (record.on_wall != 0) lines_.push_back("a wall stops it (" + path_ + ".on_wall)");
+        if (record.on_ceiling != 0)
+            lines_.push_back("a ceiling stops it (" + path_ + ".on_ceiling)");
+        return std::move(lines_);
     }
 
     /// The impulses of contacts are those of the last sub-step: nothing else is kept of a step that
