@@ -113,6 +113,39 @@ bool in_cone(Vec2 before, Vec2 direction, Vec2 after) {
     return cross(before, direction) >= -1e-6f && cross(direction, after) >= -1e-6f;
 }
 
+/// The gap at the vertex that separates an ellipse from a polygon best, or that it has least inside
+/// it; `otherwise` if no vertex does better. In the frame in which the ellipse is the unit circle,
+/// it is known at once which vertices can.
+EllipseGap gap_at_best_vertex(const EllipseForm& ellipse, const Convex& other, Vec2 offset,
+                              const EllipseGap& otherwise) {
+    const auto on_circle = [&](int i) {
+        const Vec2 d = other.vertices[i] + offset - ellipse.center;
+        return Vec2{dot(d, ellipse.axis) / ellipse.first, cross(ellipse.axis, d) / ellipse.second};
+    };
+    const Vec2 center = ellipse.center - offset;
+    float nearest = 1e30f;
+    bool centered = other.count > 2;  // the center of the ellipse is inside
+    for (int i = 0; i < other.count; ++i) {
+        const Vec2 a = on_circle(i), along = on_circle(i + 1 < other.count ? i + 1 : 0) - a;
+        const float l = length_squared(along);
+        const float t = l > 0.0f ? clamp(-dot(a, along) / l, 0.0f, 1.0f) : 0.0f;
+        nearest = min(nearest, length_squared(a + t * along));
+        centered = centered && dot(other.normals[i], center) <= other.offsets[i];
+    }
+    EllipseGap best = otherwise;
+    if (centered) return best;
+    const bool apart = nearest > 1.0f;
+    for (int i = 0; i < other.count; ++i) {
+        if (!apart && length_squared(on_circle(i)) > 1.0f) continue;
+        const EllipseGap gap = gap_at_vertex(ellipse, other.vertices[i] + offset, i);
+        const int previous = i > 0 ? i - 1 : other.count - 1;
+        if (gap.separation > best.separation &&
+            in_cone(other.normals[previous], -gap.normal, other.normals[i]))
+            best = gap;
+    }
+    return best;
+}
+
 }  // namespace
 
 EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, Vec2 offset) {
@@ -134,7 +167,9 @@ EllipseGap gap_between(const EllipseForm& ellipse, const Convex& other, Vec2 off
         const EllipseGap gap = gap_at_vertex(ellipse, before ? v1 : v2, vertex);
         if (in_cone(other.normals[previous], -gap.normal, other.normals[vertex])) return gap;
     }
-    return {-n, deepest, deepest - best * n, best, edge, -1};
+    const EllipseGap gap = {-n, deepest, deepest - best * n, best, edge, -1};
+    // Beyond a tip, all edges overlap the ellipse: then the greatest separation may be elsewhere.
+    return best < 0.0f ? gap_at_best_vertex(ellipse, other, offset, gap) : gap;
 }
 
 EllipseGap gap_between(const EllipseForm& ellipse, const EllipseForm& other, Vec2 offset) {

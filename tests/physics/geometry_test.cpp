@@ -187,6 +187,24 @@ TEST_CASE("time of impact of a rotation about a given point") {
     CHECK_FALSE(time_of_impact(rod, about_middle, Circle{0.1f}, {{{2.5f, 1}, 0}, {{2.5f, 1}, 0}}));
 }
 
+TEST_CASE("an ellipse beyond the tip of a thin geometry is apart from it") {
+    // It leans over the tip, so its lowest point is below the inside of the segment.
+    const Pose leaning = {{0.3f, 0.1f}, 1.0471976f};
+    const Form ellipse = Ellipse{1.0f, 0.1f};
+    const Geometry thin[] = {Segment{{-5, 0}, {0, 0}}, Box{5, 0.002f, {-2.5f, 0}},
+                             Polygon{{{-5, -0.01f}, {0, 0}, {-5, 0.01f}}}};
+    for (const Geometry& geometry : thin) {
+        const Separation gap = distance(ellipse, leaning, geometry, {});
+        CHECK(gap.distance == Approx(0.1125f).margin(0.001));
+        CHECK(contact_manifolds(ellipse, leaning, geometry, {}).empty());
+        // A tip that is a little inside is pushed out over the tip, and not to the side.
+        const auto overlap = contact_manifolds(ellipse, {{0.169f, 0.1f}, 1.0471976f}, geometry, {});
+        REQUIRE(overlap.size() == 1);
+        CHECK(overlap[0].points[0].separation > -0.01f);
+        CHECK(overlap[0].normal.x < -0.8f);
+    }
+}
+
 TEST_CASE("convex pieces cover an outline") {
     const auto pieces = convex_pieces(l_shape);
     REQUIRE(pieces.size() == 2);
