@@ -161,10 +161,19 @@ std::optional<float> time_of_impact(const Form& a, const Movement& movement_a, c
                                     const Movement& movement_b) {
     const Moving moving_a(a, "movement_a", movement_a), moving_b(b, "movement_b", movement_b);
     constexpr float gap = 1e-4f;
+    constexpr int most_searches = 64;
     float first = 1.0f;
     for_each_pair(moving_a.form, moving_b.form, [&](const Solid& of_a, const Solid& of_b) {
-        first = min(first, detail::time_of_impact({of_a, moving_a.motion, moving_a.extent},
-                                                  {of_b, moving_b.motion, moving_b.extent}, gap));
+        const Sweep sweep_a = {of_a, moving_a.motion, moving_a.extent};
+        const Sweep sweep_b = {of_b, moving_b.motion, moving_b.extent};
+        // A search ends before the impact where fast rotations pass each other closely; the next
+        // one continues from there. The one that starts at the impact stays there.
+        float time = -1.0f, next = 0.0f;
+        for (int search = 0; search < most_searches && next > time && next < first; ++search) {
+            time = next;
+            next = detail::time_of_impact(sweep_a, sweep_b, gap, time);
+        }
+        first = min(first, next);
     });
     if (first < 1.0f) return first;
     return {};

@@ -187,6 +187,21 @@ TEST_CASE("time of impact of a rotation about a given point") {
     CHECK_FALSE(time_of_impact(rod, about_middle, Circle{0.1f}, {{{2.5f, 1}, 0}, {{2.5f, 1}, 0}}));
 }
 
+TEST_CASE("fast rotations that pass a geometry closely have no time of impact") {
+    const Form arm = Circle{0.5f, {3, 0}};
+    const Movement turns = {{{0, 0}, 0}, {{0, 0}, 60.0f}};
+    const auto beside = [](float x) { return Movement{{{x, 0}, 0}, {{x, 0}, 0}}; };
+    CHECK_FALSE(time_of_impact(arm, turns, Circle{0.5f}, beside(-4.002f)));
+    // It passes nine times before a wall comes near enough.
+    const Movement nearer = {{{-4.1f, 0}, 0}, {{-3.99f, 0}, 0}};
+    const auto t = time_of_impact(arm, turns, Circle{0.5f}, nearer);
+    REQUIRE(t);
+    const float angle = 60.0f * *t;
+    const Separation then =
+        distance(arm, {{0, 0}, angle}, Circle{0.5f}, {{-4.1f + 0.11f * *t, 0}, 0});
+    CHECK(then.distance < 3e-4f);
+}
+
 TEST_CASE("an ellipse beyond the tip of a thin geometry is apart from it") {
     // It leans over the tip, so its lowest point is below the inside of the segment.
     const Pose leaning = {{0.3f, 0.1f}, 1.0471976f};
