@@ -69,17 +69,31 @@ void Moving::slide(Vec2 way) {
 
 void Moving::advance(Vec2 way) {
     const Vec2 start = position;
+    const std::optional<Plane> wall_before = wall;
     slide(way);
     if (settings_.step_height <= 0.0f) return;
     const Vec2 aside = lateral(way);
     const float wanted = length(aside);
     if (wanted < 1e-5f) return;
     const float made = dot(position - start, (1.0f / wanted) * aside);
-    if (made < 0.9f * wanted) step_up(start, aside);
+    if (made < 0.9f * wanted)
+        step_up(start, aside);
+    else if (wall && !wall_before && will_step_up(aside))
+        wall.reset();  // It has just reached a step, which the next way climbs.
 }
 
-/// Up, forward and down again: a step if there is ground that is higher.
-void Moving::step_up(Vec2 start, Vec2 way) {
+/// True if it would climb a step from where it is. It stays there.
+bool Moving::will_step_up(Vec2 way) {
+    const Vec2 here = position;
+    const std::optional<Plane> step_before = step;
+    const bool will = step_up(here, way);
+    put_back(here);
+    step = step_before;
+    return will;
+}
+
+/// Up, forward and down again: a step if there is ground that is higher. False if there is none.
+bool Moving::step_up(Vec2 start, Vec2 way) {
     const Vec2 slid = position, up = capsule_.up;
     const float wanted = length(way), gap = 0.5f * settings_.skin;
     const Vec2 ahead = (1.0f / wanted) * way;
@@ -100,9 +114,10 @@ void Moving::step_up(Vec2 start, Vec2 way) {
         dot(position - start, up) > 1e-4f && walkable(*reached, start, way) &&
         !obstacles_[hit].dynamic) {
         step = reached;
-        return;
+        return true;
     }
     put_back(slid);
+    return false;
 }
 
 /// A plane not far above the feet that is not too steep, or the edge of one towards which the mover

@@ -50,7 +50,8 @@ class Moving {
         obstacles_.put_aside(length(position - to));
         position = to;
     }
-    void step_up(Vec2 start, Vec2 way);
+    bool step_up(Vec2 start, Vec2 way);
+    bool will_step_up(Vec2 way);
     void note_hits(Vec2 way, float overlap_allowed);
     std::vector<Bound> bounds(Vec2 way, bool with_distance) const;
     bool walkable(const Plane& plane, Vec2 feet, Vec2 way);

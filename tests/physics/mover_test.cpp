@@ -278,6 +278,26 @@ TEST_CASE("a mover passes through a body that a joint keeps apart from its own")
     CHECK(hero.x() > 3.8f);
 }
 
+TEST_CASE("stairs are no wall for a mover") {
+    for (const float walk : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f}) {
+        World world;
+        add_floor(world);
+        for (int i = 1; i <= 12; ++i) {
+            const auto n = static_cast<float>(i);
+            Body stair = world.create_body({.type = BodyType::static_body});
+            stair.add(Box{.width = 0.5f, .height = 0.2f * n, .center = {2 + 0.5f * n, 0.1f * n}});
+        }
+        Walker hero(world, {0, 0.01f});
+        int walls = 0;
+        while (hero.x() < 8.0f && hero.last.motion.x >= 0.0f && walls < 100) {
+            hero.step(walk);
+            walls += hero.last.hit_wall;
+        }
+        INFO("walks with " << walk);
+        CHECK(walls == 0);
+    }
+}
+
 TEST_CASE("a mover crouches and stands up only where there is room") {
     World world;
     add_floor(world);
