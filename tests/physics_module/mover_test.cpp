@@ -174,6 +174,19 @@ TEST_CASE_METHOD(Scene, "a press crushes a mover") {
     CHECK(log == Log{"crushed"});
 }
 
+TEST_CASE_METHOD(Scene, "a sensor without events tells nothing about a mover") {
+    const Handle zone = body("Box", {0, 1}, "static");
+    set(shape_of(zone), "sensor", true);
+    set(shape_of(zone), "sensor_events", false);
+    listen("sensor_begin");
+    listen("sensor_end");
+    step(5);
+    CHECK(log.empty());
+    set(shape_of(zone), "sensor_events", true);
+    step(5);
+    CHECK(log == Log{"sensor_begin"});
+}
+
 TEST_CASE_METHOD(Scene, "a disabled mover does not move and tells nothing") {
     for (const char* event : {"landed", "left_ground", "bumped", "crushed"}) listen(event);
     set(hero, "walk", 3);

@@ -112,9 +112,9 @@ std::vector<std::uint32_t> slots_of(const HostedWorld& in) {
     return slots;
 }
 
-/// True if the library does not report this sensor to a kinematic body.
+/// True if the library does not report this sensor to a kinematic body, but a mover does.
 bool is_unreported_sensor(const physics::Shape& shape) {
-    if (!shape.sensor()) return false;
+    if (!shape.sensor() || !shape.sensor_events()) return false;
     const physics::Body body = shape.body();
     return body.type() != physics::BodyType::dynamic_body || std::isinf(body.mass());
 }
