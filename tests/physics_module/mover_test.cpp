@@ -174,6 +174,19 @@ TEST_CASE_METHOD(Scene, "a press crushes a mover") {
     CHECK(log == Log{"crushed"});
 }
 
+TEST_CASE_METHOD(Scene, "a mover leaves the ground when gravity turns upwards") {
+    listen("left_ground");
+    const double strength = GENERATE(1.0, 10.0);
+    set(world(), "gravity", Vec2(0, strength));
+    step(60);
+    CHECK(log == Log{"left_ground"});
+    CHECK_FALSE(flag("on_ground"));
+    CHECK(y(hero) == Approx(0.5 * strength).epsilon(0.1));
+    set(world(), "gravity", Vec2(0, -10));
+    step(200);
+    CHECK(flag("on_ground"));
+}
+
 TEST_CASE_METHOD(Scene, "a sensor without events tells nothing about a mover") {
     const Handle zone = body("Box", {0, 1}, "static");
     set(shape_of(zone), "sensor", true);

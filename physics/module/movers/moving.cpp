@@ -154,6 +154,15 @@ void sense_one(HostedWorld& in, std::uint32_t slot) {
     if (record.sensors != before) in.movers.set(slot, record);
 }
 
+/// Gravity lifts it off the ground; it keeps the velocity of the ground.
+void leave_ground(MoverRecord& record) {
+    if (record.on_ground == 0) return;
+    record.velocity_x += record.ground_x;
+    record.velocity_y += record.ground_y;
+    record.on_ground = 0;
+    record.ground = {};
+}
+
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     physics::Body body = in.world.body({slot, in.world.body_generation(slot)});
     if (body.type() != physics::BodyType::kinematic_body || !body.enabled()) {
@@ -171,15 +180,24 @@ void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     }
     const MoverRecord before = record;
     const Vec2 up = body.world_vector({0.0f, 1.0f});
+    const Vec2 gravity = body.gravity_scale() * body.world().gravity();
+    const bool rises = gravity.dot(up) > 1e-3f * gravity.length();
+    if (rises) leave_ground(record);
+    const bool stands = record.on_ground != 0;
     const Vec2 wanted = wanted_velocity(record, body, up, dt);
     physics::Mover mover = mover_of(record, body);
+    if (rises) {
+        physics::MoverState state = mover.state();
+        state.climbing = true;  // It finds no ground.
+        mover.set_state(state);
+    }
     const physics::Moved moved = mover.move(in.world, wanted, dt);
     store(record, mover, moved);
     note_events(record, before, moved, -wanted.dot(up));
 
     // In the air the velocity is absolute, and on the ground relative to it.
     Vec2 left = moved.velocity;
-    if (before.on_ground != 0) left += Vec2(before.ground_x, before.ground_y);
+    if (stands) left += Vec2(before.ground_x, before.ground_y);
     if (moved.on_ground) left -= moved.ground_velocity;
     if (moved.on_ground) left -= left.dot(up) * up;
     record.velocity_x = left.x;
