@@ -19,19 +19,15 @@ struct EdgeGap {
     float separation = -1e30f;
 };
 
-/// Finds the maximum of values in a cycle that has only one rising direction from the start. The
+/// Finds the maximum of values in a cycle that rise in one direction from `start` to it. The
 /// strides double while the value rises; then bisection searches the last stride. Values that are
-/// not `within` are ignored.
+/// not `within` are ignored. `way`: 1 or -1; the value after `start` is higher.
 template <class Value, class Within>
-EdgeGap climb(int count, int start, Value&& value, Within&& within) {
+EdgeGap climb(int count, int start, int way, Value&& value, Within&& within) {
     const auto at = [count](int i) { return ((i % count) + count) % count; };
     const auto of = [&](int i) { return value(at(i)); };
-    float here = of(start);
-    const float left = of(start - 1), right = of(start + 1);
-    if (left <= here && right <= here) return {at(start), here};
-    const int way = right > left ? 1 : -1;
     int low = start, high = start + way, stride = 1;
-    here = max(left, right);
+    float here = of(high);
     while (stride < count) {
         const int ahead = high + way * stride;
         const float then = within(at(ahead)) ? of(ahead) : here;
@@ -58,6 +54,21 @@ EdgeGap climb(int count, int start, Value&& value, Within&& within) {
     }
 }
 
+/// The higher of the two maxima beside `start`. A flat polygon has two that the tip between them
+/// faces away from.
+template <class Value, class Within>
+EdgeGap climb(int count, int start, Value&& value, Within&& within) {
+    EdgeGap best = {start, value(start)};
+    const float first = best.separation;
+    for (const int way : {-1, 1}) {
+        const int next = (start + way + count) % count;
+        if (!within(next) || !(value(next) > first)) continue;
+        const EdgeGap found = climb(count, start, way, value, within);
+        if (found.separation > best.separation) best = found;
+    }
+    return best;
+}
+
 /// A convex polygon with its vertices in memory, for `deepest_edge`.
 class Facets {
   public:
@@ -76,23 +87,33 @@ class Facets {
 
 /// The edge of a polygon with the greatest separation from another shape. `nearest` returns the
 /// coordinate of the shape's nearest point along a unit vector, `inside` is a point of the shape.
-/// In small polygons all edges are examined; large ones are climbed. The separation rises from the
-/// edge that faces any point of the shape to the maximum, which is within a quarter of a turn. Up
-/// to there, the farthest vertices along the normals are on the near side of the nearest point.
-/// Beyond it there may be another maximum, that of the far side.
+/// In small polygons all edges are examined; large ones are climbed. Where an edge separates them,
+/// the separation rises from every such edge to the maximum. Where the climb finds none, there may
+/// still be one, because a flat polygon has several maxima below zero: then edges all around are
+/// examined, and the climb begins again from the best of them.
 template <class Polygon, class Nearest>
 EdgeGap deepest_edge(const Polygon& polygon, Vec2 inside, Nearest&& nearest) {
     const auto separation = [&](int i) { return nearest(polygon.normal(i)) - polygon.offset(i); };
-    if (polygon.count() > most_small_vertices) {
-        const Vec2 towards = inside - polygon.middle();
-        return climb(polygon.count(), polygon.farthest(towards), separation,
-                     [&](int i) { return dot(polygon.normal(i), towards) >= 0.0f; });
-    }
+    const int count = polygon.count();
     EdgeGap best;
-    for (int i = 0; i < polygon.count(); ++i) {
+    const auto examine = [&](int i) {
         const float s = separation(i);
         if (s > best.separation) best = {i, s};
+    };
+    if (count <= most_small_vertices) {
+        for (int i = 0; i < count; ++i) examine(i);
+        return best;
     }
+    const Vec2 towards = inside - polygon.middle();
+    best = climb(count, polygon.farthest(towards), separation,
+                 [&](int i) { return dot(polygon.normal(i), towards) >= 0.0f; });
+    if (best.separation > 0.0f) return best;
+    constexpr int most_examined = 32;
+    const float found = best.separation;
+    const int stride = (count + most_examined - 1) / most_examined;
+    for (int i = 0; i < count; i += stride) examine(i);
+    if (stride > 1 && best.separation > found)
+        best = climb(count, best.edge, separation, [](int) { return true; });
     return best;
 }
 

@@ -220,6 +220,32 @@ TEST_CASE("an ellipse beyond the tip of a thin geometry is apart from it") {
     }
 }
 
+TEST_CASE("points beside flat polygons with many vertices are not in them") {
+    // Flat ellipses: the tips are far from the flat sides, and few edges turn round them.
+    std::vector<Vec2> points;
+    for (int i = 0; i < 30; ++i)
+        points.emplace_back(2.0f * std::cos(0.21f * float(i)), 0.2f * std::sin(0.21f * float(i)));
+    const Form flat = Polygon{points};
+    const std::vector<Vec2> corners = flat.parts()[0];
+    int outside = 0;
+    for (int column = -60; column <= 60; ++column) {
+        for (int row = -25; row <= 25; ++row) {
+            const Vec2 p(0.037f * float(column), 0.0173f * float(row));
+            float farthest = -1.0f;  // beyond the line of an edge
+            for (size_t i = 0; i < corners.size(); ++i) {
+                const Vec2 along = corners[(i + 1) % corners.size()] - corners[i];
+                farthest = std::max(farthest, (p - corners[i]).cross(along) / along.length());
+            }
+            if (std::fabs(farthest) < 1e-4f) continue;
+            outside += farthest > 0.0f;
+            CHECK(contains(flat, {}, p) == (farthest < 0.0f));
+            const bool apart = distance(flat, {}, Circle{1e-4f}, {p, 0}).distance > 0.0f;
+            CHECK(apart == (farthest > 1e-4f));
+        }
+    }
+    CHECK(outside > 1000);
+}
+
 TEST_CASE("convex pieces cover an outline") {
     const auto pieces = convex_pieces(l_shape);
     REQUIRE(pieces.size() == 2);
