@@ -18,6 +18,33 @@ namespace fettle::physics {
 
 using namespace detail;
 
+namespace {
+
+/// The worlds whose functions of `after_step` are being called in this thread, the innermost first.
+/// A later world may be at the same address and have the same link, so neither tells whether the
+/// first one still exists.
+struct CallsAfterStep {
+    const WorldData* world;
+    CallsAfterStep* outer;
+    bool destroyed = false;
+
+    explicit CallsAfterStep(const WorldData* of) : world(of), outer(innermost) { innermost = this; }
+    ~CallsAfterStep() { innermost = outer; }
+    CallsAfterStep(const CallsAfterStep&) = delete;
+    CallsAfterStep& operator=(const CallsAfterStep&) = delete;
+
+    static void end(const WorldData* world) {
+        for (CallsAfterStep* calls = innermost; calls != nullptr; calls = calls->outer)
+            if (calls->world == world) calls->destroyed = true;
+    }
+
+  private:
+    static thread_local CallsAfterStep* innermost;
+};
+thread_local CallsAfterStep* CallsAfterStep::innermost = nullptr;
+
+}  // namespace
+
 World::World(const WorldDef& def) {
     check(def);
     data_ = std::make_unique<WorldData>();
@@ -37,6 +64,7 @@ void World::begin() {
 
 World::~World() {
     if (!data_) return;  // it gave its data to another World
+    CallsAfterStep::end(data_.get());
     link_->world = nullptr;
     link_->data = nullptr;
     WorldSelf& self = data_->self;
@@ -54,6 +82,7 @@ World& World::operator=(World&& other) {
     other.populate("operator=");
     World empty;
     if (data_) {
+        CallsAfterStep::end(data_.get());
         link_->world = nullptr;
         link_->data = nullptr;
     }
@@ -112,8 +141,7 @@ void World::step(float dt) {
 
 /// The functions may destroy the world.
 void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock& lock) const {
-    const WorldLink& link = *link_;
-    const WorldData* const data = data_.get();
+    const CallsAfterStep running(data_.get());
     std::exception_ptr first;
     const auto attempt = [&first](auto&& call) {
         try {
@@ -124,7 +152,7 @@ void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock&
     };
     attempt([&] { lock.finish(); });
     for (const std::function<void()>& call : calls)
-        if (link.data == data) attempt(call);
+        if (!running.destroyed) attempt(call);
     if (first) std::rethrow_exception(first);
 }
 

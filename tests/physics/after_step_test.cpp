@@ -87,6 +87,29 @@ TEST_CASE("a function may destroy the world and the later ones are not called") 
     REQUIRE_FALSE(body.is_valid());
 }
 
+TEST_CASE("functions of a destroyed world are not called for a world in its place") {
+    // The new world may be at the same address, and it has the link of the old one.
+    int calls = 0;
+    auto world = std::make_unique<World>();
+    world->after_step([&] {
+        world.reset();
+        world = std::make_unique<World>();
+    });
+    world->after_step([&] { ++calls; });
+    world->step(frame);
+    World other;
+    other.after_step([&] { other = World(); });
+    other.after_step([&] { ++calls; });
+    other.step(frame);
+    REQUIRE(calls == 0);
+    // A world that moves is still the same.
+    World from, to;
+    from.after_step([&] { to = std::move(from); });
+    from.after_step([&] { ++calls; });
+    from.step(frame);
+    REQUIRE(calls == 1);
+}
+
 TEST_CASE("a world that a callback destroys calls nothing after the step") {
     auto world = std::make_unique<World>();
     add_heap(*world);
