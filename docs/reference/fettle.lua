@@ -1164,7 +1164,7 @@ Chain = {}
 ---@field instance Mover To whom it happened.
 ---@field step integer The fixed step in which it happened.
 
----It has no place between what presses it from several sides.
+---Obstacles press it from several sides, and it overlaps one of them.
 ---@class Mover.crushed
 ---@field instance Mover To whom it happened.
 ---@field step integer The fixed step in which it happened.
@@ -1184,12 +1184,12 @@ Chain = {}
 
 ---A character: a body with the form of an upright capsule, which walks up slopes and steps, rides on platforms, passes through ledges from below and pushes crates. Its position is at its feet. It moves by itself while its type is "kinematic"; with "dynamic" it is a body like others.
 ---@class Mover : Body
----@field acceleration number How fast it takes the speed `walk` on the ground. · m/s² · at least 0 · default 60
----@field air_acceleration number How fast it takes the speed `walk` in the air. · m/s² · at least 0 · default 20
+---@field acceleration number Acceleration to the speed `walk` on the ground. · m/s² · at least 0 · default 60
+---@field air_acceleration number Acceleration to the speed `walk` in the air. · m/s² · at least 0 · default 20
 ---@field category integer Its categories, as bits: see `Shape.category`. · any integer · default 1
 ---@field climb number Speed upwards while it climbs. · m/s · any finite number · default 0
 ---@field climbing boolean True if it is on a ladder: gravity does not act, and it moves by walk and climb. · true or false · default false · simulated
----@field crouch boolean True if it wants to crouch. It stands up again when there is room: `crouched`. · true or false · default false
+---@field crouch boolean True: it crouches. After false it stands up as soon as there is room: `crouched`. · true or false · default false
 ---@field crouch_height number Height while it crouches. · m · 0.02 to 1000 · default 0.9
 ---@field crouched boolean True if it has the height for crouching. · true or false · read-only, simulated
 ---@field ground Object? The body on which it stands, or the world for its bounds; nil in the air. · any instance · read-only, simulated, may be nil
@@ -1200,14 +1200,14 @@ Chain = {}
 ---@field mask integer Categories of the shapes that stop it and that meet it, as bits; -1 is all. · any integer · default -1
 ---@field max_slope number Steepest ground on which it stands; steeper ground is a wall. · rad · 0 to 1.5 · default 0.87
 ---@field on_ceiling boolean True if a ceiling stopped it. · true or false · read-only, simulated
----@field on_ground boolean True if it stands. · true or false · read-only, simulated
+---@field on_ground boolean True if it stands on the ground. · true or false · read-only, simulated
 ---@field on_wall boolean True if a wall stopped it. · true or false · read-only, simulated
 ---@field push_force number Greatest force with which it pushes bodies. · N · 0 to 1000000000 · default 600
 ---@field radius number Radius of its capsule: half its width. · m · 0.01 to 500 · default 0.4
 ---@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
 ---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
 ---@field visible boolean True if its capsule is drawn; turn it off under a sprite. · true or false · default true
----@field walk number Speed that it wants along the ground, to its right; negative to its left. · m/s · any finite number · default 0
+---@field walk number Target speed along the ground, to its right; negative to its left. · m/s · any finite number · default 0
 local fettle_Mover = {}
 
 ---Lets it fall through the ledge on which it stands.

@@ -45,7 +45,7 @@ Binding switch_of(Hosting& hosting) {
         });
 }
 
-/// A property of the capsule; `otherwise` if a damaged save has none.
+/// A property of the capsule; its value is `otherwise` if a damaged save has no capsule.
 template <auto Get, auto Set, std::uint64_t otherwise>
 Binding of_capsule(Hosting& hosting) {
     return accessor(
@@ -99,7 +99,7 @@ std::vector<Property> form(Hosting& h) {
                number("crouch_height", widen(0.9f, 0).x, "m", "Height while it crouches.",
                       setting_of<&MoverRecord::crouch_height, true>(h))),
         flag("crouch", false,
-             "True if it wants to crouch. It stands up again when there is room: `crouched`.",
+             "True: it crouches. After false it stands up as soon as there is room: `crouched`.",
              switch_of<&MoverRecord::crouch, true>(h)),
     };
 }
@@ -107,7 +107,7 @@ std::vector<Property> form(Hosting& h) {
 std::vector<Property> control(Hosting& h) {
     return {
         number("walk", 0, "m/s",
-               "Speed that it wants along the ground, to its right; negative to its left.",
+               "Target speed along the ground, to its right; negative to its left.",
                setting_of<&MoverRecord::walk>(h)),
         number("climb", 0, "m/s", "Speed upwards while it climbs.",
                setting_of<&MoverRecord::climb>(h)),
@@ -115,11 +115,10 @@ std::vector<Property> control(Hosting& h) {
                        "True if it is on a ladder: gravity does not act, and it moves by walk and "
                        "climb.",
                        switch_of<&MoverRecord::climbing>(h))),
-        amount("acceleration", 60, "m/s\xC2\xB2",
-               "How fast it takes the speed `walk` on the ground.",
+        amount("acceleration", 60, "m/s\xC2\xB2", "Acceleration to the speed `walk` on the ground.",
                setting_of<&MoverRecord::acceleration>(h)),
         amount("air_acceleration", 20, "m/s\xC2\xB2",
-               "How fast it takes the speed `walk` in the air.",
+               "Acceleration to the speed `walk` in the air.",
                setting_of<&MoverRecord::air_acceleration>(h)),
     };
 }
@@ -178,8 +177,10 @@ Value body_below(Hosting& hosting, Row row, const MoverRecord& record) {
 
 std::vector<Property> state(Hosting& h) {
     return {
-        reading(h, {.name = "on_ground", .type = Type::boolean, .doc = "True if it stands."},
-                [](Hosting&, Row, const MoverRecord& r) { return Value(r.on_ground != 0); }),
+        reading(
+            h,
+            {.name = "on_ground", .type = Type::boolean, .doc = "True if it stands on the ground."},
+            [](Hosting&, Row, const MoverRecord& r) { return Value(r.on_ground != 0); }),
         reading(h,
                 {.name = "ground",
                  .type = Type::reference,
@@ -271,7 +272,8 @@ std::vector<property::Event> events() {
                      .nullable = true},
                     {"normal", Type::vec2, "", "Direction away from it."}},
          .doc = "A wall or a ceiling stopped it."},
-        {.name = "crushed", .doc = "It has no place between what presses it from several sides."},
+        {.name = "crushed",
+         .doc = "Obstacles press it from several sides, and it overlaps one of them."},
     };
 }
 
