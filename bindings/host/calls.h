@@ -34,8 +34,8 @@ fettle_code outside(const char* function, const fettle_hosted* hosted, const cha
     });
 }
 
-/// What a function of the caller answers. Throws std::invalid_argument with its reason unless its
-/// code is FETTLE_DONE.
+/// Checks the result of a function of the caller. Throws std::invalid_argument with its reason
+/// unless its code is FETTLE_DONE.
 property::Value answer_of(fettle_code code, const fettle_hosted_value& result);
 
 /// Writes the defaults of a definition.

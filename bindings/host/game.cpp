@@ -152,7 +152,7 @@ void Game::report(const script::ScriptError& error) {
     try {
         call_out([&] { told.function(told.user, &found); });
     } catch (...) {
-        // The error that it was to get is reported by the call that runs the script.
+        // The call that runs the script reports the error in any case.
         return;
     }
 }

@@ -72,7 +72,7 @@ fettle_hosted_value Given::result(const Result& result) {
 namespace {
 
 constexpr int deepest = 64;
-constexpr std::size_t most = 1'000'000;  // elements, so that a list in itself comes to an end
+constexpr std::size_t most = 1'000'000;  // elements, so that a list that contains itself ends
 
 class Reader {
   public:

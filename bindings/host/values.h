@@ -60,7 +60,7 @@ property::Value value_of(const char* name, const fettle_hosted_value& value);
 std::vector<property::Value> values_of(const char* name, const fettle_hosted_value* values,
                                        std::uint32_t count);
 
-/// A byte that should be 0 or 1: a caller may have left it as it was.
+/// A byte that should be 0 or 1: a caller may have left it uninitialized.
 inline bool flag(const bool& byte) {
     return *reinterpret_cast<const unsigned char*>(&byte) != 0;
 }

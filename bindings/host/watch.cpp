@@ -16,7 +16,7 @@ Callback<Function> callback(Function function, void* user) {
     return {function, user};
 }
 
-/// Keeps a connection under a number for the caller, who may not want it.
+/// Keeps a connection and writes its number to `out`, which may be null.
 void keep(Game& game, property::Connection connection, fettle_connection* out) {
     const fettle_connection number = ++game.last_connection;
     game.connections.emplace(number, std::move(connection));

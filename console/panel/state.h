@@ -95,7 +95,7 @@ struct Console::State {
     std::string export_picture();
     void draw_plot_alone(app::Surface& surface);
 
-    /// Leads to where a value was written: prints the lines of the script, or goes to the step.
+    /// Shows where a value was written: prints the lines of the script, or goes to the step.
     void go_to_write(const property::Cause& cause, const std::string& path);
     void look_at_step(std::uint64_t step);
     void follow_link(std::string_view path, bool insert);

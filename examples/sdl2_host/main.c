@@ -208,7 +208,7 @@ static bool handle(const SDL_Event* event) {
     return event->type != SDL_QUIT;
 }
 
-/* What a person does in the run that makes a picture. */
+/* The input in the run that makes a picture. */
 static void push_key(SDL_Keycode key) {
     SDL_Event event = {.type = SDL_KEYDOWN};
     event.key.keysym.sym = key;

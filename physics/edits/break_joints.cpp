@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-// Joints whose load in a step exceeds what they can bear, or what is to be reported.
+// Joints whose load in a step exceeds their limits for breaking or for reporting.
 
 namespace fettle::physics::detail {
 

@@ -57,7 +57,7 @@ inline void wake_for_edit(const Activity& activity, uint32_t body) {
 
 /// The traits of a body, to be edited; `settle_traits` must be called after.
 BodyTraits& traits_of(ObjectState& objects, uint32_t body);
-/// Frees the record of a body whose traits are the usual ones.
+/// Frees the record of a body whose traits all have their default values.
 void settle_traits(ObjectState& objects, uint32_t body);
 void set_name(ObjectState& objects, uint32_t body, std::string_view name);
 

@@ -23,7 +23,7 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
-/// A damping ratio beyond which the arithmetic of a soft row has no digits left.
+/// Beyond this damping ratio the coefficients of a soft row have no significant digits left.
 float check_ratio(const char* what, float value) {
     return check_range(what, value, 0.0f, 1000.0f);
 }

@@ -21,7 +21,7 @@ JointRecord record_of(JointType type);
 /// Checks a definition, and returns the record of a joint with it.
 JointRecord checked(const World& world, JointType type, const JointDef& def);
 
-/// The settings of all types in the definition of one.
+/// The settings that the definition of any type of joint has.
 template <class Def>
 JointDef common_of(const Def& def) {
     return {def.body_a,

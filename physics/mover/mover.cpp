@@ -65,7 +65,8 @@ Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
     return {-speed * normal.y, speed * normal.x};
 }
 
-/// An impulse on a dynamic body as it is, without what the mover weighs.
+/// Pushes a dynamic body: the impulse of a collision with the mass of the mover, limited by its
+/// `push_force`.
 void push_body(World& world, const MoverDef& def, const Push& push, Vec2 velocity, float dt) {
     WorldData& data = MoverWorld::of(world);
     const BodyRecord& record = data.bodies[push.body];
@@ -120,7 +121,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     way = bounded(way, 1e6f) + ride;
     if (length(way) > most_motion) way = most_motion * normalized(way);
 
-    // Obstacles may turn it aside by as much as it moves.
+    // Obstacles may deflect the motion to any side.
     const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(way);
     const auto left_out =
         world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
@@ -171,7 +172,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
             const Vec2 wall = moving.wall->normal;
             const Vec2 aside = normalized(wall - dot(wall, up) * up);
             const Obstacle& by = obstacles[moving.wall->obstacle];
-            // It goes on with what it pushes.
+            // The speed of a pushed body is kept.
             const Vec2 gives_way = by.dynamic ? data.states[by.body].velocity : Vec2{};
             left = left - min(0.0f, dot(left - gives_way, aside)) * aside;
         }

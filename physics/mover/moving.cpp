@@ -1,4 +1,4 @@
-// The way of a mover in one step: sliding, steps, ground.
+// The motion of a mover in one step: sliding, climbing steps, staying on the ground.
 
 #include <mover/moving.h>
 

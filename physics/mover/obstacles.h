@@ -70,7 +70,7 @@ class Obstacles {
     /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
     void find(Box4 box, Vec2 position, uint32_t carrier, float dt, std::optional<ShapeId> left_out);
     void set_time(float time);
-    /// The mover is put elsewhere, this far away.
+    /// To be called when the mover was moved by this distance (m) in another way.
     void put_aside(float distance);
     float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
     /// The planes within `reach` at this position, nearest first. A corner that is flush with a

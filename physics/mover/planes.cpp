@@ -27,7 +27,7 @@ std::optional<Vec2> corner(const Bound& a, const Bound& b) {
                              b.least * a.normal.x - a.least * b.normal.x};
 }
 
-/// Breaks all bounds evenly: moves towards the sum of what each of them lacks.
+/// Distributes the error over all bounds: each round moves by a part of the sum of their errors.
 Vec2 between(std::span<const Bound> bounds) {
     Vec2 motion;
     const float part = 1.0f / max(2.0f, float(bounds.size()));

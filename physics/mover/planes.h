@@ -12,7 +12,7 @@ struct Bound {
     float least = 0.0f;
 };
 
-/// The motion nearest to `wanted` that all bounds allow; if there is none, one that breaks them
+/// The motion nearest to `wanted` that all bounds allow; if there is none, one that violates them
 /// evenly.
 Vec2 allowed_motion(Vec2 wanted, std::span<const Bound> bounds);
 

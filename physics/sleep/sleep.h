@@ -45,8 +45,8 @@ void put_group_to_sleep(const Activity& activity, uint32_t body);
 /// body that a motor moves, and a body that a belt carries.
 void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
                            const WorldDef& settings, uint32_t candidates, uint64_t step);
-/// For solvers that correct positions without velocities: a body that was pushed faster than it may
-/// rest in the step of `dt` (s) is not at rest.
+/// For solvers that correct positions without velocities: a body is not at rest if it
+/// moved faster than its sleep speed in the step of `dt` (s), whatever its velocity is.
 void keep_pushed_awake(ObjectState& objects, const ActiveLists& active, const BodyScratch& bodies,
                        const WorldDef& settings, float dt);
 

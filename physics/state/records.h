@@ -102,7 +102,7 @@ struct BodyRecord {
     float given_mass = not_given, given_inertia = not_given;
     Vec2 given_center = {not_given, not_given};
     uint32_t rebuilds = 0;
-    uint32_t traits = none;  ///< index of its `BodyTraits`; none: it has the usual ones
+    uint32_t traits = none;  ///< index of its `BodyTraits`; none: all have their default values
     uint64_t user_data = 0;
 
     bool asleep() const { return solver_index == 0 && mobility != Mobility::fixed; }
@@ -114,7 +114,7 @@ struct BodyRecord {
     }
 };
 
-/// Values that few bodies have. All others have the initial values, and no such record.
+/// Values that few bodies have. Other bodies have the initial values and no such record.
 struct BodyTraits {
     float sleep_speed = not_given;  ///< m/s; not given: that of the world
     float max_speed = std::numeric_limits<float>::infinity();  ///< m/s

@@ -53,7 +53,7 @@ struct Slots {
 struct ObjectState {
     std::vector<BodyRecord> bodies;
     std::vector<RestPose> rest_poses;  ///< of the bodies
-    std::vector<BodyTraits> traits;    ///< of the few bodies that have unusual ones
+    std::vector<BodyTraits> traits;    ///< of the few bodies whose traits are not the defaults
     std::vector<Island> islands;
     std::vector<ShapeRecord> shapes;
     std::vector<ShapeForm> forms;  ///< of the shapes

@@ -29,7 +29,7 @@ class ThreadPool {
     /// the same time. More threads than processors would slow each other down. If the system
     /// provides fewer, throws std::runtime_error with the number of threads that exist.
     explicit ThreadPool(int threads, int at_a_time = processors());
-    /// No threads of its own: tasks of the host work while a `Helping` lives.
+    /// A pool without threads of its own: the threads of the host work while a `Helping` lives.
     ThreadPool(TaskScheduler& host, int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -40,7 +40,8 @@ class ThreadPool {
     /// Number of threads that work at the same time.
     int at_a_time() const { return int(shares_.size()); }
 
-    /// While it lives, the threads of a host help; without a host, threads always help.
+    /// While an object of this class lives, the threads of the host do work of the pool. The pool's
+    /// own threads always do.
     class Helping {
       public:
         explicit Helping(ThreadPool* pool);
@@ -49,7 +50,7 @@ class ThreadPool {
         Helping& operator=(const Helping&) = delete;
 
       private:
-        ThreadPool* pool_;  ///< null: nobody to call
+        ThreadPool* pool_;  ///< null: no tasks of a host run
     };
 
     /// Calls `work(block)` once for every block below `count`.

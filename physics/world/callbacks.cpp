@@ -101,7 +101,7 @@ class ContactCallbacks {
         }
     }
 
-    /// Disables the contacts of the ignored pairs, and forgets the pairs that have separated.
+    /// Disables the contacts of the ignored pairs, and removes the pairs that have separated.
     void skip_ignored() {
         std::vector<IgnoredPair>& pairs = world_.ignored_pairs;
         if (pairs.empty()) return;

@@ -31,7 +31,7 @@ function love.load(arguments)
     console:view(scale, 0, 0, -scale, 480, 580)
 end
 
--- What a person does in the run that makes a picture.
+-- The input in the run that makes a picture.
 local function act(frame)
     if frame == 20 then
         love.event.push("keypressed", "`", "`", false)

@@ -45,7 +45,7 @@ struct Tree::State {
     Structure structure{formulas, underway};
     History history{structure};
     std::unordered_map<const Property*, Explainer> explainers;
-    bool looked_at = false;                 // somebody looks at an instance
+    bool looked_at = false;                 // a tool shows an instance: explaining.h
     const Event* restored_event = nullptr;  // of Game
     SnapshotState snapshots;
     std::vector<std::pair<const Class*, AddedRules*>> added_rules;

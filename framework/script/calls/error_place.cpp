@@ -64,7 +64,7 @@ void shorten_source(ScriptError& error) {
     constexpr std::size_t most = 400, before = 150;  // bytes
     std::string& line = error.source_line;
     if (line.size() <= most) return;
-    // Lines of this length are made by programs: a byte is a column.
+    // Programs make lines of this length; a byte counts as a column.
     const auto column = static_cast<std::size_t>(std::max(error.column, 0));
     std::size_t begin = column > before ? std::min(column - before, line.size()) : 0;
     std::size_t end = std::min(begin + most, line.size());

@@ -106,7 +106,7 @@ int why(lua_State* L) {
     const Place place = property_at(L, "why");
     const Explanation explanation = machine.tree.why(place.instance, *place.property);
     explain(machine, explanation, "");
-    // What a module has explained needs no writer, unless there is one.
+    // Values that a module explains often have no writer; then no line about it is printed.
     if (explanation.source.empty() &&
         (explanation.from.empty() || machine.tree.who(place.instance, *place.property).known))
         who(L);

@@ -1,4 +1,4 @@
-// Where the mass of a body comes from, and what its shapes have to do with center and inertia.
+// How the shapes of a body determine its mass, center and inertia.
 
 #include <bodies/explanations.h>
 

@@ -14,7 +14,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// A change that is not listed, because it is only rounding: as a share of the largest number.
+/// Changes below this share of the largest number are rounding errors and are not listed.
 constexpr float only_rounding = 2e-6f;
 
 class Motion {
@@ -87,7 +87,7 @@ class Motion {
         try {
             world_.keep_account(body_.id());
         } catch (const physics::Locked&) {
-            // Asked by a function that the world calls: there is no account yet.
+            // Inside a function that the world calls there is no account yet.
         }
     }
 
@@ -139,8 +139,7 @@ class Motion {
         return std::move(lines_);
     }
 
-    /// The impulses of contacts are those of the last sub-step: nothing else is kept of a step that
-    /// was not added up.
+    /// For a step without an account: contacts have the impulses of the last sub-step only.
     Lines estimated() {
         prepare();
         const float dt = static_cast<float>(hosting_.last_dt), mass = body_.mass();
@@ -193,7 +192,7 @@ class Motion {
     void say(const std::string& what, const physics::Vec2& v) {
         lines_.push_back(what + text(v) + unit_);
     }
-    /// Lists a change, unless there is none.
+    /// Lists a change unless it is 0.
     void add(const std::string& what, const physics::Vec2& change) {
         if (change.length() > only_rounding * largest_) say(what + "+ ", change);
     }

@@ -36,7 +36,8 @@ bool was_moved(const MoverRecord& record, const Vec2& position) {
     return off.length() > 0.01f + 1e-5f * position.length();
 }
 
-/// The velocity relative to the ground. What was written to the body counts.
+/// The velocity relative to the ground. If the velocity of the body was written since the last
+/// step, it is the written one.
 Vec2 relative_velocity(const MoverRecord& record, const physics::Body& body) {
     const Vec2 now = body.velocity();
     if (now.x == record.shown_x && now.y == record.shown_y)
@@ -48,7 +49,7 @@ float approached(float from, float to, float most) {
     return from + std::clamp(to - from, -most, most);
 }
 
-/// The velocity that it wants in this step.
+/// The target velocity of this step.
 Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const Vec2& up,
                      float dt) {
     const Vec2 right = aside(up);
@@ -101,7 +102,7 @@ void store(MoverRecord& record, const physics::Mover& mover, const physics::Move
     record.place_y = state.position.y;
 }
 
-/// The slots of the movers that live; others could be in a damaged save.
+/// The slots of the live movers; a damaged save may contain others.
 std::vector<std::uint32_t> slots_of(const HostedWorld& in) {
     std::vector<std::uint32_t> slots;
     for (const MoverRecord& record : in.movers.all()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where values come from that a module computes. The module knows; `Tree::why` asks it.
+// Explanations of the values that a module computes, for `Tree::why`.
 
 #include <functional>
 #include <string>
@@ -12,11 +12,12 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-/// How a module explains a property of its class. Both functions get an instance that lives.
+/// How a module explains a property of its class. Both functions get a live instance.
 struct Explainer {
     /// One line for each source of the value: a path, or a path and what comes from it.
     std::function<std::vector<std::string>(Handle)> sources;
-    /// Optional: the question may come soon. The module may begin to note what it needs.
+    /// Optional: called while `sources` is likely to be called soon. The module may begin to record
+    /// what it needs for that.
     std::function<void(Handle)> prepare{};
 };
 
@@ -24,11 +25,11 @@ struct Explainer {
 /// binary cannot explain its values; there this does nothing.
 void explain_with(Tree& tree, const Property& property, Explainer explainer);
 
-/// To be called when somebody looks at an instance: modules prepare their explanations of its
-/// properties.
+/// To be called in each frame in which a tool shows an instance: modules prepare their explanations
+/// of its properties.
 void prepare_explanations(Tree& tree, Handle instance);
-/// Whether that was called since the last question. Then a host lets `who` have the places of all
-/// writes (`Tree::locate_writes`).
+/// True if `prepare_explanations` was called since the last call of this function. Then a host
+/// turns on `Tree::locate_writes`, so that `who` has the places of all writes.
 bool take_prepared(Tree& tree);
 
 }  // namespace fettle::property

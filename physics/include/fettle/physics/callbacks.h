@@ -16,11 +16,12 @@
 // that it gets; these are valid for the step. In a step, positions and velocities are those before
 // it.
 //
-// **What it may not do:** call methods that edit, step, restore, assign or clear the world, or that
+// **What it may not do:** call methods that edit, step, restore, move or clear the world, or that
 // replace a callback. They throw `Locked`, with a message that names both calls, and change
-// nothing. Inside a step the state is incomplete, so `World::save`, `World::validate` and copying
-// throw `Locked` there, too. Instead, store the change and make it after the step or the query.
-// Other worlds are not affected: one may be edited, stepped and copied while another calls.
+// nothing. Inside a step the state is incomplete, so `World::save`, `World::validate` and
+// `World::clone` throw `Locked` there, too. Instead, give the edit to `World::after_step`, or
+// make it after the query. Other worlds are not affected: one may be edited, stepped and copied
+// while another calls.
 //
 // **A function that throws** leaves a valid world. A query ends at once and has changed nothing. A
 // step or an edit continues to its end as if the function did not exist for that pair or that

@@ -97,7 +97,7 @@ struct ShapeDef {
     uint64_t mask = ~uint64_t{0};  ///< categories it collides with; both shapes must agree
     int32_t group = 0;         ///< same non-zero group: positive always collides, negative never
     uint16_t material = 0;     ///< a number of the host, without effect
-    bool before_solve = true;  ///< the before-solve callback is asked; both shapes must agree
+    bool before_solve = true;  ///< call the before-solve callback; both shapes must agree
     uint64_t user_data = 0;
 };
 

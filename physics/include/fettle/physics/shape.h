@@ -97,7 +97,7 @@ class Shape {
     void set_contact_events(bool enabled);
     bool sensor_events() const;  ///< the same for a sensor, and for a shape in one
     void set_sensor_events(bool enabled);
-    bool before_solve() const;  ///< the before-solve callback is asked if both shapes want it
+    bool before_solve() const;  ///< whether it is called: if both shapes want it
     void set_before_solve(bool enabled);
     uint16_t material() const;  ///< a number of the host, without effect
     void set_material(uint16_t material);

@@ -80,8 +80,9 @@ enum class JointType : uint8_t {
     rotary_limit
 };
 
-/// Names what happens between two shapes: the same in all events of a touch, and in every later
-/// touch of the same two shapes. Ids with the shapes in either order are equal if `of` made them.
+/// Identifies the contact of two shapes: it is the same in all events of a touch, and in every
+/// later touch of the same two shapes. Ids with the shapes in either order are equal if `of` made
+/// them.
 struct ContactId {
     ShapeId shape_a;
     ShapeId shape_b;

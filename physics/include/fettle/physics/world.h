@@ -195,10 +195,10 @@ class World {
     /// of the caller.
     int threads() const;
     void set_threads(int threads);
-    /// Threads of the host instead: `threads` tasks share the work of a step, of which the calling
-    /// thread does one: 1 … 64. `scheduler` must outlive the world, or its replacement by another
-    /// one, by null (one thread) or by `set_threads`. It changes no result and is not part of the
-    /// state.
+    /// Uses threads of the host instead: `threads` tasks (1 … 64) share the work of a step, and the
+    /// calling thread does one of them. `scheduler` must outlive the world, or its replacement by
+    /// another one, by null (one thread) or by `set_threads`. It changes no result and is not part
+    /// of the state.
     void set_scheduler(TaskScheduler* scheduler, int threads);
 
     // Callbacks; an empty one is not called and costs nothing. They are not part of a snapshot:
@@ -297,8 +297,8 @@ class World {
     bool is_touching(const ContactId& id) const;
     std::vector<Contact> contacts_of(const ContactId& id) const;  ///< one for each touching part
     /// Two shapes that touch have no contact until they have separated, as if a before-solve
-    /// callback disabled it in each step; no callback is asked. Both must be shapes of this world.
-    /// It has no effect on shapes that are apart. It belongs to the state.
+    /// callback disabled it in each step; that callback is not called. Both must be shapes of this
+    /// world. It has no effect on shapes that are apart. It belongs to the state.
     void ignore_until_separated(const Shape& a, const Shape& b);
     /// Bodies that have another pose than before the last step, in slot order: those that a host
     /// has to draw elsewhere. Bodies that were teleported since are not among them.
@@ -313,7 +313,7 @@ class World {
     const Events& events() const;  ///< of the last step
     const StepStatistics& statistics() const;
     /// From the next step on, adds up what changes the velocity of this body; other results do not
-    /// depend on that. Of more than `most_accounts` bodies, the ones asked for first are dropped.
+    /// depend on that. Beyond `most_accounts` bodies, the account that began first is dropped.
     /// Accounts are for the solver `soft_step`. They are not part of the state: a copy has none.
     void keep_account(BodyId body);
     static constexpr size_t most_accounts = 8;

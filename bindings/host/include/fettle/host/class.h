@@ -38,7 +38,7 @@ typedef struct fettle_method_def {
     const char* doc;
     const fettle_parameter_def* parameters;
     uint32_t parameter_count;
-    uint32_t required; /* so many parameters must be given */
+    uint32_t required; /* number of parameters that must be given */
     fettle_method_callback call;
     void* user;
 } fettle_method_def;

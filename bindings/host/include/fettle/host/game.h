@@ -26,7 +26,7 @@ fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** g
 /** Destroys the game. Null is allowed and does nothing. Not in a callback. */
 fettle_code fettle_hosted_destroy(fettle_hosted* game);
 
-/** Gets the lines that scripts print. Null: nobody does. */
+/** Gets the lines that scripts print. Null: no function gets them. */
 typedef void (*fettle_print_callback)(void* user, const char* line);
 fettle_code fettle_hosted_on_print(fettle_hosted* game, fettle_print_callback print, void* user);
 
@@ -40,7 +40,7 @@ typedef struct fettle_hosted_problem {
     int32_t line;            /* from 1; 0 when unknown */
 } fettle_hosted_problem;
 
-/** Gets all errors when they happen. Null: nobody does. */
+/** Gets all errors when they happen. Null: no function gets them. */
 typedef void (*fettle_problem_callback)(void* user, const fettle_hosted_problem* problem);
 fettle_code fettle_hosted_on_problem(fettle_hosted* game, fettle_problem_callback problem,
                                      void* user);
