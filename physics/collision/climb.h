@@ -108,7 +108,7 @@ EdgeGap deepest_edge(const Polygon& polygon, Vec2 inside, Nearest&& nearest) {
     best = climb(count, polygon.farthest(towards), separation,
                  [&](int i) { return dot(polygon.normal(i), towards) >= 0.0f; });
     if (best.separation > 0.0f) return best;
-    constexpr int most_examined = 32;
+    constexpr int most_examined = 24;
     const float found = best.separation;
     const int stride = (count + most_examined - 1) / most_examined;
     for (int i = 0; i < count; i += stride) examine(i);
