@@ -24,13 +24,18 @@ struct Outcome {
 
 /// Runs `fettle ARGUMENTS` on a virtual display; `arguments` is a part of a shell command.
 Outcome on_display(const TemporaryFolder& folder, const std::string& arguments) {
+    // The status of the program itself: xvfb-run fails now and then when it removes its folder.
     const std::string command = "cd '" + folder.path.string() + "' && env XDG_DATA_HOME='" +
                                 folder.path.string() +
-                                "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a '" +
+                                "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a sh -c '\"$0\" "
+                                "\"$@\"; echo $? >status' '" +
                                 FETTLE_PROGRAM "' " + arguments + " >out 2>&1 </dev/null";
-    const int result = std::system(command.c_str());
-    std::ifstream in(folder.path / "out");
-    return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, {std::istreambuf_iterator<char>(in), {}}};
+    (void)std::system(command.c_str());
+    std::ifstream in(folder.path / "out"), ended(folder.path / "status");
+    Outcome outcome;
+    ended >> outcome.status;
+    outcome.out.assign(std::istreambuf_iterator<char>(in), {});
+    return outcome;
 }
 
 bool skipped() {
