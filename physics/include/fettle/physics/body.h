@@ -93,8 +93,9 @@ class Body {
     std::string name() const;        ///< for messages and tools; need not be unique
     /// At most 63 bytes without a zero; throws std::invalid_argument for others.
     void set_name(std::string_view name);
-    /// Limit of its speed, m/s, above 0; infinity: only the limit of all bodies. It holds in
-    /// every sub-step. A world in which an awake body has one solves all contacts in one part.
+    /// Limit of the speed of a dynamic body, m/s, above 0; infinity: only the limit of all bodies.
+    /// It holds in every sub-step. A world in which an awake body has one solves all contacts in
+    /// one part.
     float max_speed() const;
     void set_max_speed(float speed);
 

@@ -74,7 +74,8 @@ struct SurfaceHit {
     Vec2 normal = {};       ///< of the surface, outward
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
-/// Nothing if the ray misses or begins inside. A chain is met only from its solid side.
+/// Nothing if the ray misses, or begins inside and does not enter again, as it may enter a concave
+/// polygon. A chain is met only from its solid side.
 std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Vec2& from,
                                    const Vec2& to);
 
