@@ -15,13 +15,6 @@ using namespace detail;
 
 namespace {
 
-std::vector<Vec2> as_plain(std::span<const Vec2> points) {
-    std::vector<Vec2> list;
-    list.reserve(points.size());
-    for (const Vec2& p : points) list.push_back(p);
-    return list;
-}
-
 /// Marks the points of `first` … `last` that remain between two points that do. The index of a
 /// closed line goes round.
 void mark_corners(std::span<const Vec2> points, size_t first, size_t last, float straight,
@@ -31,7 +24,7 @@ void mark_corners(std::span<const Vec2> points, size_t first, size_t last, float
     while (!open.empty()) {
         const auto [begin, end] = open.back();
         open.pop_back();
-        const Vec2 from = points[begin], way = points[end % count] - from;
+        const Vec2 from = points[begin % count], way = points[end % count] - from;
         const float whole = length_squared(way);
         float farthest = straight * straight;
         size_t corner = begin;
@@ -52,13 +45,12 @@ void mark_corners(std::span<const Vec2> points, size_t first, size_t last, float
 
 }  // namespace
 
-std::vector<Vec2> without_straight_points(std::span<const Vec2> given, bool closed,
+std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool closed,
                                           float straight) {
     check_not_negative("straight", straight);
-    for (const Vec2& p : given) check_point("points", p);
-    const std::vector<Vec2> points = as_plain(given);
+    for (const Vec2& p : points) check_point("points", p);
     const size_t count = points.size();
-    if (count < 3) return {given.begin(), given.end()};
+    if (count < 3) return {points.begin(), points.end()};
     std::vector<bool> remains(count);
     if (closed) {
         // Two corners for certain: the leftmost of the lowest points, and the farthest from it.
@@ -80,7 +72,7 @@ std::vector<Vec2> without_straight_points(std::span<const Vec2> given, bool clos
     }
     std::vector<Vec2> kept;
     for (size_t i = 0; i < count; ++i)
-        if (remains[i]) kept.push_back(given[i]);
+        if (remains[i]) kept.push_back(points[i]);
     return kept;
 }
 
@@ -170,7 +162,7 @@ Chain chain_of(const std::vector<Vec2>& line, const JoinOptions& options) {
         chain.points.clear();
         return chain;
     }
-    const bool counter_clockwise = signed_area(as_plain(chain.points)) > 0.0;
+    const bool counter_clockwise = signed_area(chain.points) > 0.0;
     if (chain.closed && options.closed != Winding::as_given &&
         counter_clockwise != (options.closed == Winding::counter_clockwise))
         std::reverse(chain.points.begin(), chain.points.end());
