@@ -30,6 +30,11 @@ function(fettle_compile_options target)
   endif()
 endfunction()
 
+# For code that runs rarely, or that mostly calls other libraries: -O1 compiles in little more than half the time of -O3.
+function(fettle_optimize_little target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # Files whose functions a game calls ten thousand times a frame. Where they begin in a line of the
 # instruction cache is worth a twentieth of such a call, and would change with whatever is linked before them.
 function(fettle_hot_sources)

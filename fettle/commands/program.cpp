@@ -1,0 +1,79 @@
+#include <commands/program.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <string>
+
+#include <fettle/property/exception_text.h>
+
+#include <command_line/arguments.h>
+#include <command_line/exit_status.h>
+#include <command_line/terminal.h>
+#include <command_line/version.h>
+#include <commands/docs.h>
+#include <commands/new_game.h>
+#include <commands/package.h>
+#include <commands/repl.h>
+#include <commands/run.h>
+#include <commands/test.h>
+#include <commands/where.h>
+
+namespace fettle::program {
+namespace {
+
+/// The error as one sentence, without CLI11's name of the kind of error.
+std::string message_of(const CLI::ParseError& error) {
+    const std::string text = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return text.substr(0, text.find(':')) + ": it takes one value, once";
+    return text.substr(0, text.find('\n'));
+}
+
+int refuse(const std::string& reason) {
+    tell(reason + " (fettle --help and fettle run --help tell more)");
+    return bad_usage;
+}
+
+int run_command(int argc, char** argv) {
+    // A write beyond the file size limit then fails with an error for that file; the signal would
+    // end the process.
+    std::signal(SIGXFSZ, SIG_IGN);
+    CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
+    app.set_version_flag("--version", version_text());
+    app.allow_extras();
+    const Command commands[] = {add_run(app),     add_test(app), add_new_game(app), add_where(app),
+                                add_package(app), add_repl(app), add_docs(app)};
+    if (argc < 2) return refuse("expected a command, as in fettle run");
+    if (const std::string wrong = command_problem(app, argv[1]); !wrong.empty())
+        return refuse(wrong);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // A request for help or the version.
+        if (error.get_exit_code() == 0) return app.exit(error);
+        return refuse(message_of(error));
+    }
+    if (const std::string wrong = left_over_problem(app); !wrong.empty()) return refuse(wrong);
+    for (const Command& command : commands) {
+        if (!command.app->parsed()) continue;
+        if (const std::string wrong = left_over_problem(*command.app); !wrong.empty())
+            return refuse(wrong);
+        const int status = command.run();
+        return all_printed() || status != success ? status : file_error;
+    }
+    return refuse("expected a command, as in fettle run");
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+    try {
+        return run_command(argc, argv);
+    } catch (const std::exception& error) {
+        tell(property::exception_text(error));
+        return script_error;
+    }
+}
+
+}  // namespace fettle::program
