@@ -112,6 +112,17 @@ void add_games(CLI::App& app, GamesOptions& options) {
 }
 #endif
 
+void add_console(CLI::App& app, ConsoleOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("console", "What the console adds to a frame, in large games");
+    command->add_option("--bodies", options.bodies, "Bodies of a game (repeatable)")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--frames", options.frames, "Frames; the median counts")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    add_json(*command, options.json);
+}
+
 void add_past(CLI::App& app, PastOptions& options) {
     CLI::App* command = app.add_subcommand(
         "past", "What it costs that the past of a game is kept, and to go back into it");
@@ -195,6 +206,8 @@ int main(int argc, char** argv) {
     HostedStepsOptions hosted_steps;
     PastOptions past;
     add_past(app, past);
+    ConsoleOptions console;
+    add_console(app, console);
 #ifdef FETTLE_BENCH_GAMES
     GamesOptions games;
     add_games(app, games);
@@ -239,6 +252,7 @@ int main(int argc, char** argv) {
 #endif
         if (app.got_subcommand("hosting")) return run_hosting(hosting);
         if (app.got_subcommand("hosted-steps")) return run_hosted_steps(hosted_steps);
+        if (app.got_subcommand("console")) return run_console(console);
         if (app.got_subcommand("past")) return run_past(past);
 #ifdef FETTLE_BENCH_GAMES
         if (app.got_subcommand("games")) return run_games(games);

@@ -58,6 +58,13 @@ struct PastOptions {
 };
 int run_past(const PastOptions& options);
 
+struct ConsoleOptions {
+    std::vector<int> bodies = {10000, 100000};
+    int frames = 120;
+    bool json = false;
+};
+int run_console(const ConsoleOptions& options);
+
 struct GamesOptions {
     std::string only;  // rows with this in their names; empty: all
     bool json = false;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <unordered_set>
 #include <vector>
 
 #include <inspector/several.h>
@@ -15,30 +13,17 @@ namespace fettle::console {
 using property::Handle;
 using property::Property;
 
-Inspector::Inspector(property::Tree& tree) : tree_(tree), outline_(tree), editor_(tree) {
+Inspector::Inspector(property::Tree& tree)
+    : tree_(tree), outline_(tree), editor_(tree), selection_(tree) {
     editor_.follow = [this](Handle instance) { choose(instance); };
 }
 
 void Inspector::select(Handle instance, const std::string& property) {
     if (!tree_.alive(instance)) return;
-    if (!is_selected(instance)) others_.clear();
-    std::erase(others_, instance);
-    if (instance != selected_ && !others_.empty()) others_.push_back(selected_);
-    selected_ = instance;
+    selection_.select(instance);
     outline_.reveal(instance);
     scroll_to_selected_ = true;
     scroll_to_property_ = property;
-}
-
-bool Inspector::is_selected(Handle instance) const {
-    return instance == selected_ || std::ranges::find(others_, instance) != others_.end();
-}
-
-std::vector<Handle> Inspector::selection() const {
-    std::vector<Handle> all = others_;
-    all.push_back(selected_);
-    std::erase_if(all, [&](Handle each) { return !tree_.alive(each); });
-    return all;
 }
 
 void Inspector::toggle(Handle instance) {
@@ -48,18 +33,8 @@ void Inspector::toggle(Handle instance) {
 }
 
 void Inspector::select(const std::vector<Handle>& instances) {
-    std::vector<Handle> all;
-    std::unordered_set<std::uint64_t> seen;
-    for (const Handle each : instances)
-        if (tree_.alive(each) &&
-            seen.insert(std::uint64_t{each.generation} << 32 | each.index).second)
-            all.push_back(each);
-    if (all.empty()) return;
-    const Handle last = all.back();
-    all.pop_back();
-    others_.clear();
-    select(last);
-    others_ = std::move(all);
+    selection_.select(instances);
+    select(selected());
 }
 
 void Inspector::run_for_all(const std::string& command, const char* what) {
@@ -76,7 +51,7 @@ void Inspector::clone_selection() {
 }
 
 void Inspector::choose(Handle instance) {
-    others_.clear();
+    selection_.select_only(instance);
     select(instance);
     if (chosen) chosen(instance);
 }
@@ -94,24 +69,24 @@ void Inspector::draw(ImFont* bold) {
         ImGui::PopTextWrapPos();
     }
     float available = ImGui::GetContentRegionAvail().y;
-    bool alone = !tree_.alive(selected_);
+    bool alone = !tree_.alive(selected());
     float below = 2.5f * ImGui::GetTextLineHeightWithSpacing();
     draw_outline(
         std::max(1.0f, std::floor(alone ? available - below : available * outline_share_)));
     if (!alone) draw_splitter();
-    if (!tree_.alive(selected_)) {
+    if (!tree_.alive(selected())) {
         ImGui::Spacing();
         ImGui::PushTextWrapPos(0);
-        if (selected_)
+        if (selected())
             ImGui::TextDisabled("%s was deleted", last_path_.c_str());
         else
             ImGui::TextDisabled("Click a body in the game, or a name above.");
         ImGui::PopTextWrapPos();
     } else {
-        last_path_ = tree_.path(selected_);
-        std::erase_if(others_, [&](Handle each) { return !tree_.alive(each); });
-        editor_.also_edit(others_);
-        if (others_.empty())
+        last_path_ = tree_.path(selected());
+        selection_.drop_deleted();
+        editor_.also_edit(selection_.others(), selection_.revision());
+        if (selection_.others().empty())
             draw_header(bold);
         else
             draw_several(bold);
@@ -132,7 +107,7 @@ void Inspector::draw_outline(float height) {
     const auto& rows = outline_.rows(ImGui::GetTime());
     float row_height = ImGui::GetFrameHeight();
     if (scroll_to_selected_) {
-        std::ptrdiff_t row = outline_.row_of(selected_);
+        std::ptrdiff_t row = outline_.row_of(selected());
         float y = static_cast<float>(row) * row_height;
         float view = ImGui::GetScrollY();
         if (row >= 0 && (y < view || y + row_height > view + height))
@@ -173,7 +148,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
             outline_.fold(row.instance, !row.unfolded);
         if (!on_arrow && ImGui::GetIO().KeyCtrl) {
             toggle(row.instance);
-            if (chosen && is_selected(row.instance)) chosen(row.instance);
+            if (chosen && selection_.contains(row.instance)) chosen(row.instance);
         } else if (!on_arrow) {
             choose(row.instance);
         }
@@ -183,7 +158,7 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 end(at.x + width, at.y + height);
-    bool chosen_row = is_selected(row.instance);
+    bool chosen_row = selection_.contains(row.instance);
     if (chosen_row || hovered)
         list.AddRectFilled(at, end, chosen_row ? palette::selection : palette::rgb(0x1b2029),
                            ImGui::GetStyle().FrameRounding);
@@ -230,7 +205,7 @@ void Inspector::draw_header(ImFont* bold) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 at = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
-    std::string class_name = tree_.class_of(selected_).name();
+    std::string class_name = tree_.class_of(selected()).name();
     float class_width = text_width(class_name) + em * 0.8f;
     ImGui::Dummy(ImVec2(width, em * 1.5f));
     float y = at.y + em * 0.25f;
@@ -246,14 +221,10 @@ void Inspector::draw_header(ImFont* bold) {
 
 /// The header for several selected instances, with what can be done to all of them.
 void Inspector::draw_several(ImFont* bold) {
-    const std::vector<Handle> all = selection();
-    // Addresses, since names of a hundred thousand instances take a millisecond to compare.
-    const property::Class& of_last = tree_.class_of(selected_);
-    const std::string& kind = of_last.name();
-    const bool alike =
-        std::ranges::all_of(all, [&](Handle each) { return &tree_.class_of(each) == &of_last; });
+    const std::string& kind = tree_.class_of(selected()).name();
+    const bool alike = selection_.of_one_class();
     compat::push_font(bold);
-    ImGui::TextUnformatted((std::to_string(all.size()) + " selected").c_str());
+    ImGui::TextUnformatted((std::to_string(selection_.count()) + " selected").c_str());
     ImGui::PopFont();
     const FontScope font(fonts().sans);
     ImGui::SameLine();
@@ -265,7 +236,7 @@ void Inspector::draw_several(ImFont* bold) {
     if (ImGui::SmallButton("Clone")) clone_selection();
     for (const int axis : {0, 1}) {
         ImGui::SameLine();
-        if (ImGui::SmallButton(axis == 0 ? "Align x" : "Align y")) align(tree_, all, axis);
+        if (ImGui::SmallButton(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("Gives all the mean of their positions along %c",
                               axis == 0 ? 'x' : 'y');
@@ -275,10 +246,11 @@ void Inspector::draw_several(ImFont* bold) {
 /// Of thousands, the first ones are asked: what a class has, all of its instances have.
 bool Inspector::all_have(const Property& property) const {
     constexpr std::size_t most_asked = 50;
-    if (!others_.empty() && property.name == "name") return false;
+    if (!selection_.others().empty() && property.name == "name") return false;
+    const std::vector<Handle>& others = selection_.others();
     const auto end =
-        others_.begin() + static_cast<std::ptrdiff_t>(std::min(others_.size(), most_asked));
-    return std::all_of(others_.begin(), end, [&](Handle each) {
+        others.begin() + static_cast<std::ptrdiff_t>(std::min(others.size(), most_asked));
+    return std::all_of(others.begin(), end, [&](Handle each) {
         return MixedValues::same(tree_, each, property) != nullptr;
     });
 }
@@ -294,10 +266,10 @@ bool Inspector::group(const std::string& title, bool open, ImFont* bold) {
 }
 
 void Inspector::draw_properties(ImFont* bold) {
-    ImGui::PushID(static_cast<int>(selected_.index));
+    ImGui::PushID(static_cast<int>(selected().index));
     const property::Class* owner = nullptr;
     bool unfolded = true;
-    Handle shown = selected_;
+    Handle shown = selected();
     const std::vector<const Property*> properties = tree_.properties(shown);
     for (const Property* property : properties) {
         if (property->hidden || !all_have(*property)) continue;
@@ -312,10 +284,10 @@ void Inspector::draw_properties(ImFont* bold) {
             scroll_to_property_.clear();
         }
         bool edited = unfolded && editor_.draw(shown, *property, bold);
-        if (shown != selected_ || !tree_.alive(shown)) break;  // the user followed a link
+        if (shown != selected() || !tree_.alive(shown)) break;  // the user followed a link
         if (edited && tree_.properties(shown).size() != properties.size()) break;
     }
-    if (tree_.alive(shown) && shown == selected_ && others_.empty()) {
+    if (tree_.alive(shown) && shown == selected() && selection_.others().empty()) {
         if (!tree_.class_of(shown).methods().empty() && group("methods", false, bold))
             draw_methods();
         std::size_t children = tree_.child_count(shown);
@@ -326,14 +298,14 @@ void Inspector::draw_properties(ImFont* bold) {
 }
 
 void Inspector::draw_methods() {
-    for (const property::Method* method : tree_.class_of(selected_).methods()) {
+    for (const property::Method* method : tree_.class_of(selected()).methods()) {
         std::string line = method->name + "(";
         for (std::size_t i = 0; i < method->parameters.size(); ++i)
             line += (i > 0 ? ", " : "") + method->parameters[i].name +
                     (i >= method->required ? "?" : "");
         line += ")";
         if (ImGui::Selectable(line.c_str()) && insert)
-            insert(tree_.path(selected_) + ":" + method->name + "(");
+            insert(tree_.path(selected()) + ":" + method->name + "(");
         if (ImGui::IsItemHovered() && !method->doc.empty()) {
             ImGui::BeginTooltip();
             ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
@@ -349,7 +321,7 @@ void Inspector::draw_children() {
     int shown = 0;
     float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     Handle chosen_child;
-    for (Handle child = tree_.first_child(selected_); child && shown < limit;
+    for (Handle child = tree_.first_child(selected()); child && shown < limit;
          child = tree_.next_sibling(child), ++shown) {
         ImGui::PushID(static_cast<int>(child.index));
         ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
@@ -360,7 +332,7 @@ void Inspector::draw_children() {
         ImGui::TextDisabled("%s", kind.c_str());
         ImGui::PopID();
     }
-    std::size_t count = tree_.child_count(selected_);
+    std::size_t count = tree_.child_count(selected());
     if (count > static_cast<std::size_t>(limit))
         ImGui::TextDisabled("and %zu more", count - static_cast<std::size_t>(limit));
     if (chosen_child) choose(chosen_child);

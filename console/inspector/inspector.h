@@ -11,6 +11,7 @@
 
 #include <inspector/instance_tree.h>
 #include <inspector/property_editor.h>
+#include <inspector/selection.h>
 
 namespace fettle::console {
 
@@ -25,9 +26,11 @@ class Inspector {
     /// Called with the path of an instance that was clicked with the right button.
     std::function<void(const std::string& path)> menu;
 
-    property::Handle selected() const { return selected_; }
+    property::Handle selected() const { return selection_.last(); }
     /// All selected instances that are alive; `selected` is the last one.
-    std::vector<property::Handle> selection() const;
+    std::vector<property::Handle> selection() const { return selection_.all(); }
+    /// The same without a copy; some of the others may be deleted.
+    const Selection& selected_instances() const { return selection_; }
     /// Adds the instance to the selection, or takes it out of it.
     void toggle(property::Handle instance);
     /// Selects all of them; the last one is `selected`.
@@ -59,7 +62,6 @@ class Inspector {
     void draw_several(ImFont* bold);
     void run_for_all(const std::string& command, const char* what);
     bool all_have(const property::Property& property) const;
-    bool is_selected(property::Handle instance) const;
     void draw_properties(ImFont* bold);
     void draw_methods();
     void draw_children();
@@ -70,8 +72,7 @@ class Inspector {
     InstanceTree outline_;
     PropertyEditor editor_;
     std::string search_;
-    property::Handle selected_;
-    std::vector<property::Handle> others_;  // selected besides it
+    Selection selection_;
     std::string last_path_;  // path of the selected instance; shown when it is deleted
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;

@@ -16,8 +16,9 @@ constexpr std::size_t compared_in_a_frame = 50;
 
 }  // namespace
 
-void MixedValues::compare_with(const std::vector<Handle>& others) {
-    if (others == others_) return;
+void MixedValues::compare_with(const std::vector<Handle>& others, std::uint64_t revision) {
+    if (revision == revision_) return;
+    revision_ = revision;
     others_ = others;
     rows_.clear();
 }

@@ -3,6 +3,7 @@
 // in each frame, so thousands of selected instances cost no more than a few.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -13,8 +14,9 @@ namespace fettle::console {
 
 class MixedValues {
   public:
-    /// The other selected instances are these from now on.
-    void compare_with(const std::vector<property::Handle>& others);
+    /// The other selected instances are these from now on. `revision`: a number that changes
+    /// whenever they do.
+    void compare_with(const std::vector<property::Handle>& others, std::uint64_t revision);
     const std::vector<property::Handle>& others() const { return others_; }
     /// The property of another selected instance that stands for `property`; null if it has none.
     static const property::Property* same(const property::Tree& tree, property::Handle other,
@@ -32,6 +34,7 @@ class MixedValues {
     };
 
     std::vector<property::Handle> others_;
+    std::uint64_t revision_ = 0;
     std::unordered_map<const property::Property*, Comparison> rows_;
 };
 

@@ -42,7 +42,9 @@ class PropertyEditor {
     void begin_formula(const property::Property& property) { formula_begins_ = &property; }
 
     /// Edits go to these instances, too, as far as they have the property.
-    void also_edit(const std::vector<property::Handle>& others) { mixed_.compare_with(others); }
+    void also_edit(const std::vector<property::Handle>& others, std::uint64_t revision) {
+        mixed_.compare_with(others, revision);
+    }
     /// True if something was edited; then other properties may not exist any more.
     bool draw(property::Handle instance, const property::Property& property, ImFont* bold);
     /// Must be called once per frame, before and after all rows.

@@ -255,7 +255,8 @@ bool Console::State::click_game(float x, float y, bool menu) {
         }
         const std::vector<property::Handle> all = inspector.selection();
         // A menu is for all of the selection, if it is opened on one of them.
-        if (!menu || std::ranges::find(all, found) == all.end()) inspector.select({found});
+        if (!menu || std::ranges::find(all, found) == all.end())
+            inspector.select(std::vector{found});
         choose(found);
         if (menu) context_menu.open(tree.path(found));
     } catch (const std::exception& error) {

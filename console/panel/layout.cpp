@@ -61,9 +61,14 @@ void Console::State::frame(double seconds) {
 void Console::State::draw_outlines() {
     constexpr std::size_t most = 300;  // more of them could not be told apart
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const std::vector<property::Handle> all = inspector.selection();
-    for (std::size_t i = all.size() > most ? all.size() - most : 0; i < all.size(); ++i)
-        draw_outline(list, tree, all[i], options.to_pixels, ImGui::GetTime());
+    const auto outline = [&](property::Handle instance) {
+        if (tree.alive(instance))
+            draw_outline(list, tree, instance, options.to_pixels, ImGui::GetTime());
+    };
+    const std::vector<property::Handle>& others = inspector.selected_instances().others();
+    for (std::size_t i = others.size() > most ? others.size() - most : 0; i < others.size(); ++i)
+        outline(others[i]);
+    outline(inspector.selected());
 }
 
 void Console::State::draw_box() {

@@ -62,6 +62,25 @@ TEST_CASE("a click with control adds to the selection and takes away from it") {
     CHECK(rig.selection() == std::vector{rig.ball});
 }
 
+TEST_CASE("a click on one of the selected instances selects it alone") {
+    SelectionRig rig;
+    rig.select_all();
+    rig.click_at("world.crate");
+    CHECK(rig.selection() == std::vector{rig.crate});
+}
+
+TEST_CASE("instances that are deleted are selected no more") {
+    SelectionRig rig;
+    rig.select_all();
+    rig.tree.destroy(rig.crate);
+    rig.draw();
+    const console::Selection& selection = rig.state().inspector.selected_instances();
+    CHECK(selection.others() == std::vector{rig.ball});
+    CHECK(selection.count() == 2);
+    CHECK(!selection.contains(rig.crate));
+    CHECK(selection.contains(rig.ball));
+}
+
 TEST_CASE("a box drawn with shift selects what is in it") {
     SelectionRig rig;
     const ImVec2 from = rig.pixel(Vec2(-1, -3)), to = rig.pixel(Vec2(4, -5));
@@ -125,7 +144,7 @@ TEST_CASE("different values are told as mixed") {
     const property::Property& mass = tree.property(ball, "mass");
     console::MixedValues mixed;
     CHECK(mixed.look(tree, mass, Value(1.0)).empty());
-    mixed.compare_with({crate});
+    mixed.compare_with({crate}, 1);
     CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
     tree.set(crate, "mass", Value(5.0));
     CHECK(mixed.look(tree, mass, tree.get(ball, mass)) == "mixed: 1 to 5 kg");
@@ -133,7 +152,7 @@ TEST_CASE("different values are told as mixed") {
     tree.set(crate, "label", Value("x"));
     CHECK(mixed.look(tree, label, tree.get(ball, label)) == "mixed");
     // A world has no mass, and nobody else matters.
-    mixed.compare_with({world});
+    mixed.compare_with({world}, 2);
     CHECK(mixed.look(tree, mass, tree.get(ball, mass)).empty());
 }
 
@@ -146,7 +165,7 @@ TEST_CASE("of many selected instances all are compared in a few frames") {
     tree.set(many.back(), "mass", Value(9.0));
     const property::Property& mass = tree.property(many.front(), "mass");
     console::MixedValues mixed;
-    mixed.compare_with(many);
+    mixed.compare_with(many, 1);
     int frames = 0;
     while (mixed.look(tree, mass, Value(1.0)).empty() && frames < 100) ++frames;
     CHECK(frames > 0);

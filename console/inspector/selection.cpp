@@ -1,0 +1,92 @@
+#include <inspector/selection.h>
+
+#include <algorithm>
+
+namespace fettle::console {
+
+using property::Handle;
+
+namespace {
+
+std::uint64_t selection_key(Handle instance) {
+    return std::uint64_t{instance.generation} << 32 | instance.index;
+}
+
+}  // namespace
+
+std::vector<Handle> Selection::all() const {
+    std::vector<Handle> all = others_;
+    all.push_back(last_);
+    std::erase_if(all, [&](Handle each) { return !tree_.alive(each); });
+    return all;
+}
+
+bool Selection::contains(Handle instance) const {
+    return instance == last_ || keys_.contains(selection_key(instance));
+}
+
+bool Selection::of_one_class() {
+    // Addresses, since names of a hundred thousand instances take a millisecond to compare.
+    const property::Class* const kind = &tree_.class_of(last_);
+    if (compared_ != revision_ || compared_with_ != kind) {
+        of_one_class_ = std::ranges::all_of(others_, [&](Handle each) {
+            return !tree_.alive(each) || &tree_.class_of(each) == kind;
+        });
+        compared_ = revision_;
+        compared_with_ = kind;
+    }
+    return of_one_class_;
+}
+
+void Selection::drop_others() {
+    if (others_.empty()) return;
+    others_.clear();
+    keys_.clear();
+    ++revision_;
+}
+
+void Selection::select_only(Handle instance) {
+    drop_others();
+    last_ = instance;
+}
+
+void Selection::select(Handle instance) {
+    if (instance == last_) return;
+    if (!contains(instance)) return select_only(instance);
+    std::erase(others_, instance);
+    keys_.erase(selection_key(instance));
+    if (tree_.alive(last_)) {
+        others_.push_back(last_);
+        keys_.insert(selection_key(last_));
+    }
+    last_ = instance;
+    ++revision_;
+}
+
+void Selection::select(const std::vector<Handle>& instances) {
+    std::vector<Handle> all;
+    std::unordered_set<std::uint64_t> keys;
+    for (const Handle each : instances)
+        if (tree_.alive(each) && keys.insert(selection_key(each)).second) all.push_back(each);
+    if (all.empty()) return;
+    last_ = all.back();
+    all.pop_back();
+    keys.erase(selection_key(last_));
+    others_ = std::move(all);
+    keys_ = std::move(keys);
+    looked_at_ = tree_.structure();
+    ++revision_;
+}
+
+void Selection::drop_deleted() {
+    if (looked_at_ == tree_.structure()) return;
+    looked_at_ = tree_.structure();
+    const std::size_t dropped = std::erase_if(others_, [&](Handle each) {
+        const bool deleted = !tree_.alive(each);
+        if (deleted) keys_.erase(selection_key(each));
+        return deleted;
+    });
+    if (dropped > 0) ++revision_;
+}
+
+}  // namespace fettle::console

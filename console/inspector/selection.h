@@ -1,0 +1,52 @@
+#pragma once
+// The selected instances. A hundred thousand of them cost a frame next to nothing: what depends on
+// all of them is computed when they change.
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include <fettle/property/tree.h>
+
+namespace fettle::console {
+
+class Selection {
+  public:
+    explicit Selection(const property::Tree& tree) : tree_(tree) {}
+
+    /// The instance that was selected last; it stays when it is deleted. Null: there is none.
+    property::Handle last() const { return last_; }
+    /// Those that are selected besides it.
+    const std::vector<property::Handle>& others() const { return others_; }
+    /// A number that changes whenever `others` does.
+    std::uint64_t revision() const { return revision_; }
+    /// All selected instances that are alive; `last` is at the end.
+    std::vector<property::Handle> all() const;
+    std::size_t count() const { return others_.size() + (last_ ? 1 : 0); }
+    bool contains(property::Handle instance) const;
+    /// Whether all are of the class of the last one, which must be alive.
+    bool of_one_class();
+
+    /// Makes it the last one. The others stay selected if it was one of them.
+    void select(property::Handle instance);
+    void select_only(property::Handle instance);
+    /// Selects these; the last one that is alive is `last`.
+    void select(const std::vector<property::Handle>& instances);
+    /// Call once a frame: the others that were deleted are dropped.
+    void drop_deleted();
+
+  private:
+    void drop_others();
+
+    const property::Tree& tree_;
+    property::Handle last_;
+    std::vector<property::Handle> others_;
+    std::unordered_set<std::uint64_t> keys_;  // of the others
+    std::uint64_t revision_ = 0;
+    std::uint64_t looked_at_ = 0;  // structure of the tree when deleted ones were looked for
+    std::uint64_t compared_ = ~std::uint64_t{0};  // revision when the classes were compared
+    const property::Class* compared_with_ = nullptr;
+    bool of_one_class_ = true;
+};
+
+}  // namespace fettle::console
