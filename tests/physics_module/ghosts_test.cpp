@@ -65,6 +65,31 @@ TEST_CASE_METHOD(Ahead, "looking ahead changes no bit of the game") {
     }
 }
 
+TEST_CASE_METHOD(Ahead, "a joint that was made since the last step acts in the ghosts") {
+    const Handle post = body("Box", {0, 5}, "static"), ball = body("Circle", {3, 5});
+    step(3);
+    CHECK(ghosts({1.0}).size() == 1);
+    // The rod measures its length when it begins to act.
+    const Handle rod =
+        make("DistanceJoint", world(), {{"body_a", Value(post)}, {"body_b", Value(ball)}});
+    const auto before = state();
+    const auto seen = ghosts({1.0});
+    CHECK(state() == before);
+    REQUIRE(seen.size() == 1);
+    const List points = seen[0].get("points").list();
+    CHECK((points.back().vec2() - Vec2(0, 5)).length() < 3.1);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        step();
+        REQUIRE(get(ball, "position") == points[i]);
+    }
+    // Other bodies, and a deleted joint, are in the next look, too.
+    const Handle crate = body("Box", {-3, 5});
+    set(rod, "body_b", crate);
+    CHECK((ghosts({1.0}).back().get("points").list().back().vec2() - Vec2(0, 5)).length() < 3.1);
+    tree.destroy(rod);
+    CHECK(ghosts({1.0}).back().get("points").list().back().vec2().y < 1);
+}
+
 TEST_CASE_METHOD(Ahead, "looking ahead calls no handler and asks no question") {
     floor();
     const Handle ball = body("Circle", {0, 1});

@@ -99,24 +99,38 @@ bool Joints::can_act(std::uint32_t world, const Ties& ties) const {
     return true;
 }
 
+/// Connects a dormant joint of `in`, the world with that number or a copy of it, if it can act.
+/// Returns true if its value was measured.
+bool Joints::connect_in(std::uint32_t number, physics::World& in, physics::Joint& joint) const {
+    if (!joint.dormant()) return false;
+    const Row row = make_row(number, joint.id().index);
+    const Ties wanted = ties(row);
+    if (!can_act(number, wanted)) return false;
+    const auto tied = [&](Handle body) {
+        return body ? in.body(library_body(body).id()) : physics::Body();
+    };
+    joint.connect(tied(wanted.bodies[0]), tied(wanted.bodies[1]));
+    const Measure measure = measures[static_cast<std::size_t>(joint.type())];
+    if (wanted.source != Source::none || measure == nullptr) return false;
+    measure(hosting_, row, in);
+    return true;
+}
+
 void Joints::connect() {
     if (!connect_needed_) return;
     connect_needed_ = false;
     for (std::uint32_t number = first_world; number < max_worlds; ++number) {
         HostedWorld* const in = hosting_.world_at(number);
         if (in == nullptr) continue;
-        for (physics::Joint& joint : in->world.joints()) {
-            if (!joint.dormant()) continue;
-            const Row row = make_row(number, joint.id().index);
-            const Ties wanted = ties(row);
-            if (!can_act(number, wanted)) continue;
-            joint.connect(library_body(wanted.bodies[0]), library_body(wanted.bodies[1]));
-            const Measure measure = measures[static_cast<std::size_t>(joint.type())];
-            if (wanted.source != Source::none || measure == nullptr) continue;
-            measure(hosting_, row);
-            set_source(row, Source::measured);
-        }
+        for (physics::Joint& joint : in->world.joints())
+            if (connect_in(number, in->world, joint))
+                set_source(make_row(number, joint.id().index), Source::measured);
     }
+}
+
+void Joints::connect_copy(std::uint32_t number, physics::World& copy) const {
+    if (!connect_needed_) return;
+    for (physics::Joint& joint : copy.joints()) connect_in(number, copy, joint);
 }
 
 }  // namespace fettle::physics_module

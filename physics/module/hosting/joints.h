@@ -54,9 +54,9 @@ class Joints {
     physics::Vec2 world_anchor(Row row, std::size_t side) const;
     float angle_of(Row row, std::size_t side) const;
 
-    /// For each type of joint, the function that measures and sets its value; null if the type
-    /// measures none.
-    using Measure = void (*)(Hosting& hosting, Row row);
+    /// For each type of joint, the function that measures its value and sets it in a world: that of
+    /// the row, or a copy of it. Null if the type measures none.
+    using Measure = void (*)(Hosting& hosting, Row row, physics::World& in);
     std::array<Measure, static_cast<std::size_t>(physics::JointType::rotary_limit) + 1> measures{};
 
     /// To be called when bodies were moved to another world or a joint was edited: `connect` is
@@ -65,11 +65,14 @@ class Joints {
     bool connect_needed() const { return connect_needed_; }
     /// Connects the dormant joints whose bodies are both in their world.
     void connect();
+    /// Does the same in a copy of the world with that number, which itself is not touched.
+    void connect_copy(std::uint32_t number, physics::World& copy) const;
 
   private:
     std::pair<physics::World*, physics::JointId> object_of(Row row) const;
     void put_ties(Row row, const Ties& ties);
     bool can_act(std::uint32_t world, const Ties& ties) const;
+    bool connect_in(std::uint32_t number, physics::World& in, physics::Joint& joint) const;
     physics::Body library_body(Handle body) const;
 
     Hosting& hosting_;

@@ -24,8 +24,9 @@ template <physics::JointType type, auto Get, auto Set, auto Look>
 Binding measured_setting(Hosting& hosting) {
     using Native = typename Setter<Set>::Object;
     using Argument = typename Setter<Set>::Argument;
-    hosting.joints.measures[static_cast<std::size_t>(type)] = [](Hosting& h, Row row) {
-        (h.joints.at<Native>(row).*Set)(bounded(Look(h, row)));
+    hosting.joints.measures[static_cast<std::size_t>(type)] = [](Hosting& h, Row row,
+                                                                 physics::World& in) {
+        (Native(&in, h.joints.at(row).id()).*Set)(bounded(Look(h, row)));
     };
     Binding binding = accessor(
         hosting,

@@ -41,9 +41,12 @@ bool moves(const Way& way, double angle) {
     });
 }
 
-property::Result ghosts(Hosting& hosting, HostedWorld& hosted, double seconds) {
+property::Result ghosts(Hosting& hosting, std::uint32_t number, double seconds) {
+    const HostedWorld& hosted = *hosting.world_at(number);
     // Callbacks and handlers stay with the world: no script notices the steps of the copy.
     physics::World copy = hosted.world.clone();
+    // A joint that was made since the last step acts from the next one on.
+    hosting.joints.connect_copy(number, copy);
     std::vector<Way> ways;
     for (const physics::Body& body : copy.bodies())
         if (body.type() != physics::BodyType::static_body)
@@ -95,7 +98,7 @@ property::Method ghosts_method(Hosting& hosting) {
             const double seconds = arguments[0].is_nil() ? 2 : arguments[0].number();
             if (!(seconds >= 0 && seconds <= 60))
                 throw std::invalid_argument("expected a time from 0 to 60 s");
-            return ghosts(h, h.hosted(row), seconds);
+            return ghosts(h, world_number(row), seconds);
         },
         .effect = property::Effect::nothing};
 }
