@@ -2808,6 +2808,11 @@ ProgressBar = {}
 ---@field scale number Pixels of the screen for one of the layout; 0: such that the screen is 720 high. · 0 to 16 · default 0
 local fettle_Interface = {}
 
+---Writes a property as a setting of the player: no rewind and no saved game changes it, and later runs begin with it. A widget that is bound to a property of audio or input.actions does so by itself.
+---@param path string Of the property, such as "input.actions.jump".
+---@param value? any What the player has chosen; nil: the value is the game's again.
+function fettle_Interface:prefer(path, value) end
+
 ---What all widgets have in common.
 ---@class Class.Interface : Class
 Interface = {}

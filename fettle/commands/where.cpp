@@ -23,7 +23,7 @@ int where(const fs::path& named) {
     const auto tell_place = [](const std::string& what, const fs::path& place) {
         std::error_code error;
         const bool there = fs::exists(place, error);
-        print_line(what + std::string(10 - what.size(), ' ') + place.string() +
+        print_line(what + std::string(13 - what.size(), ' ') + place.string() +
                    (there ? "" : "  (not made yet)"));
     };
     if (player.empty()) {
@@ -32,6 +32,7 @@ int where(const fs::path& named) {
         tell_place("store", player / "store.json");
         tell_place("saves", player / "saves");
         tell_place("settings", player / "settings.json");
+        tell_place("preferences", player / "preferences.json");
     }
     tell_place("tweaks", property::journal_of(game));
     return success;

@@ -16,8 +16,10 @@ namespace {
 constexpr std::string_view own_file_prefix =
     "fettle:";  // prefix of the names of Fettle's own files
 
-constexpr const char* store_name =
-    "fettle:store";  // of the store, which lies in no folder of these
+/// In a recording; the files lie in no folder of these.
+std::string recorded_name(KeptFile which) {
+    return which == KeptFile::store ? "fettle:store" : "fettle:preferences";
+}
 
 fs::path whole_folder_of(const fs::path& game) {
     std::error_code error;
@@ -52,13 +54,17 @@ app::RunFile recorded(const property::GameFiles::Finding& finding, const fs::pat
             .content = finding.content};
 }
 
-app::RunFile recorded_store(const std::string& text) {
-    return {.name = store_name, .overwritten = true, .content = text};
+std::string name_of(KeptFile which) {
+    return which == KeptFile::store ? "store.json" : "preferences.json";
 }
 
-std::string recorded_store(const app::Recording& recording) {
+app::RunFile recorded_text(KeptFile which, const std::string& text) {
+    return {.name = recorded_name(which), .overwritten = true, .content = text};
+}
+
+std::string recorded_text(KeptFile which, const app::Recording& recording) {
     for (const app::RunFile& file : recording.files())
-        if (file.name == store_name) return file.content.value_or("");
+        if (file.name == recorded_name(which)) return file.content.value_or("");
     return {};
 }
 

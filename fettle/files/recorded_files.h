@@ -1,6 +1,7 @@
 #pragma once
 // The files of a recorded run: their names in the recording, and whether they have changed since.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,10 +16,14 @@ namespace fettle::program {
 app::RunFile recorded(const property::GameFiles::Finding& finding,
                       const std::filesystem::path& game);
 
-/// The entry of a recording with the text of the game's store at the start of the run, and that
-/// text in a recording.
-app::RunFile recorded_store(const std::string& text);
-std::string recorded_store(const app::Recording& recording);
+/// Files in the player's folder that a run reads at its start and writes later.
+enum class KeptFile : std::uint8_t { store, preferences };
+std::string name_of(KeptFile which);
+
+/// The entry of a recording with the text of that file at the start of the run, and that text in a
+/// recording.
+app::RunFile recorded_text(KeptFile which, const std::string& text);
+std::string recorded_text(KeptFile which, const app::Recording& recording);
 
 /// The differences from the recorded files, in words: "ball.json differs". Files that the run
 /// itself has overwritten are in the recording, so they are not compared.

@@ -17,6 +17,7 @@
 #include <game/console_layer.h>
 #include <game/exports.h>
 #include <game/game_window.h>
+#include <game/preferences.h>
 #include <game/quota.h>
 
 namespace fettle::program {
@@ -170,17 +171,19 @@ void Session::make_storage() {
                                      .pictures = !options_.headless,
                                      .space = quota_of(options_).saves,
                                      .warn = [this](const std::string& text) { note(text); }});
-    make_store(folder);
+    store_ = new_store(KeptFile::store, folder);
+    preferences_ = new_store(KeptFile::preferences, folder);
 }
 
-/// A replay has the store that the recorded run began with.
-void Session::make_store(const std::filesystem::path& folder) {
+/// A replay has the values that the recorded run began with.
+std::unique_ptr<property::Store> Session::new_store(KeptFile which,
+                                                    const std::filesystem::path& folder) {
     property::Store::Options options{.writes = replayed_ == nullptr && !isolated(),
                                      .warn = [this](const std::string& text) { note(text); }};
     if (isolated()) options.content.emplace();
-    if (replayed_ != nullptr) options.content = recorded_store(*replayed_);
-    store_ = std::make_unique<property::Store>(folder.empty() ? folder : folder / "store.json",
-                                               std::move(options));
+    if (replayed_ != nullptr) options.content = recorded_text(which, *replayed_);
+    return std::make_unique<property::Store>(folder.empty() ? folder : folder / name_of(which),
+                                             std::move(options));
 }
 
 void Session::note(const std::string& text) {
@@ -236,6 +239,7 @@ void Session::add_modules() {
     loop_->between_frames([this] {
         modules_.renew();
         store_->tick();
+        preferences_->tick();
         type_what_is_due();
         listen();
 #ifdef FETTLE_WITH_CONSOLE
@@ -355,7 +359,8 @@ void Session::make_recorder() {
                                        .at = options_.at,
                                        .tweaks = tweaks_->earlier_in_words(),
                                        .test = test});
-    recorder_->file(recorded_store(store_->initial()));
+    recorder_->file(recorded_text(KeptFile::store, store_->initial()));
+    recorder_->file(recorded_text(KeptFile::preferences, preferences_->initial()));
     files_.tell([this](const property::GameFiles::Finding& finding) {
         recorder_->file(recorded(finding, options_.game));
     });
@@ -368,6 +373,7 @@ void Session::start() {
     // A replay gets the console's input from the recording.
     if (console_ && options_.replay.empty()) loop_->add(*console_);
 #endif
+    follow_preferences(*preferences_, interface_);
     loaded_ = runtime_->load(options_.game);
     if (!loaded_ && !runtime_->interrupted()) failed_ = true;
     if (loaded_) open_moment();

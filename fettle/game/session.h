@@ -22,6 +22,7 @@
 
 #include <attach/listener.h>
 #include <files/file_watch.h>
+#include <files/recorded_files.h>
 #include <game/game_modules.h>
 #include <game/run_options.h>
 
@@ -115,7 +116,7 @@ class Session {
     bool isolated() const;
     std::uint64_t seed() const;
     void make_storage();
-    void make_store(const std::filesystem::path& folder);
+    std::unique_ptr<property::Store> new_store(KeptFile which, const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);
     void tell_error(const script::ScriptError& error);
@@ -135,6 +136,7 @@ class Session {
     std::unique_ptr<property::Tweaks> tweaks_;
     std::unique_ptr<property::GameSaves> saves_;
     std::unique_ptr<property::Store> store_;
+    std::unique_ptr<property::Store> preferences_;  // settings of the player, by path
     std::unique_ptr<script::Runtime> runtime_;
     std::unique_ptr<app::Loop> loop_;
     struct ConsoleLayer;

@@ -19,7 +19,7 @@ using property::Vec2;
 struct Interface::State {
     explicit State(property::Media& media)
         : layout(widgets, media),
-          binding(widgets),
+          binding(widgets, preferences),
           player(widgets, layout, binding),
           picture(widgets, layout, binding, player) {
         widgets.answers = {
@@ -27,6 +27,7 @@ struct Interface::State {
             .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; }};
     }
     Widgets widgets;
+    Preferences preferences;
     Layout layout;
     Binding binding;
     Player player;
@@ -41,6 +42,43 @@ namespace {
 std::function<std::string()>& place() {
     static std::function<std::string()> where = [] { return std::string("interface"); };
     return where;
+}
+
+property::Method prefer_method(Preferences& preferences) {
+    using property::Type;
+    using property::Value;
+    return {.name = "prefer",
+            .parameters = {{.name = "path",
+                            .type = Type::text,
+                            .doc = "Of the property, such as \"input.actions.jump\"."},
+                           {.name = "value",
+                            .type = Type::nil,
+                            .doc = "What the player has chosen; nil: the value is the game's "
+                                   "again."}},
+            .required = 1,
+            .doc =
+                "Writes a property as a setting of the player: no rewind and no saved game "
+                "changes it, and later runs begin with it. A widget that is bound to a property "
+                "of audio or input.actions does so by itself.",
+            .context = &preferences,
+            .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                       std::span<const Value> arguments) -> property::Result {
+                static_cast<Preferences*>(context)->prefer(
+                    arguments[0].text(), arguments.size() > 1 ? arguments[1] : Value());
+                return Value();
+            },
+            .effect = property::Effect::tree};
+}
+
+/// What the instance `interface` has for preferences.
+ServiceParts preference_parts(Preferences& preferences) {
+    return {.properties = {{.name = Preferences::saved_name,
+                            .type = property::Type::list,
+                            .default_value = property::List{},
+                            .doc = "The settings of the player at this moment: lists of a path "
+                                   "and a value. interface:prefer changes them.",
+                            .hidden = true}},
+            .methods = {prefer_method(preferences)}};
 }
 
 }  // namespace
@@ -59,7 +97,8 @@ void Interface::attach(property::Tree& tree) {
     if (state_->tree != nullptr)
         throw std::logic_error("the interface is attached to a tree already");
     state_->tree = &tree;
-    state_->widgets.define(tree);
+    state_->widgets.define(tree, preference_parts(state_->preferences));
+    state_->preferences.attach(tree, state_->widgets.service());
     state_->tree_life = tree.lifetime();
 }
 
@@ -99,7 +138,17 @@ std::uint64_t Interface::hash() const {
 }
 
 void Interface::on_problem(std::function<void(const std::string&)> tell) {
+    state_->preferences.on_problem(tell);
     state_->binding.on_problem(std::move(tell));
+}
+
+void Interface::on_preference(
+    std::function<void(const std::string&, const property::Value&)> keep) {
+    state_->preferences.on_change(std::move(keep));
+}
+
+void Interface::begin_with(const std::string& path, const property::Value& value) {
+    state_->preferences.begin_with(path, value);
 }
 
 bool Interface::takes(const app::Act& act) const {
@@ -116,6 +165,10 @@ void Interface::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     if (state_->tree_life.expired()) return;
     const property::Tree::CauseScope cause(*state_->tree, property::Writer::module, &place());
     state_->screen = screen;
+    if (state_->preferences.differs()) {
+        state_->preferences.give_back();
+        state_->binding.follow_properties();
+    }
     state_->player.frame(mouse, screen);
     state_->picture.advance(seconds);
 }

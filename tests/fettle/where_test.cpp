@@ -17,9 +17,10 @@ TEST_CASE("where names the places in which a run writes") {
     const Outcome before = fettle(folder, {"where", game});
     INFO(before.out << before.err);
     CHECK(before.status == 0);
-    CHECK(before.out == "store     " + player + "/store.json  (not made yet)\nsaves     " + player +
-                            "/saves  (not made yet)\nsettings  " + player +
-                            "/settings.json  (not made yet)\ntweaks    " + game +
+    CHECK(before.out == "store        " + player + "/store.json  (not made yet)\nsaves        " +
+                            player + "/saves  (not made yet)\nsettings     " + player +
+                            "/settings.json  (not made yet)\npreferences  " + player +
+                            "/preferences.json  (not made yet)\ntweaks       " + game +
                             "/.fettle/main.tweaks.sqlite  (not made yet)\n");
     REQUIRE(fettle(folder, {"run", game, "--headless", "--steps", "4", "--eval",
                             "store.a = 1 save_game('a') edit('x', function() world.gravity = "

@@ -70,10 +70,14 @@ Value read(const property::Tree& tree, const Place& place) {
 
 void Binding::write(const Place& place, const Value& value) {
     property::Tree& tree = widgets_.tree();
-    if (place.part.empty()) return tree.set(place.instance, *place.property, value);
-    const Value whole = tree.get(place.instance, *place.property);
-    tree.set(place.instance, *place.property,
-             property::with_part(whole, place.part, value, "bind"));
+    if (place.part.empty()) {
+        tree.set(place.instance, *place.property, value);
+    } else {
+        const Value whole = tree.get(place.instance, *place.property);
+        tree.set(place.instance, *place.property,
+                 property::with_part(whole, place.part, value, "bind"));
+    }
+    preferences_.note(place);
 }
 
 /// The value of the widget for that of the property.
@@ -167,6 +171,10 @@ void Binding::update(Widget& widget) {
         widget.bound_before = false;
         tell(widget, property::exception_text(error));
     }
+}
+
+void Binding::follow_properties() {
+    for (Widget& widget : widgets_) widget.bound_before = false;
 }
 
 void Binding::update_all() {

@@ -6,19 +6,23 @@
 
 #include <fettle/property/path.h>
 
+#include <binding/preferences.h>
 #include <widgets/widgets.h>
 
 namespace fettle::interface {
 
 class Binding {
   public:
-    explicit Binding(Widgets& widgets) : widgets_(widgets) {}
+    Binding(Widgets& widgets, Preferences& preferences)
+        : widgets_(widgets), preferences_(preferences) {}
     void on_problem(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
 
     /// The side that has changed since the last call gives the other one its value; if both have,
     /// the property does.
     void update(Widget& widget);
     void update_all();
+    /// Until the next update, the property of each widget counts as changed.
+    void follow_properties();
     /// The least and the greatest value of a slider or progress bar.
     property::Range range(const Widget& widget) const;
     /// The distance between two values that the player can choose; 0: any.
@@ -36,6 +40,7 @@ class Binding {
     void tell(Widget& widget, const std::string& why);
 
     Widgets& widgets_;
+    Preferences& preferences_;
     std::function<void(const std::string&)> tell_;
 };
 

@@ -1,6 +1,7 @@
 #include <widgets/widgets.h>
 
 #include <array>
+#include <utility>
 
 #include <fettle/property/error.h>
 
@@ -93,17 +94,17 @@ property::ClassDescriptor Widgets::base_descriptor() {
     return described;
 }
 
-void Widgets::define(property::Tree& tree) {
+void Widgets::define(property::Tree& tree, ServiceParts more) {
     tree_ = &tree;
     themes.define(tree);
     themes.on_change([this] { stale = true; });
     base_ = &tree.define(base_descriptor());
     for (auto list : {container_classes(*this), control_classes(*this)})
         for (property::ClassDescriptor& each : list) tree.define(std::move(each));
-    define_service();
+    define_service(std::move(more));
 }
 
-void Widgets::define_service() {
+void Widgets::define_service(ServiceParts more) {
     const auto of_board = [this](Property described, auto get, auto set) {
         described.binding = accessor(*this, get, set);
         return described;
@@ -112,41 +113,43 @@ void Widgets::define_service() {
         .name = "Interface",
         .doc = "What all widgets have in common.",
         .creatable = false,
-        .properties = {
-            of_board(
-                {.name = "scale",
-                 .type = Type::number,
-                 .default_value = 0.0,
-                 .range = {0, 16},
-                 .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
-                        "720 high."},
-                [](Widgets& w, Row) { return Value(w.board.scale); },
-                [](Widgets& w, Row, const Value& v) {
-                    w.board.scale = v.as_double();
-                    w.stale = true;
-                }),
-            of_board(
-                {.name = "focus",
-                 .type = Type::reference,
-                 .doc = "The widget that has the keyboard; nil: none.",
-                 .reference_class = "Widget"},
-                [](Widgets& w, Row) { return Value(w.board.focus); },
-                [](Widgets& w, Row, const Value& v) { take(w.board.focus, v); }),
-            of_board(
-                {.name = "focus_shown",
-                 .type = Type::boolean,
-                 .default_value = true,
-                 .doc = "Whether that widget has a ring: after a key or a gamepad's button, not "
-                        "after a click."},
-                [](Widgets& w, Row) { return Value(w.board.focus_shown); },
-                [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
-            of_board(
-                {.name = "held",
-                 .type = Type::reference,
-                 .doc = "The widget that the player holds down; nil: none.",
-                 .reference_class = "Widget"},
-                [](Widgets& w, Row) { return Value(w.board.held); },
-                [](Widgets& w, Row, const Value& v) { take(w.board.held, v); })}};
+        .properties =
+            {of_board(
+                 {.name = "scale",
+                  .type = Type::number,
+                  .default_value = 0.0,
+                  .range = {0, 16},
+                  .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
+                         "720 high."},
+                 [](Widgets& w, Row) { return Value(w.board.scale); },
+                 [](Widgets& w, Row, const Value& v) {
+                     w.board.scale = v.as_double();
+                     w.stale = true;
+                 }),
+             of_board(
+                 {.name = "focus",
+                  .type = Type::reference,
+                  .doc = "The widget that has the keyboard; nil: none.",
+                  .reference_class = "Widget"},
+                 [](Widgets& w, Row) { return Value(w.board.focus); },
+                 [](Widgets& w, Row, const Value& v) { take(w.board.focus, v); }),
+             of_board(
+                 {.name = "focus_shown",
+                  .type = Type::boolean,
+                  .default_value = true,
+                  .doc = "Whether that widget has a ring: after a key or a gamepad's button, not "
+                         "after a click."},
+                 [](Widgets& w, Row) { return Value(w.board.focus_shown); },
+                 [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
+             of_board(
+                 {.name = "held",
+                  .type = Type::reference,
+                  .doc = "The widget that the player holds down; nil: none.",
+                  .reference_class = "Widget"},
+                 [](Widgets& w, Row) { return Value(w.board.held); },
+                 [](Widgets& w, Row, const Value& v) { take(w.board.held, v); })},
+        .methods = std::move(more.methods)};
+    for (Property& each : more.properties) described.properties.push_back(std::move(each));
     service_ = tree_->create(tree_->define(std::move(described)), tree_->root(), "interface");
     tree_->create(themes.of(), service_, "theme");
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fettle/module/rows.h>
 
@@ -20,6 +21,12 @@ struct Board {
     bool focus_shown = true;
 };
 
+/// What other rooms add to the instance `interface`.
+struct ServiceParts {
+    std::vector<property::Property> properties{};
+    std::vector<property::Method> methods{};
+};
+
 class Widgets {
   public:
     using Element = Widget;
@@ -29,7 +36,7 @@ class Widgets {
         std::function<bool(property::Row)> hovered;
     };
 
-    void define(property::Tree& tree);
+    void define(property::Tree& tree, ServiceParts more);
     property::Tree& tree() const { return *tree_; }
 
     Widget& operator[](property::Row row) { return rows_[row]; }
@@ -56,7 +63,7 @@ class Widgets {
 
   private:
     property::ClassDescriptor base_descriptor();
-    void define_service();
+    void define_service(ServiceParts more);
 
     property::Tree* tree_ = nullptr;
     const property::Class* base_ = nullptr;

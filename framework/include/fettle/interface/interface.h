@@ -36,6 +36,13 @@ class Interface : public module::Module, public app::Foreground {
     /// The function gets one line for each widget that cannot be bound as it says, once.
     void on_problem(std::function<void(const std::string&)> tell);
 
+    /// The function gets each setting of the player that changes, to be kept for later runs: the
+    /// path of a property and its value, nil if it is a setting no longer.
+    void on_preference(std::function<void(const std::string&, const property::Value&)> keep);
+    /// Writes a setting of an earlier run in the next frame, or as soon as there is such a
+    /// property.
+    void begin_with(const std::string& path, const property::Value& value);
+
     bool takes(const app::Act& act) const override;
     void handle(const app::Act& act, bool taken) override;
     void frame(const property::Vec2& mouse, const property::Vec2& screen, double seconds) override;

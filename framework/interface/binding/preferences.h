@@ -1,0 +1,68 @@
+#pragma once
+// Preferences: values of properties that the player has set, such as a volume or a key. They belong
+// to the player and not to a moment of the game, so they stay when time jumps.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <fettle/property/observer.h>
+#include <fettle/property/path.h>
+#include <fettle/property/tree.h>
+
+namespace fettle::interface {
+
+/// The preferences are kept twice: here as they are now, and in a property of the tree as they were
+/// at its moment. After a jump, the two tell which values the player has changed since that moment.
+/// So the writes of the game to the same properties stay state.
+class Preferences : public property::Observer {
+  public:
+    /// The name of the property in the tree.
+    static constexpr const char* saved_name = "preferences";
+
+    ~Preferences() override;
+    void attach(property::Tree& tree, property::Handle service);
+    /// Receives each preference that changes: its path and its value, nil for one that ended.
+    void on_change(std::function<void(const std::string&, const property::Value&)> tell) {
+        changed_ = std::move(tell);
+    }
+    void on_problem(std::function<void(const std::string&)> tell) { problem_ = std::move(tell); }
+
+    /// Whether a widget that writes the property sets a preference: those of `audio` and of
+    /// `input.actions` are the player's.
+    bool is_players(const property::Place& place) const;
+    /// The property has the value that the player wants.
+    void note(const property::Place& place);
+    /// Writes the property, and notes it. nil: it is a preference no longer. Throws Error.
+    void prefer(const std::string& path, const property::Value& value);
+    /// A preference of an earlier run, to be written when its property exists.
+    void begin_with(const std::string& path, const property::Value& value);
+
+    /// True if time has jumped to a moment with other preferences, or if there are some of an
+    /// earlier run.
+    bool differs() const;
+    /// Writes those that the player has changed since the moment of the tree.
+    void give_back();
+
+    void restored() override { jumped_ = true; }
+    void wrote_plain(const property::PlainWrites&) override {
+        // Single writes are not needed here.
+    }
+
+  private:
+    void put(const std::string& path, const property::Value& value);
+    void save();
+    bool write(const std::string& path, const property::Value& value);
+
+    property::Tree* tree_ = nullptr;
+    std::weak_ptr<const property::Tree*> life_;
+    property::Handle service_{};
+    property::List now_;      // lists of a path and a value
+    property::List waiting_;  // those whose property does not exist yet
+    bool jumped_ = false;
+    std::function<void(const std::string&, const property::Value&)> changed_;
+    std::function<void(const std::string&)> problem_;
+};
+
+}  // namespace fettle::interface
