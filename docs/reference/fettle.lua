@@ -1990,6 +1990,7 @@ Buses = {}
 ---A group of sounds with a volume of its own. It acts below `audio.buses`.
 ---@class Bus : Object
 ---@field muted boolean Silences the bus and leaves its volume as it is. · true or false · default false
+---@field pauses boolean Whether its sounds pause with the game (time.paused). Off, they go on in real time. · true or false · default true
 ---@field volume number Loudness of all sounds of the bus. · 0 to 1 · default 1
 local fettle_Bus = {}
 
@@ -2121,6 +2122,7 @@ Synth = {}
 ---@field fade number Loudness while it fades, on its way to `fade_to`. · 0 to 1 · default 1
 ---@field fade_time number How long it takes to fade from 0 to 1. · s · 0 to 1000 · default 0
 ---@field fade_to number The loudness to which it fades. A voice that has faded to 0 ends. · 0 to 1 · default 1
+---@field pauses boolean Whether it pauses with the game. Off if it began while the game was paused: a menu's click is heard. · true or false · default true
 ---@field pitch number How fast it is played, in addition to the pitch of its source. · 0.01 to 100 · default 1
 ---@field playing boolean Off, it pauses. · true or false · default true
 ---@field position vec? Where in the world it is heard from. nil: from where its source is. · m · -1000000000 to 1000000000 · default nil · may be nil

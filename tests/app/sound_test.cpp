@@ -137,6 +137,72 @@ TEST_CASE("nothing passes for voices while the game is paused") {
     CHECK(game.services.audio.state().heard(true).at(0).rate == 0);
 }
 
+TEST_CASE("a bus that does not pause and a sound that began in the pause are heard") {
+    SoundGame game;
+    game.run(R"(
+        audio.buses.music.pauses = false
+        song = Music { file = "song.wav", loop = false, fade = 0 }
+        hit = Sound { file = "hit.wav" }
+        engine = Sound { file = "song.wav" }
+        s = song:play() e = engine:play()
+        time.scale = 0.5
+        song:on("finished", function() print("song") end)
+        hit:on("finished", function() print("hit") end)
+    )");
+    game.turns(6);
+    game.run("time.paused = true h = hit:play()");
+    const auto rates = [&] {
+        std::vector<double> all;
+        for (const Heard& each : game.heard()) all.push_back(each.rate);
+        return all;
+    };
+    CHECK(rates() == std::vector<double>{1, 0, 1});
+    Mixer mixer;
+    mixer.hear(game.heard());
+    using sound_measures::level;
+    CHECK(level(sound_measures::mixed(mixer, 0.2).part(0.05, 0.2).left) > 0.2);
+    game.printed.clear();
+    game.turns(30);
+    CHECK(game.printed == "hit");
+    CHECK(game.print("h:alive(), e.time > 0.09 and e.time < 0.11") == "false\ttrue");
+    CHECK(game.print("s.time > 0.5 and s.time < 0.61") == "true");
+    game.printed.clear();
+    game.turns(100);
+    CHECK(game.printed == "song");
+    CHECK(game.errors.empty());
+
+    // The device hears only the sound that holds: nothing.
+    Mixer rest;
+    rest.hear(game.heard());
+    CHECK(level(sound_measures::mixed(rest, 0.2).left) == 0);
+}
+
+TEST_CASE("nothing is heard while the past is looked at") {
+    SoundGame game;
+    game.run(R"(
+        audio.buses.music.pauses = false
+        song = Music { file = "song.wav" }
+        s = song:play()
+    )");
+    game.turns(30);
+    game.run("time.paused = true time:go_to(10)");
+    game.turns(1);
+    const std::string then = game.print("s.time");
+    CHECK(game.heard().at(0).rate == 0);
+    game.turns(30);
+    CHECK(game.print("s.time") == then);
+    game.run("time:go_to(time.newest)");
+    game.turns(1);
+    CHECK(game.heard().at(0).rate == 1);
+    game.turns(30);
+    CHECK(game.print("s.time > 0.9 and s.time < 1.1") == "true");
+    game.run("time.paused = false");
+    game.turns(5);
+    game.run("time:go_to(20)");
+    game.turns(1);
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("the oldest voice ends where there are too many") {
     SoundGame game;
     game.run(R"(

@@ -313,6 +313,8 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
             if (clock.step_once) {
                 if (live_next()) make_step(watch);
                 tree_.set(time_, "step_once", false);
+            } else {
+                wait(seconds);
             }
             services_.input.forget_presses();
         } else {
@@ -325,6 +327,12 @@ void Loop::frame(double seconds, std::int64_t step_limit) {
         clock.paused || halted_ || lived_ >= limit ? 1.0 : std::clamp(owed_ / clock.dt, 0.0, 1.0);
     end_frame(watch, seconds, 1000 * seconds);
     if (!clock.paused || clock.step != begun_at) log_frame(watch);
+}
+
+/// A frame of a paused game.
+void Loop::wait(double seconds) {
+    const property::Tree::CauseScope cause(tree_, property::Writer::simulation);
+    services_.audio.wait(seconds);
 }
 
 void Loop::catch_up(std::uint64_t limit, Stopwatch& watch) {
@@ -358,6 +366,7 @@ void Loop::turn() {
         make_step(watch);
         if (once) tree_.set(time_, "step_once", false);
     } else {
+        wait(clock.dt);
         services_.input.forget_presses();
     }
     clock.alpha = 1;

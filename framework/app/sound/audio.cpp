@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/spelling.h>
@@ -22,7 +23,8 @@ using property::Vec2;
 
 namespace {
 
-constexpr double longest_fade = 1000;  // s
+constexpr double longest_fade = 1000;   // s
+constexpr double pause_interval = 0.1;  // s, less than what the mixer corrects
 
 void require_fade(double seconds) {
     if (!(seconds >= 0 && seconds <= longest_fade))
@@ -50,8 +52,21 @@ void Audio::renew(const std::string& name) {
 }
 
 void Audio::step(double dt) {
+    state_->waited = 0;
     for (const Handle voice : state_->by_age())
         if (state_->tree.alive(voice)) state_->pass(voice, dt);
+}
+
+/// Each write is in the log of the timeline until the game goes on, so there are few of them. The
+/// mixer follows by itself in between.
+void Audio::wait(double seconds) {
+    State& s = *state_;
+    if (!s.at_present()) return;
+    s.waited += seconds;
+    if (s.waited < pause_interval) return;
+    const double dt = std::exchange(s.waited, 0);
+    for (const Handle voice : s.by_age())
+        if (s.tree.alive(voice) && s.ignores_pause(voice)) s.pass(voice, dt);
 }
 
 Audio::State::State(Audio& the_audio, Tree& the_tree, const View& the_view, const Clock& the_clock,
@@ -189,6 +204,7 @@ Handle Audio::State::play(Handle source, const Play& how) {
         set(of_voice.pitch, how.pitch);
         set(of_voice.time, how.time);
         set(of_voice.position, how.position);
+        if (clock.paused) set(of_voice.pauses, false);
         if (fade > 0) {
             set(of_voice.fade_time, fade);
             set(of_voice.fade, 0.0);

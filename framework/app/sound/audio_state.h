@@ -34,7 +34,7 @@ struct Audio::State {
     };
     struct VoiceProperties {
         const property::Property *volume, *pitch, *time, *playing, *position;
-        const property::Property *fade, *fade_to, *fade_time, *order, *over;
+        const property::Property *fade, *fade_to, *fade_time, *order, *over, *pauses;
     };
 
     // Values of stored properties; if a formula fails, its last valid one.
@@ -60,6 +60,10 @@ struct Audio::State {
     property::Handle play(property::Handle source, const Play& how);
     void stop(property::Handle voice, double fade);
     void pass(property::Handle voice, double dt);
+    /// False if the past is looked at, and not the present.
+    bool at_present() const { return clock.step >= clock.newest; }
+    /// Whether the voice sounds in a paused game, too.
+    bool ignores_pause(property::Handle voice) const;
 
     /// What is to be heard now. `halted`: every voice pauses.
     std::vector<Heard> heard(bool halted) const;
@@ -76,18 +80,21 @@ struct Audio::State {
     SourceProperties of_source{};
     VoiceProperties of_voice{};
     const property::Property *of_music_fade = nullptr, *synth_wave = nullptr, *synth_seed = nullptr;
-    const property::Property *bus_volume = nullptr, *bus_muted = nullptr;
+    const property::Property *bus_volume = nullptr, *bus_muted = nullptr, *bus_pauses = nullptr;
     std::vector<const property::Property*> synth_numbers_of{};
 
     std::vector<Source> sources{};  // by row
     std::vector<property::Row> free_rows{};
     std::vector<property::Handle> voices{};  // in any order
+    double waited = 0;  // s of a paused game that have not passed for voices yet
 
   private:
     void make_room(property::Handle voice);
     void cross_fade(property::Handle voice, double fade);
     std::optional<property::Vec2> place(property::Handle voice, property::Handle source) const;
     Stereo loudness(property::Handle voice, property::Handle source) const;
+    /// Null if the source is on no bus.
+    property::Handle bus_of(property::Handle source) const;
     double bus_loudness(property::Handle source) const;
 };
 

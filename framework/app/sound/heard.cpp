@@ -35,9 +35,20 @@ std::optional<Vec2> Audio::State::place(Handle voice, Handle source) const {
     return above ? (*above)(at) : at;
 }
 
-double Audio::State::bus_loudness(Handle source) const {
+Handle Audio::State::bus_of(Handle source) const {
     const Handle bus = tree.child(buses, sources[tree.row(source)].bus);
-    if (!bus || !tree.class_of(bus).is_a(*bus_class)) return 1;
+    return bus && tree.class_of(bus).is_a(*bus_class) ? bus : Handle{};
+}
+
+bool Audio::State::ignores_pause(Handle voice) const {
+    if (!value(voice, *of_voice.pauses).boolean()) return true;
+    const Handle source = source_of(voice), bus = source ? bus_of(source) : Handle{};
+    return bus && !value(bus, *bus_pauses).boolean();
+}
+
+double Audio::State::bus_loudness(Handle source) const {
+    const Handle bus = bus_of(source);
+    if (!bus) return 1;
     return value(bus, *bus_muted).boolean() ? 0 : number(bus, *bus_volume);
 }
 
@@ -58,21 +69,23 @@ Stereo Audio::State::loudness(Handle voice, Handle source) const {
 }
 
 std::vector<Heard> Audio::State::heard(bool halted) const {
-    const bool stands = halted || (clock.paused && !clock.step_once);
+    const bool paused = clock.paused && !clock.step_once;
+    const double rate = paused ? 1 : clock.scale;
     std::vector<Heard> all;
     // Many voices often have one source.
     std::unordered_map<std::uint32_t, SynthParameters> known;
     for (const Handle voice : by_age()) {
         const Handle source = source_of(voice);
         if (!source || value(voice, *of_voice.over).boolean()) continue;
+        const bool stands = halted || (paused && !(at_present() && ignores_pause(voice)));
         const bool plays = !stands && value(voice, *of_voice.playing).boolean();
-        Heard one{.id = std::uint64_t{voice.generation} << 32 | voice.index,
-                  .time = number(voice, *of_voice.time),
-                  .rate = plays ? number(voice, *of_voice.pitch) *
-                                      number(source, *of_source.pitch) * clock.scale
-                                : 0,
-                  .loudness = loudness(voice, source),
-                  .loops = value(source, *of_source.loop).boolean()};
+        Heard one{
+            .id = std::uint64_t{voice.generation} << 32 | voice.index,
+            .time = number(voice, *of_voice.time),
+            .rate = plays ? number(voice, *of_voice.pitch) * number(source, *of_source.pitch) * rate
+                          : 0,
+            .loudness = loudness(voice, source),
+            .loops = value(source, *of_source.loop).boolean()};
         if (tree.class_of(source).is_a(*synth_class)) {
             const auto [found, is_new] = known.try_emplace(source.index);
             if (is_new) found->second = synth_parameters(source);

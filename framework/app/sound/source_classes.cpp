@@ -263,9 +263,15 @@ void define_audio(State& state) {
                         {.name = "muted",
                          .type = Type::boolean,
                          .default_value = false,
-                         .doc = "Silences the bus and leaves its volume as it is."}}});
+                         .doc = "Silences the bus and leaves its volume as it is."},
+                        {.name = "pauses",
+                         .type = Type::boolean,
+                         .default_value = true,
+                         .doc = "Whether its sounds pause with the game (time.paused). Off, they "
+                                "go on in real time."}}});
     state.bus_volume = state.bus_class->property("volume");
     state.bus_muted = state.bus_class->property("muted");
+    state.bus_pauses = state.bus_class->property("pauses");
     state.service = tree.create(audio, tree.root(), "audio");
     state.buses = tree.create(buses, state.service, "buses");
     for (const char* name : {"effects", "music"}) tree.create(*state.bus_class, state.buses, name);

@@ -45,6 +45,11 @@ std::vector<Property> properties_of_voices() {
          .range = {0, 1e6},
          .doc = "How much of the sound it has played. Setting it goes there."},
         {.name = "playing", .type = Type::boolean, .default_value = true, .doc = "Off, it pauses."},
+        {.name = "pauses",
+         .type = Type::boolean,
+         .default_value = true,
+         .doc = "Whether it pauses with the game. Off if it began while the game was paused: a "
+                "menu's click is heard."},
         {.name = "position",
          .type = Type::vec2,
          .unit = "m",
@@ -118,7 +123,7 @@ void define_voice(Audio::State& state) {
     state.of_voice = {of.property("volume"),  of.property("pitch"),     of.property("time"),
                       of.property("playing"), of.property("position"),  of.property("fade"),
                       of.property("fade_to"), of.property("fade_time"), of.property("order"),
-                      of.property("over")};
+                      of.property("over"),    of.property("pauses")};
 }
 
 }  // namespace fettle::app

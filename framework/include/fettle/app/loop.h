@@ -136,6 +136,7 @@ class Loop {
     bool prelude(double dt, double real_dt, Stopwatch& watch);
     void repeat_after_return(double real_dt);
     bool make_step(Stopwatch& watch);
+    void wait(double seconds);
     void step_modules(double dt);
     void catch_up(std::uint64_t limit, Stopwatch& watch);
     void barrier(bool between_steps = true);
