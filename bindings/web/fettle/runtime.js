@@ -238,6 +238,66 @@ export class WorldBase {
   get previousPoses() { return this.column(4, 3); }
 }
 
+/** What a mover has besides the functions in C: the bytes of its definition and of its state. */
+export class MoverBase {
+  #definition;
+  #state;
+  constructor(world, definition = {}, position = { x: 0, y: 0 }) {
+    begin();
+    pointerOf(world, "world");
+    Object.defineProperty(this, "world", { value: world });
+    const { def, state } = classes.mover;
+    this.check(this.made(definition, "definition", def, c.fettle_mover_def_init), this.made({ position }, "state", state, c.fettle_mover_state_init));
+    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    if (new.target === classes.Mover) Object.preventExtensions(this);
+  }
+  /** The address of a structure with the members of `value`, and the defaults. */
+  made(value, name, { size, write }, init) {
+    if (typeof value !== "object" || value === null) throw new Invalid(`${name} = ${shown(value)}: expected an object`);
+    return struct(value, size, name, write, (p) => init(p, size));
+  }
+  /** The addresses of copies of both structures, for the duration of a call. */
+  written() {
+    return [this.#definition, this.#state].map((bytesOfOne) => {
+      const p = room(bytesOfOne.length);
+      view.u8.set(bytesOfOne, p);
+      return p;
+    });
+  }
+  /** Takes structures that the library has written. */
+  take(def, state) {
+    this.#definition = copyOf(def, classes.mover.def.size);
+    this.#state = copyOf(state, classes.mover.state.size);
+  }
+  /** The same for structures that a program has given: the library looks at them first. */
+  check(def, state) {
+    const { height } = classes.mover.def.read(def, this.world);
+    done(c.fettle_mover_fits(this.world.pointer, def, state, height, room(1)));
+    this.take(def, state);
+  }
+  get definition() {
+    begin();
+    return classes.mover.def.read(this.written()[0], this.world);
+  }
+  set definition(value) {
+    begin();
+    this.check(this.made(value, "definition", classes.mover.def, c.fettle_mover_def_init), this.written()[1]);
+  }
+  get state() {
+    begin();
+    return classes.mover.state.read(this.written()[1], this.world);
+  }
+  set state(value) {
+    begin();
+    this.check(this.written()[0], this.made(value, "state", classes.mover.state, c.fettle_mover_state_init));
+  }
+  get position() { return this.state.position; }
+  set position(position) {
+    const { climbing, dropped } = this.state;
+    this.state = { climbing, dropped, position };
+  }
+}
+
 export function register(made) {
   classes = made;
 }

@@ -31,6 +31,21 @@ declare class WorldBase {
   readonly previousPoses: Float32Array;
 }
 
+/** A character that moves through a world. It is destroyed by nobody: it is a definition and a state, without a place in the world. */
+declare class MoverBase {
+  constructor(world: World, definition?: MoverDef, position?: Vec2);
+  readonly world: World;
+  /** All settings. One that is set has the defaults for what it does not name. */
+  get definition(): Required<MoverDef>;
+  set definition(definition: MoverDef);
+  /** All that it keeps from move to move: to be saved, and to be set again. */
+  get state(): Required<MoverState>;
+  set state(state: MoverState);
+  /** Of its feet, m. Where it is set, the mover leaves the ground. */
+  get position(): Vec2;
+  set position(position: Vec2);
+}
+
 /** Geometry of shapes by type, in body coordinates, m. */
 export declare function circle(radius?: number, more?: Partial<Geometry>): Geometry;
 export declare function box(width?: number, height?: number, more?: Partial<Geometry>): Geometry;

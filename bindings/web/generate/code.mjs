@@ -1,11 +1,11 @@
 // Writes interface.js: the structures, and the methods and properties of each class.
 
-import { camel, classes, handleOf } from "./shape.mjs";
+import { camel, classes, handleOf, moverProperties } from "./shape.mjs";
 import { sizeOf, visibleMembers } from "./layout.mjs";
 
 // What runtime.js gives to the code; arguments with these names get another one.
 const helpers = [
-  "Handle", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
+  "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
   "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
 ];
 const variable = (input) => (helpers.includes(input.name) ? input.name + "Given" : input.name);
@@ -104,6 +104,7 @@ function methodBody(plan, structs) {
   }
   const list = plan.outputs.find((output) => output.kind === "list");
   code.push("begin();");
+  if (plan.owner === "Mover") code.push("const mover = this.written();");
   // What is written to memory is written before the places of the results are taken.
   const args = [];
   for (const [i, g] of plan.given.entries()) {
@@ -142,9 +143,18 @@ function methodBody(plan, structs) {
     const { size } = sizeOf({ type: list.type }, structs);
     code.push(`const found = readAll(${size}, (out, most, count) => ${callOf}, (p) => ${read(list.type, "p", world)});`);
   } else code.push(`done(${callOf});`);
+  if (plan.owner === "Mover") code.push("this.take(...mover);");
   if (results.length === 1) after.push(`return ${plan.maybe ? "view.u8[flag] === 0 ? null : " : ""}${value(results[0])};`);
   else if (results.length > 1) after.push(`return { ${results.map((r) => `${r.output.name}: ${value(r)}`).join(", ")} };`);
   return [...code, ...after].join(" ");
+}
+
+/** A value is written in a copy of the structure, which the library checks before the mover takes it. */
+function propertyCode({ name, type, offset, from, isSet }) {
+  const p = at(offset).replace("p", from);
+  const get = `  get ${camel(name)}() { begin(); const [def, state] = this.written(); return ${read(type, p, "this.world")}; }\n`;
+  const set = `  set ${camel(name)}(value) { begin(); const [def, state] = this.written(); ${write(type, p, "value", JSON.stringify(camel(name)))} this.check(def, state); }\n`;
+  return isSet ? get + set : get;
 }
 
 function classCode(cls, plans, structs) {
@@ -157,6 +167,7 @@ function classCode(cls, plans, structs) {
     return `  ${plan.name}(${names}) { ${body} }\n`;
   });
   const base = cls.base ?? (cls.id ? "Handle" : "WorldBase");
+  if (cls.name === "Mover") lines.unshift(...moverProperties(structs).map(propertyCode));
   return `export class ${cls.name} extends ${base} {\n${lines.join("")}}\n\n`;
 }
 
@@ -175,8 +186,9 @@ import { ${helpers.join(", ")} } from "./runtime.js";
   for (const cls of classes) code += classCode(cls, plans, structs);
   for (const plan of plans.filter((p) => !p.owner))
     code += `export function ${plan.name}(${plan.inputs.map(variable).join(", ")}) { ${methodBody(plan, structs)} }\n`;
-  const joints = classes.filter((cls) => cls.base).map((cls) => cls.name);
-  code += `\nregister({ World, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType });\n`;
+  const joints = classes.filter((cls) => cls.base === "Joint").map((cls) => cls.name);
+  const moverStructs = ["def", "state"].map((name) => `${name}: { size: ${structs.get("fettle_mover_" + name).size}, read: read_mover_${name}, write: write_mover_${name} }`);
+  code += `\nregister({ World, Mover, mover: { ${moverStructs.join(", ")} }, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType });\n`;
   return code;
 }
 

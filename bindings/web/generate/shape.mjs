@@ -4,7 +4,8 @@ export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUp
 export const pascal = (name) => camel("_" + name);
 
 const kinds = { body: "Body", shape: "Shape", joint: "Joint", field: "Field" };
-const jointTypes = ["mouse", "distance", "revolute", "prismatic", "wheel", "weld", "motor", "pulley", "gear", "groove", "pin_slot", "ratchet"];
+const jointTypes = ["mouse", "distance", "revolute", "prismatic", "wheel", "weld", "motor", "pulley", "gear", "groove", "pin_slot", "ratchet", "filter",
+  "rotary_limit"];
 
 /** The classes, in the order in which they extend each other, with the prefix of their functions. */
 export const classes = [
@@ -14,7 +15,15 @@ export const classes = [
   { name: "Field", prefix: "field_", id: "field" },
   { name: "Joint", prefix: "joint_", id: "joint" },
   ...jointTypes.map((type) => ({ name: pascal(type) + "Joint", prefix: type + "_joint_", id: "joint", base: "Joint" })),
+  { name: "Mover", prefix: "mover_", base: "MoverBase" },
 ];
+
+/** The class of a joint is found by the number of its type, so the list above must be that of the headers. */
+function checkJointTypes(headers) {
+  const declared = headers.enums.find((e) => e.name === "joint_type").values.map(({ name, value }) => `${value} ${name.toLowerCase()}`);
+  const known = jointTypes.map((type, i) => `${i} joint_${type}`);
+  if (declared.join() !== known.join()) throw new Error(`types of joints are ${declared.join(", ")}; shape.mjs has ${known.join(", ")}`);
+}
 
 /** What an id with this name names. */
 export function handleOf(name, inFunction = "") {
@@ -22,16 +31,16 @@ export function handleOf(name, inFunction = "") {
   if (/sensor_body|visitor_body|bod(y|ies)|slept|woke/.test(plain)) return "Body";
   if (/joint/.test(plain)) return "Joint";
   if (/field/.test(plain)) return "Field";
-  if (/shape|sensor|visitor|query/.test(plain)) return "Shape";
+  if (/shape|sensor|visitor|query|^(ground|wall|dropped)$/.test(plain)) return "Shape";
   return kinds[plain] ?? "Body";
 }
 
-// What a program in JavaScript does not need, or gets by hand in runtime.js (memory, sizes, threads of the host), and what it does not have
-// yet: movers, whose state is a structure that functions read and write.
-const byHand = /^fettle_mover_|_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
+// What a program in JavaScript does not need, or gets by hand in runtime.js (memory, sizes, threads of the host).
+const byHand = /_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
 
 /** The functions with their plans; `without` are those that have none, because C would call a function of JavaScript. */
 export function plansOf(headers) {
+  checkJointTypes(headers);
   const plans = [], without = [];
   for (const fn of headers.functions) {
     if (byHand.test(fn.name)) continue;
@@ -50,11 +59,15 @@ function planOf(fn) {
   if (owner && params[0]?.type !== "fettle_world") owner = undefined;
   const plan = { fn, owner: owner?.name, inputs: [], outputs: [], given: [], returns: fn.result };
   if (owner) {
-    plan.given.push(owner.id ? "this.world.pointer" : "this.pointer");
+    plan.given.push(owner.name === "World" ? "this.pointer" : "this.world.pointer");
     params.shift();
     if (owner.id) {
       plan.given.push("this.id");
       params.shift();
+    }
+    if (owner.name === "Mover") {
+      plan.given.push("...mover");  // the addresses of its definition and of its state
+      params.splice(0, 2);
     }
   }
   plan.bare = owner ? bare.slice(owner.prefix.length) : bare;
@@ -67,7 +80,7 @@ function planOf(fn) {
     if (plan.inputs[0].kind === "vec2") plan.inputs[0].name = plan.sets;
   }
   const makes = plan.outputs.some((output) => output.kind === "world");
-  if (owner && plan.inputs.length === 0 && plan.result && fn.params[0].constant && !makes) plan.gets = plan.name;
+  if (owner && owner.name !== "Mover" && plan.inputs.length === 0 && plan.result && fn.params[0].constant && !makes) plan.gets = plan.name;
   return plan;
 }
 
@@ -119,4 +132,13 @@ function resultOf(plan) {
   if (plan.returns !== "fettle_code") return { direct: plan.returns };
   if (plan.outputs.length === 0) return undefined;
   return plan.outputs.length === 1 ? plan.outputs[0] : { several: plan.outputs };
+}
+
+/** The properties of a mover: members of its definition and of its state, with the structure that has them. A height is changed only where
+    there is room for it, by setHeight; what the moves find is only read. The position is in runtime.js. */
+export function moverProperties(structs) {
+  const of = (struct, isSet) => structs.get(struct).members
+    .filter((member) => member.name !== "size" && member.name !== "position")
+    .map((member) => ({ ...member, from: struct === "fettle_mover_def" ? "def" : "state", isSet: isSet(member.name) }));
+  return [...of("fettle_mover_def", (name) => name !== "height"), ...of("fettle_mover_state", (name) => name === "climbing")];
 }

@@ -1,6 +1,6 @@
 // Writes index.d.ts: the same classes and structures for TypeScript, with the comments of the headers.
 
-import { camel, classes, handleOf, pascal } from "./shape.mjs";
+import { camel, classes, handleOf, moverProperties, pascal } from "./shape.mjs";
 import { visibleMembers } from "./layout.mjs";
 import { prefixOf } from "./code.mjs";
 
@@ -12,7 +12,7 @@ const docOf = (doc, indent = "") => (doc ? `${indent}/** ${doc.replaceAll("*/", 
 function typeOf(type, name, fn, given) {
   if (type === "fettle_id") {
     const handle = handleOf(name, fn);
-    return /^body_|_body$|^body$/.test(name) ? `${handle} | null` : handle;
+    return /^body_|_body$|^(body|ground|wall|dropped)$/.test(name) ? `${handle} | null` : handle;
   }
   if (type === "uint64_t" && given) return "bigint | number";
   if (type === "char") return "string";
@@ -83,6 +83,11 @@ function member(plan, own) {
   return doc + `  ${plan.name}(${parameters(plan)}): ${resultType(plan)};\n`;
 }
 
+function property({ name, type, doc, isSet }) {
+  const get = `${docOf(doc, "  ")}  get ${camel(name)}(): ${typeOf(type, name, "")};\n`;
+  return isSet ? `${get}  set ${camel(name)}(value: ${typeOf(type, name, "", type !== "uint64_t")});\n` : get;
+}
+
 export function typesCode(headers, plans, byHand) {
   let code = "// Made from the headers in C by bindings/web/generate; what is changed here is lost.\n\n" + byHand;
   for (const enumeration of headers.enums.filter((e) => e.name !== "codes")) {
@@ -93,7 +98,8 @@ export function typesCode(headers, plans, byHand) {
   for (const cls of classes) {
     const own = plans.filter((plan) => plan.owner === cls.name);
     const base = cls.base ?? (cls.id ? "Handle" : "WorldBase");
-    code += `export declare class ${cls.name} extends ${base} {\n${own.map((plan) => member(plan, own)).join("")}}\n\n`;
+    const properties = cls.name === "Mover" ? moverProperties(headers.structs).map(property) : [];
+    code += `export declare class ${cls.name} extends ${base} {\n${properties.join("")}${own.map((plan) => member(plan, own)).join("")}}\n\n`;
   }
   for (const plan of plans.filter((p) => !p.owner)) code += docOf(plan.fn.doc) + `export declare function ${plan.name}(${parameters(plan)}): ${resultType(plan)};\n`;
   return code;

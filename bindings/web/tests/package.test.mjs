@@ -158,6 +158,124 @@ test("memory grows while views are in use", () => {
   assert.equal(new Set(worlds.map((world) => world.hash)).size, 1);
 });
 
+test("joints of every type have a class", () => {
+  const world = new World({ gravity: { x: 0, y: 0 } });
+  const bodyA = world.createBody(), bodyB = world.createBody({ position: { x: 1, y: 0 } });
+  const limit = world.createRotaryLimitJoint({ bodyA, bodyB });
+  assert.ok(limit instanceof fettle.RotaryLimitJoint);
+  limit.upperAngle = 0.5;
+  assert.equal(limit.upperAngle, 0.5);
+  assert.ok(world.createFilterJoint({ bodyA, bodyB }) instanceof fettle.FilterJoint);
+  assert.equal(world.joints.length, 2);
+});
+
+/** A world with a floor whose surface is at y = 0.5, a step of 0.2 m at x = 2, and a wall at x = 4. */
+const course = () => {
+  const world = new World();
+  const ground = world.createBody({ type: BodyType.STATIC });
+  const floor = ground.add(box(40, 1));
+  ground.add(box(2, 0.4, { center: { x: 3, y: 0.5 } }));
+  const wall = ground.add(box(1, 10, { center: { x: 4.5, y: 0 } }));
+  return { world, floor, wall };
+};
+
+test("a mover lands and climbs a step and is stopped by a wall", () => {
+  const { world, floor, wall } = course();
+  const hero = new fettle.Mover(world, { radius: 0.3, height: 1.5 }, { x: 0, y: 2 });
+  assert.equal(hero.onGround, false);
+  assert.equal(hero.ground, null);
+  let velocity = { x: 0, y: 0 };
+  for (let i = 0; i < 60; ++i) {
+    velocity = hero.move({ x: 0, y: velocity.y - 10 / 60 }, 1 / 60).velocity;
+    world.step(1 / 60);
+  }
+  assert.ok(hero.onGround);
+  assert.equal(hero.ground, floor);
+  near(hero.position.y, 0.5, 0.03);
+  near(hero.groundNormal.y, 1, 1e-4);
+  let stepped = 0, last;
+  for (let i = 0; i < 240; ++i) {
+    last = hero.move({ x: 2, y: 0 }, 1 / 60);
+    stepped += last.stepped;
+    world.step(1 / 60);
+  }
+  assert.ok(stepped > 0);
+  assert.ok(last.hitWall);
+  assert.equal(last.wall, wall);
+  near(hero.position.x, 4 - 0.3, 0.05);
+  near(hero.position.y, 0.7, 0.03);
+});
+
+test("settings of a mover are properties and checked", () => {
+  const { world } = course();
+  const hero = new fettle.Mover(world, { mask: 6n }, { x: 0, y: 3 });
+  assert.equal(hero.mask, 6n);
+  hero.maxSlope = 0.5;
+  assert.equal(hero.maxSlope, 0.5);
+  assert.throws(() => (hero.radius = -1), Invalid);
+  assert.throws(() => (hero.skin = "1"), /skin = "1": expected a number/);
+  near(hero.radius, 0.4, 1e-6);
+  assert.throws(() => (hero.definition = { hight: 2 }), /no member "hight"/);
+  assert.throws(() => new fettle.Mover(world, { up: { x: 0, y: 0 } }), Invalid);
+  assert.throws(() => new fettle.Mover({}), /world = .*: expected a World/);
+  assert.throws(() => (hero.speed = 2), TypeError);
+  assert.throws(() => (hero.height = 2), TypeError);
+  const here = hero.position;
+  here.x = 9;  // a copy
+  assert.equal(hero.position.x, 0);
+  class Hero extends fettle.Mover { speed = 3; }
+  assert.equal(new Hero(world).speed, 3);
+});
+
+test("a mover crouches where there is no room to stand", () => {
+  const { world } = course();
+  world.createBody({ type: BodyType.STATIC }).add(box(4, 1, { center: { x: 0, y: 2 } }));  // from 1.5 m
+  const hero = new fettle.Mover(world, { height: 0.9 }, { x: 0, y: 0.55 });
+  assert.equal(hero.fits(1.8), false);
+  assert.equal(hero.setHeight(1.8), false);
+  near(hero.height, 0.9, 1e-6);
+  hero.position = { x: -5, y: 0.55 };
+  assert.equal(hero.setHeight(1.8), true);
+  near(hero.height, 1.8, 1e-6);
+  assert.throws(() => hero.setHeight(0.1), Invalid);
+  const [below] = hero.planes(0.5);
+  near(below.normal.y, 1, 1e-4);
+  assert.ok(below.shape instanceof fettle.Shape);
+});
+
+test("the state of a mover can be kept and set again", () => {
+  const { world } = course();
+  const hero = new fettle.Mover(world, {}, { x: 0, y: 0.55 });
+  const walk = () => { for (let i = 0; i < 30; ++i) hero.move({ x: 1, y: -1 }, 1 / 60); };
+  walk();
+  const kept = hero.state;
+  assert.equal(kept.onGround, true);
+  walk();
+  const { x } = hero.position;
+  assert.ok(x > kept.position.x + 0.4);
+  hero.state = kept;
+  assert.deepEqual(hero.state, kept);
+  walk();
+  assert.equal(hero.position.x, x);
+  hero.position = { x: 0, y: 5 };
+  assert.equal(hero.onGround, false);
+  world.destroy();
+  assert.throws(() => hero.move({ x: 1, y: 0 }, 1 / 60), Stale);
+});
+
+test("a mover drops through a ledge", () => {
+  const { world } = course();
+  const ledge = world.createBody({ type: BodyType.STATIC }).add(box(4, 0.2, { center: { x: 0, y: 3 } }), { category: 4n });
+  const hero = new fettle.Mover(world, { ledges: 4n }, { x: 0, y: 3.12 });
+  for (let i = 0; i < 10; ++i) hero.move({ x: 0, y: -1 }, 1 / 60);
+  assert.equal(hero.ground, ledge);
+  assert.equal(hero.drop(), true);
+  assert.equal(hero.dropped, ledge);
+  for (let i = 0; i < 60; ++i) hero.move({ x: 0, y: -4 }, 1 / 60);
+  near(hero.position.y, 0.5, 0.03);
+  assert.equal(hero.drop(), false);
+});
+
 test("the library in C is there as a whole", () => {
   assert.match(fettle.physicsVersion(), /^\d+\.\d+\.\d+$/);
   assert.equal(fettle.simdWidth(), 4);

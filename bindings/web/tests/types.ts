@@ -1,6 +1,6 @@
 // Compiled with every check of TypeScript on; not run.
 
-import { BodyType, World, box, circle, load, type Body, type ContactEvent, type RayHit } from "fettle-physics";
+import { BodyType, Mover, World, box, circle, load, type Body, type ContactEvent, type Moved, type RayHit, type Shape } from "fettle-physics";
 
 await load();
 const world: World = new World({ gravity: { x: 0, y: -10 }, bounds: null });
@@ -15,7 +15,15 @@ const joint = world.createWheelJoint({ bodyA: ball });
 joint.motorSpeed = 2;
 const hash: bigint = world.hash;
 const view: Float32Array = world.states;
-export { events, hash, hit, mass, view };
+const hero = new Mover(world, { radius: 0.3, ledges: 2n }, { x: 0, y: 1 });
+const moved: Moved = hero.move({ x: 1, y: 0 }, 1 / 60);
+const ground: Shape | null = hero.ground;
+hero.climbing = !hero.onGround;
+hero.state = { ...hero.state, position: { x: 1, y: hero.definition.height } };
+export { events, ground, hash, hit, mass, moved, view };
+
+// @ts-expect-error a mover grows only where there is room: setHeight
+hero.height = 2;
 
 // @ts-expect-error a body has no such property
 ball.colour = 1;
