@@ -36,8 +36,11 @@ property::Tree& attached(physics_module::PhysicsModule& physics, property::Tree&
     return tree;
 }
 
-script::Options options_of(const fettle_hosted_def& def) {
+script::Options options_of(const fettle_hosted_def& def, const PlayerFiles& files) {
     script::Options options;
+    options.saves = files.saves.get();
+    options.tweaks = files.tweaks.get();
+    options.store = files.store.get();
     options.seed = def.seed;
     options.memory_limit = def.lua_memory;
     options.call_seconds = def.call_seconds;
@@ -55,7 +58,10 @@ property::Vec2 unmapped(const property::Transform& map, property::Vec2 pixel) {
 }  // namespace
 
 Game::Game(const fettle_hosted_def& def)
-    : services(attached(physics, tree)), lua(tree, options_of(def)), loop(tree, lua, services) {
+    : services(attached(physics, tree)),
+      files(tree, def, [this](const std::string& text) { note(text); }),
+      lua(tree, options_of(def, files)),
+      loop(tree, lua, services) {
     loop.add({.name = "physics",
               .step = [this](double dt) { physics.step(dt); },
               .report =
@@ -66,6 +72,14 @@ Game::Game(const fettle_hosted_def& def)
               .hash = [this] { return physics.hash(); }});
     listen();
     if (flag(def.console)) make_console(def);
+    open = true;
+    for (const std::string& text : early_notes)
+        if (console) console->note(text);
+}
+
+/// The files end after what their messages are for.
+Game::~Game() {
+    open = false;
 }
 
 void Game::listen() {
@@ -99,9 +113,11 @@ void Game::listen() {
         if (console) console->note(text);
     });
     loop.after_barrier([this] {
+        files.after_barrier();
         if (std::exchange(stepped_, false) && console) console->after_step();
     });
     loop.between_frames([this] {
+        files.between_frames();
         if (console) console->between_frames();
     });
 }
@@ -117,6 +133,7 @@ void Game::make_console(const fettle_hosted_def& def) {
         .to_pixels = [this](property::Vec2 world) -> property::Vec2 {
             return view ? (*view)(world) : services.view.to_screen(world);
         },
+        .tweaks = files.tweaks.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop.timeline().review(from, look); },
         .branch = [this](std::int64_t from, const auto& change,
@@ -141,6 +158,31 @@ void Game::require_outside(const char* what) const {
 void Game::report(const script::ScriptError& error) {
     if (!first_problem_) first_problem_ = error.message;
     if (console) console->report(error);
+    tell_problem(error);
+}
+
+void Game::note(const std::string& text) {
+    if (open && console) console->note(text);
+    if (!open || problem.function == nullptr) {
+        constexpr std::size_t most = 100;
+        if (early_notes.size() < most) early_notes.push_back(text);
+        return;
+    }
+    tell_note(text);
+}
+
+void Game::tell_note(const std::string& text) {
+    script::ScriptError found;
+    found.message = text;
+    found.context = "files";
+    tell_problem(found);
+}
+
+void Game::tell_early_notes() {
+    for (const std::string& text : std::exchange(early_notes, {})) tell_note(text);
+}
+
+void Game::tell_problem(const script::ScriptError& error) {
     const auto told = problem;
     if (told.function == nullptr) return;
     const fettle_hosted_problem found{.message = error.message.c_str(),

@@ -11,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "player_files.h"
 #include "surface.h"
 #include "values.h"
 
@@ -46,12 +47,16 @@ struct BoundMethod {
 class Game {
   public:
     explicit Game(const fettle_hosted_def& def);
+    ~Game();
     Game(const Game&) = delete;
 
+    bool open = false;                      // false: `note` can use the next member only
+    std::vector<std::string> early_notes;   // that no function of the caller got
     physics_module::PhysicsModule physics;  // before the tree, which uses its memory
     std::deque<BoundMethod> methods;
     property::Tree tree;
     app::Services services;
+    PlayerFiles files;
     script::Runtime lua;
     app::Loop loop;
     std::unique_ptr<app::Clipboard> clipboard;
@@ -91,6 +96,10 @@ class Game {
         if (found) throw Failure{FETTLE_FAILED, std::move(*found)};
     }
     void report(const script::ScriptError& error);
+    /// A message about files, for the console and the caller; the call that is running goes on.
+    void note(const std::string& text);
+    /// Tells the caller what was noted before there was a function for it.
+    void tell_early_notes();
     console::Console& needed_console();
 
   private:
@@ -107,6 +116,8 @@ class Game {
 
     void listen();
     void make_console(const fettle_hosted_def& def);
+    void tell_problem(const script::ScriptError& error);
+    void tell_note(const std::string& text);
 
     int callbacks_ = 0;  // calls of functions of the caller that have not returned
     bool stepped_ = false;

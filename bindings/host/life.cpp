@@ -31,7 +31,11 @@ const fettle_hosted_def defaults{.size = sizeof(fettle_hosted_def),
                                  .lua_memory = std::uint64_t{512} << 20,
                                  .call_seconds = 10,
                                  .assets = nullptr,
-                                 .history_file = nullptr};
+                                 .history_file = nullptr,
+                                 .name = nullptr,
+                                 .saves = nullptr,
+                                 .store_file = nullptr,
+                                 .tweaks_of = nullptr};
 
 void check(const fettle_hosted_def& def) {
     check_size(def);
@@ -82,7 +86,8 @@ fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** g
 
 fettle_code fettle_hosted_destroy(fettle_hosted* hosted) {
     if (hosted == nullptr) return FETTLE_DONE;
-    return outside(__func__, hosted, "be destroyed", [&](Game&) {
+    return outside(__func__, hosted, "be destroyed", [&](Game& game) {
+        if (game.files.store) game.files.store->flush();
         retired().emplace_back(hosted);
         hosted->game.reset();
     });
@@ -94,13 +99,19 @@ fettle_code fettle_hosted_on_print(fettle_hosted* hosted, fettle_print_callback 
 
 fettle_code fettle_hosted_on_problem(fettle_hosted* hosted, fettle_problem_callback problem,
                                      void* user) {
-    return with(__func__, hosted, [&](Game& game) { game.problem = {problem, user}; });
+    return with(__func__, hosted, [&](Game& game) {
+        game.problem = {problem, user};
+        if (problem != nullptr) game.tell_early_notes();
+    });
 }
 
 fettle_code fettle_hosted_load(fettle_hosted* hosted, const char* path) {
     return outside(__func__, hosted, "load", [&](Game& game) {
         const char* const file = text_of("path", path);
-        game.run_scripts([&] { (void)game.lua.load(file); });
+        game.run_scripts([&] {
+            (void)game.lua.load(file);
+            if (const std::string note = game.files.game_loaded(); !note.empty()) game.note(note);
+        });
     });
 }
 

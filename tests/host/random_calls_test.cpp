@@ -328,6 +328,8 @@ constexpr Call every_call[] = {
     CALL(fettle_hosted_watch), CALL(fettle_property_watch), CALL(fettle_hosted_watch_made),
     CALL(fettle_hosted_watch_deleted), CALL(fettle_hosted_on), CALL(fettle_hosted_on_all),
     CALL(fettle_hosted_emit), CALL(fettle_hosted_disconnect), CALL(fettle_hosted_snapshot),
+    CALL(fettle_hosted_save), CALL(fettle_hosted_load_save), CALL(fettle_hosted_delete_save),
+    CALL(fettle_hosted_saves),
     CALL(fettle_hosted_rewind), CALL(fettle_hosted_go_to), CALL(fettle_hosted_steps),
     CALL(fettle_hosted_input_init), CALL(fettle_hosted_handle), CALL(fettle_console_draw),
     CALL(fettle_console_open), CALL(fettle_console_is_open), CALL(fettle_console_select),

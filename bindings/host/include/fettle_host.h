@@ -25,6 +25,7 @@
 #include <fettle/host/property.h>
 #include <fettle/host/watch.h>
 #include <fettle/host/past.h>
+#include <fettle/host/saves.h>
 #include <fettle/host/input.h>
 #include <fettle/host/console.h>
 /* clang-format on */

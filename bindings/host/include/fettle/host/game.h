@@ -15,6 +15,13 @@ typedef struct fettle_hosted_def {
     double call_seconds;      /* 10; a call into scripts that takes longer is stopped; 0: none is */
     const char* assets;       /* null; folder for files that the folder of the game does not have */
     const char* history_file; /* null: commands are not kept; file for the commands of all runs */
+    const char* name;         /* null: "game"; in saved games: one of another name is refused */
+    const char* saves;        /* null: it cannot be saved in slots; folder for them (saves.h) */
+    const char* store_file;   /* null: scripts have no `store`; file of what outlives a run */
+    /* Null: edits are not kept. A game, as fettle_hosted_load takes it: the edits in the console
+       are in a journal beside it, `keep("world.ball.*")` writes them into its files, and games that
+       are created later begin with them. */
+    const char* tweaks_of;
 } fettle_hosted_def;
 
 fettle_code fettle_hosted_def_init(fettle_hosted_def* def, size_t size);
@@ -23,7 +30,8 @@ fettle_code fettle_hosted_def_init(fettle_hosted_def* def, size_t size);
     makes no sound by itself. A null def stands for the defaults. */
 fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** game);
 
-/** Destroys the game. Null is allowed and does nothing. Not in a callback. */
+/** Writes what its store has not written yet, and destroys the game. Null is allowed and does
+    nothing. Not in a callback. */
 fettle_code fettle_hosted_destroy(fettle_hosted* game);
 
 /** Gets the lines that scripts print. Null: no function gets them. */
@@ -40,7 +48,8 @@ typedef struct fettle_hosted_problem {
     int32_t line;            /* from 1; 0 when unknown */
 } fettle_hosted_problem;
 
-/** Gets all errors when they happen. Null: no function gets them. */
+/** Gets all errors when they happen, also those of files of a script that saves or of the store,
+    after which the game goes on. Null: no function gets them. */
 typedef void (*fettle_problem_callback)(void* user, const fettle_hosted_problem* problem);
 fettle_code fettle_hosted_on_problem(fettle_hosted* game, fettle_problem_callback problem,
                                      void* user);
