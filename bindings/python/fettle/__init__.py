@@ -21,11 +21,13 @@ from .fields import Attractor, Buoyancy, Drag, Field, Wind
 from .geometry import Box, Chain, Circle, Concave, Ellipse, Polygon, Segment, convex_hull
 from .joints import (DistanceJoint, FilterJoint, GearJoint, GrooveJoint, Joint, MotorJoint, MouseJoint, PinSlotJoint,
                      PrismaticJoint, PulleyJoint, RatchetJoint, RevoluteJoint, RotaryLimitJoint, WeldJoint, WheelJoint)
+from .mover import Moved, Mover, MoverPlane, MoverState
 from .shape import Shape
 from .vector_world import VectorWorld
 from .world import World
 
 __all__ = ["Aabb", "Attractor", "Body", "Box", "Buoyancy", "Chain", "Circle", "Concave", "DistanceJoint", "Drag", "Ellipse",
            "Error", "Field", "FilterJoint", "GearJoint", "GrooveJoint", "Invalid", "Joint", "Locked", "MotorJoint", "MouseJoint",
+           "Moved", "Mover", "MoverPlane", "MoverState",
            "PinSlotJoint", "Polygon", "Pose", "PrismaticJoint", "PulleyJoint", "RatchetJoint", "RevoluteJoint",
            "RotaryLimitJoint", "Segment", "Shape", "Stale", "Vec2", "VectorWorld", "WeldJoint", "WheelJoint", "Wind", "World", "convex_hull", "version"]

@@ -275,5 +275,108 @@ class Vectors(unittest.TestCase):
             env.observation = numpy.zeros(1)
 
 
+class Movers(unittest.TestCase):
+    def course(self):
+        """A floor at y = 0, a step of 0.2 m at x = 2, a wall at x = 4."""
+        world = a_world()
+        ground = world.body("static")
+        ground.add(fettle.Box(2, 0.4, center=(3, 0)))
+        return world, ground.add(fettle.Box(1, 10, center=(4.5, 0)))
+
+    def test_a_mover_lands_and_climbs_a_step_and_is_stopped_by_a_wall(self):
+        world, wall = self.course()
+        hero = fettle.Mover(world, (0, 2), radius=0.3, height=1.5)
+        self.assertFalse(hero.on_ground)
+        self.assertIsNone(hero.ground)
+        velocity = fettle.Vec2(0, 0)
+        for _ in range(60):
+            velocity = hero.move((0, velocity.y - 10 / 60), 1 / 60).velocity
+            world.step(1 / 60)
+        self.assertTrue(hero.on_ground)
+        self.assertAlmostEqual(hero.position.y, 0, delta=0.03)
+        self.assertAlmostEqual(hero.ground_normal.y, 1, delta=1e-4)
+        stepped = False
+        for _ in range(240):
+            moved = hero.move((2, 0), 1 / 60)
+            stepped = stepped or moved.stepped
+            world.step(1 / 60)
+        self.assertTrue(stepped and moved.hit_wall)
+        self.assertEqual(moved.wall, wall)
+        self.assertAlmostEqual(hero.position.x, 4 - 0.3, delta=0.05)
+        self.assertAlmostEqual(hero.position.y, 0.2, delta=0.03)
+
+    def test_settings_are_properties_and_checked(self):
+        world, wall = self.course()
+        hero = fettle.Mover(world, mask=6)
+        self.assertEqual(hero.mask, 6)
+        hero.max_slope = 0.5
+        self.assertEqual(hero.max_slope, 0.5)
+        with self.assertRaisesRegex(fettle.Invalid, "radius"):
+            hero.radius = -1
+        self.assertAlmostEqual(hero.radius, 0.4)
+        with self.assertRaisesRegex(fettle.Invalid, "no setting hight; there are .*height"):
+            fettle.Mover(world, hight=2)
+        with self.assertRaises(fettle.Invalid):
+            fettle.Mover(world, up=(0, 0))
+        with self.assertRaises(fettle.Invalid):
+            hero.position = (math.nan, 0)
+        with self.assertRaises(AttributeError):
+            hero.height = 2
+        with self.assertRaises(AttributeError):
+            hero.speed = 2
+        self.assertEqual(fettle.Mover(world, body=wall.body).body, wall.body)
+
+    def test_it_crouches_where_there_is_no_room_to_stand(self):
+        world, _ = self.course()
+        world.body("static").add(fettle.Box(4, 1, center=(0, 1.5)))  # from 1 m
+        hero = fettle.Mover(world, (0, 0.02), height=0.9)
+        self.assertFalse(hero.fits(1.8))
+        self.assertFalse(hero.set_height(1.8))
+        hero.position = (-5, 0.02)
+        self.assertTrue(hero.set_height(1.8))
+        self.assertAlmostEqual(hero.height, 1.8, delta=1e-6)
+        self.assertAlmostEqual(hero.planes(0.5)[0].normal.y, 1, delta=1e-4)
+
+    def test_its_state_is_kept_and_copied(self):
+        world, _ = self.course()
+        hero = fettle.Mover(world, (0, 0.02))
+
+        def walk(mover):
+            for _ in range(30):
+                mover.move((1, -1), 1 / 60)
+            return mover.position
+
+        walk(hero)
+        kept, twin = hero.state, copy.copy(hero)
+        both = copy.deepcopy((world, hero))
+        end = walk(hero)
+        self.assertGreater(end.x, kept.position.x + 0.4)
+        self.assertEqual(twin.state, kept)
+        self.assertEqual(walk(twin), end)
+        hero.state = kept
+        self.assertEqual(walk(hero), end)
+        self.assertIs(both[1].world, both[0])
+        self.assertEqual(walk(both[1]), end)
+        hero.climbing = True
+        self.assertEqual(hero.state.climbing, True)
+        world.close()
+        with self.assertRaises(fettle.Stale):
+            hero.move((1, 0), 1 / 60)
+
+    def test_it_drops_through_a_ledge(self):
+        world, _ = self.course()
+        ledge = world.body("static").add(fettle.Box(4, 0.2, center=(0, 3)), category=4)
+        hero = fettle.Mover(world, (0, 3.12), ledges=4)
+        for _ in range(10):
+            hero.move((0, -1), 1 / 60)
+        self.assertEqual(hero.ground, ledge)
+        self.assertTrue(hero.drop())
+        self.assertEqual(hero.dropped, ledge)
+        for _ in range(60):
+            hero.move((0, -4), 1 / 60)
+        self.assertAlmostEqual(hero.position.y, 0, delta=0.03)
+        self.assertFalse(hero.drop())
+
+
 if __name__ == "__main__":
     unittest.main()
