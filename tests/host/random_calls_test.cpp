@@ -2,12 +2,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <random>
 #include <regex>
 #include <set>
 #include <sstream>
+
+#include <unistd.h>
 
 #include "catch.h"
 #include "hosted.h"
@@ -30,12 +33,14 @@ std::string text_of(const std::string& path) {
 class Arguments {
   public:
     explicit Arguments(uint32_t seed) : random_(seed) {
+        std::filesystem::create_directories(folder_);
         for (auto& game : games_) game = make();
         stale_ = make();
         fettle_hosted_destroy(stale_);
     }
     ~Arguments() {
         for (fettle_hosted* game : games_) fettle_hosted_destroy(game);
+        std::filesystem::remove_all(folder_);
     }
     Arguments(const Arguments&) = delete;
 
@@ -55,9 +60,14 @@ class Arguments {
     fettle_hosted* game(int i) const { return games_[i]; }
 
   private:
-    static fettle_hosted* make() {
+    /// With saved games, a store and kept edits, which the games share.
+    fettle_hosted* make() {
         fettle_hosted* made = nullptr;
-        require(fettle_hosted_create(nullptr, &made));
+        fettle_hosted_def_init(&def_, sizeof def_);
+        def_.saves = folder_.c_str();
+        def_.store_file = store_.c_str();
+        def_.tweaks_of = folder_.c_str();
+        require(fettle_hosted_create(&def_, &made));
         require(fettle_hosted_run(made,
                                   "world.ball = Body { Circle {}, position = vec(0, 5) } "
                                   "world.floor = Body { Box { width = 9 }, type = 'static' } "
@@ -115,6 +125,11 @@ class Arguments {
                                                 "error('x')",
                                                 "world.ball.mass = -1",
                                                 "rewind(1)",
+                                                "save_game('ball')",
+                                                "load_game('ball')",
+                                                "store.best = { 1, ball = 2 }",
+                                                "keep('**')",
+                                                "reapply_tweaks('world.*')",
                                                 "world.ball = Body { Circle {} }",
                                                 "/nonexistent/main.lua",
                                                 "static",
@@ -170,6 +185,13 @@ class Arguments {
         if (below(3) == 0) def_.call_seconds = argument(static_cast<double*>(nullptr));
         if (below(3) == 0) def_.lua_memory = random_() >> below(64);
         def_.assets = argument(static_cast<const char**>(nullptr));
+        def_.name = argument(static_cast<const char**>(nullptr));
+        // A relative path would be a folder of the tests.
+        const char* const places[] = {"", folder_.c_str(), store_.c_str(), "/nonexistent/place",
+                                      nullptr};
+        def_.saves = places[below(5)];
+        def_.store_file = places[below(5)];
+        def_.tweaks_of = places[below(5)];
         if (below(5) == 0) def_.size = below(100);
         return &def_;
     }
@@ -279,6 +301,11 @@ class Arguments {
     }
 
     std::mt19937_64 random_;
+    // Several processes may run this test.
+    const std::string folder_ = (std::filesystem::temp_directory_path() /
+                                 ("fettle_host_random_" + std::to_string(getpid())))
+                                    .string();
+    const std::string store_ = folder_ + "/store.json";
     std::array<fettle_hosted*, 2> games_{};
     fettle_hosted* stale_ = nullptr;
     fettle_hosted* made_ = nullptr;
