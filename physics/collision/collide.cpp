@@ -110,8 +110,11 @@ void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifo
     const Vec2 to_other = flipped ? -offset : offset;
     const int edge = flipped ? on_b.edge : on_a.edge;
     const int incident = incident_edge(other, reference.normals[edge]);
+    const FacingEdges edges(reference, edge, other, incident, to_other);
+    // Segments in one line have no normal that tells them apart.
+    const bool in_line = a.count == 2 && b.count == 2 && edges.are_beside();
 
-    if ((flipped ? on_b.separation : on_a.separation) > face_preference) {
+    if (in_line || (flipped ? on_b.separation : on_a.separation) > face_preference) {
         // The cores are apart. Where two vertices are nearest, the direction between the shapes is
         // not the normal of an edge.
         const int edge2 = edge + 1 < reference.count ? edge + 1 : 0;
@@ -147,7 +150,6 @@ void collide(const Convex& a, const Convex& b, Vec2 offset, float margin, Manifo
             }
         }
     }
-    const FacingEdges edges(reference, edge, other, incident, to_other);
     if (!edges.are_a_seam()) edges.clip(flipped, margin, offset, m);
 }
 

@@ -55,6 +55,53 @@ TEST_CASE("heaps of stars come to rest") {
     CHECK(times.back() < 40);
 }
 
+TEST_CASE("capsules in one line meet at their ends") {
+    for (unsigned seed = 0; seed < families::seeds_or(200); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world(WorldDef{.gravity = {0, 0}});
+        const float angle = random(-3, 3), half = random(0.05f, 1), radius = random(0.01f, 0.3f);
+        const Vec2 axis(std::cos(angle), std::sin(angle));
+        const float gap = random(-0.002f, 0.002f), lean = random(-1e-3f, 1e-3f);
+        for (const int side : {-1, 1}) {
+            world
+                .create_body({.position = float(side) * (half + radius + 0.5f * gap) * axis,
+                              .angle = angle + float(side) * lean})
+                .add(Segment{.from = {-half, 0}, .to = {half, 0}, .rounding = radius});
+        }
+        world.step(1e-6f);
+        INFO("seed " << seed << ", gap " << gap);
+        const std::vector<Contact> contacts = world.contacts();
+        REQUIRE(contacts.size() == 1);
+        CHECK(std::abs(contacts[0].normal.dot(axis)) > 0.99f);
+        CHECK(contacts[0].points[0].separation == Approx(gap).margin(1e-4));
+    }
+}
+
+TEST_CASE("capsules that lie end to end come to rest") {
+    int awake = 0;
+    const unsigned seeds = families::seeds_or(50);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        Random random{std::mt19937(seed)};
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 40, .height = 1, .center = {0, -0.5f}});
+        const float friction = random(0.3f, 0.6f), half = random(0.1f, 0.3f);
+        const float radius = random(0.03f, 0.1f);
+        for (int i = 0; i < 3; ++i)
+            world
+                .create_body(
+                    {.position = {2.1f * float(i) * (half + radius) + random(-0.02f, 0.02f),
+                                  radius + half},
+                     .angle = random(-3, 3)})
+                .add(Segment{.from = {-half, 0}, .to = {half, 0}, .rounding = radius},
+                     {.friction = friction, .rolling_resistance = 0.1f});
+        for (int step = 0; step < 480; ++step) world.step(1.0f / 60);
+        awake += world.statistics().awake_bodies > 0;
+    }
+    INFO(awake << " of " << seeds << " are awake");
+    CHECK(awake == 0);
+}
+
 TEST_CASE("a body that swings to and fro on the ground stays awake") {
     World world;
     world.create_body({.type = BodyType::static_body})
