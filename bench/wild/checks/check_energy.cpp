@@ -25,9 +25,8 @@ double kinetic(const BodyNow& body) {
 /// - 5 % of the largest kinetic energy: bounces are exact to 1 %, and a body may bounce several
 ///   times before it loses energy;
 /// - 2 cm of height for each body: contacts may sink in by that and spring back;
-/// - what pushes overlapping bodies apart: the speed that the library allows for it, 3 m/s, for
-/// each
-///   body that was deeper than 1 cm in another.
+/// - what pushes overlapping bodies apart: 3 m/s between two bodies, which the library allows for
+///   it. A body that was deeper than 1 cm in others is pushed by each of them.
 class Energy : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
@@ -38,13 +37,15 @@ class Energy : public Check {
         const float gravity = moment.plan.def.gravity.length();
         double moving = 0, allowed = 0;
         overlapped_.resize(moment.after.size(), false);
+        pushes_.resize(moment.after.size(), 1);
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             if (!moves_freely(body)) continue;
             moving += kinetic(body);
             if (std::max(body.deepest, moment.before[i].deepest) > 0.01f) overlapped_[i] = true;
             allowed += body.mass * gravity * std::abs(body.gravity_scale) * 0.02;
-            if (overlapped_[i]) allowed += 0.5 * body.mass * 9;
+            pushes_[i] = std::max(pushes_[i], body.touched.size());
+            if (overlapped_[i]) allowed += 0.5 * body.mass * std::pow(3.0 * double(pushes_[i]), 2);
         }
         most_moving_ = std::max(most_moving_, moving);
         allowed += 0.05 * most_moving_ + 1e-6;
@@ -60,6 +61,7 @@ class Energy : public Check {
         for (const BodyNow& body : moment.before)
             if (moves_freely(body)) most_moving_ += kinetic(body);
         overlapped_.assign(moment.after.size(), false);
+        pushes_.assign(moment.after.size(), 1);
     }
 
     static double energy(const std::vector<BodyNow>& bodies, const Vec2& gravity) {
@@ -76,6 +78,7 @@ class Energy : public Check {
     bool driven_ = false;
     double first_ = 0, most_moving_ = 0;
     std::vector<bool> overlapped_;
+    std::vector<std::size_t> pushes_;  // by so many others, at most
 };
 
 /// Impulses act on two bodies with opposite signs, so their sum changes by rounding alone: a part

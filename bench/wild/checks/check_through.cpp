@@ -30,6 +30,7 @@ class Through : public Check {
           }) {}
 
     std::optional<std::string> look(const Moment& moment) override {
+        note_overlaps(moment);
         const auto crossed = passages_.of(moment);
         if (!crossed.empty() && !bullets_) pressed_ = pressed(moment);
         for (const Passage& passage : crossed)
@@ -57,7 +58,8 @@ class Through : public Check {
     std::optional<std::string> cross(const Passage& passage, const Moment& moment) {
         const auto found = inside_.find(passage.pair());
         if (found == inside_.end()) {
-            const bool enters = passage.sense > 0 || passage.kind == Outline::Kind::line;
+            const bool enters = (passage.sense > 0 || passage.kind == Outline::Kind::line) &&
+                                !overlaps_[std::size_t(passage.body)];
             if (enters && !is_squeezed(passage, moment))
                 inside_.insert({passage.pair(), {passage, moment.step, time_}});
             return {};
@@ -72,12 +74,21 @@ class Through : public Check {
         return {};
     }
 
+    /// A body that is made deep in another one came from neither side. It is judged when it is out.
+    void note_overlaps(const Moment& moment) {
+        overlaps_.resize(moment.after.size(), false);
+        for (std::size_t i = 0; i < overlaps_.size(); ++i)
+            overlaps_[i] = moment.after[i].deepest > 0.01f &&
+                           (overlaps_[i] || moment.plan.bodies[i].born == moment.step);
+    }
+
     /// Something must give way where a body is pressed between what moves by command and what does
     /// not move, or between a bullet and another body.
     bool is_squeezed(const Passage& passage, const Moment& moment) const {
         const BodyNow& obstacle = moment.after[std::size_t(passage.obstacle)];
         if (obstacle.type != BodyType::static_body)
-            return touches_others(moment, passage.body, passage.obstacle);
+            return touches_others(moment, passage.body, passage.obstacle) ||
+                   is_near_other_fixed(moment, passage.body, passage.obstacle);
         return pressed_[std::size_t(passage.body)];
     }
 
@@ -85,6 +96,7 @@ class Through : public Check {
     Passages passages_;
     std::map<decltype(Passage().pair()), Entry> inside_;
     std::vector<bool> pressed_;
+    std::vector<bool> overlaps_;  // since the body was made
     double time_ = 0;
 };
 

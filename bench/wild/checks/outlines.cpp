@@ -136,6 +136,12 @@ std::vector<Core> cores_of(const Geometry& geometry) {
     return std::visit(CoresOf{}, geometry);
 }
 
+float distance_to(const Edge& edge, const Vec2& point) {
+    const Vec2 along = edge.to - edge.from;
+    const float part = (point - edge.from).dot(along) / std::max(along.length_squared(), 1e-12f);
+    return (edge.from + std::clamp(part, 0.0f, 1.0f) * along - point).length();
+}
+
 int crossing(const Edge& edge, const Vec2& p, const Vec2& q) {
     const Vec2 along = edge.to - edge.from;
     const bool p_in_front = cross(along, p - edge.from) > 0;

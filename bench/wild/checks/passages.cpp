@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wild/checks/facts.h"
+
 namespace fettle::bench::wild {
 namespace {
 
@@ -18,6 +20,15 @@ int chords(float lever, float turn, float depth) {
     if (lever * std::abs(turn) < 1e-3f) return 1;
     return std::clamp(int(std::abs(turn) * std::sqrt(1.25f * lever / std::max(depth, 1e-3f))), 1,
                       32);
+}
+
+/// The share of the step after which an impact stopped a body: it keeps the speed of its arrival,
+/// but has not moved as far.
+float end_of_motion(const BodyNow& before, const BodyNow& after, float dt) {
+    if (after.type != BodyType::dynamic_body) return 1;
+    const float way = (after.center - before.center).length();
+    const float free_way = after.velocity.length() * dt;
+    return way < 0.9f * free_way ? way / free_way : 1;
 }
 
 }  // namespace
@@ -66,11 +77,15 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
     const BodyNow& o0 = moment.before[std::size_t(pair.obstacle)];
     const BodyNow& o1 = moment.after[std::size_t(pair.obstacle)];
     const Outline& outline = outlines_[std::size_t(pair.obstacle)][std::size_t(pair.shape)];
+    // Two bodies that move on straight ways meet only if they are at one place at the same time.
+    const float b_end = end_of_motion(b0, b1, moment.dt), o_end = end_of_motion(o0, o1, moment.dt);
     const auto place = [&](float t) {
-        const Vec2 origin = b0.position + t * (b1.position - b0.position);
-        const Vec2 at = placed(pair.deep.point, origin, b0.angle + t * (b1.angle - b0.angle));
-        return local(at, o0.position + t * (o1.position - o0.position),
-                     o0.angle + t * (o1.angle - o0.angle));
+        const float b = std::min(t / std::max(b_end, 1e-6f), 1.0f);
+        const float o = std::min(t / std::max(o_end, 1e-6f), 1.0f);
+        const Vec2 origin = b0.position + b * (b1.position - b0.position);
+        const Vec2 at = placed(pair.deep.point, origin, b0.angle + b * (b1.angle - b0.angle));
+        return local(at, o0.position + o * (o1.position - o0.position),
+                     o0.angle + o * (o1.angle - o0.angle));
     };
     // Seen from an obstacle that turns, the body moves on an arc, too.
     Vec2 from = place(0);
@@ -78,8 +93,14 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
     const int count =
         std::max(chords(pair.deep.point.length(), b1.angle - b0.angle, depth),
                  chords(std::max(from.length(), place(1).length()), o1.angle - o0.angle, depth));
-    for (int i = 1; i <= count; ++i) {
-        const Vec2 to = place(float(i) / float(count));
+    std::vector<float> times;
+    for (const float end : {std::min(b_end, o_end), std::max(b_end, o_end), 1.0f}) {
+        const float begin = times.empty() ? 0 : times.back();
+        for (int i = 1; i <= count && begin < end; ++i)
+            times.push_back(begin + (end - begin) * float(i) / float(count));
+    }
+    for (const float time : times) {
+        const Vec2 to = place(time);
         const Vec2 low = from.min(to), high = from.max(to);
         const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
                           high.x >= outline.box.min.x && high.y >= outline.box.min.y;
@@ -99,6 +120,20 @@ bool touches_others(const Moment& moment, int body, int obstacle) {
     const auto other = [&](int index) { return index != obstacle; };
     return std::ranges::any_of(moment.before[std::size_t(body)].touched, other) ||
            std::ranges::any_of(moment.after[std::size_t(body)].touched, other);
+}
+
+bool is_near_other_fixed(const Moment& moment, int body, int obstacle) {
+    const BodyNow& now = moment.after[std::size_t(body)];
+    const float reach = reach_of(moment.plan.bodies[std::size_t(body)]) + 0.1f;
+    for (std::size_t o = 0; o < moment.after.size(); ++o) {
+        const BodyNow& other = moment.after[o];
+        if (!other.exists || int(o) == obstacle || other.type == BodyType::dynamic_body) continue;
+        const Vec2 place = local(now.position, other.position, other.angle);
+        for (const ShapePlan& shape : moment.plan.bodies[o].shapes)
+            for (const Edge& edge : outline_of(shape.geometry).edges)
+                if (distance_to(edge, place) < reach) return true;
+    }
+    return false;
 }
 
 std::vector<bool> pressed(const Moment& moment) {
