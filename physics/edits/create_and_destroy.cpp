@@ -95,6 +95,7 @@ uint32_t create_body(const Editing& e, const BodyDef& def) {
     record.locked_rotation = def.locked_rotation;
     record.can_sleep = def.can_sleep;
     record.bullet = def.bullet;
+    e.objects.bullets += def.bullet;
     record.given_mass = def.mass.value_or(not_given);
     record.given_inertia = def.inertia.value_or(not_given);
     if (def.center) record.given_center = record.local_center = *def.center;
@@ -151,6 +152,7 @@ void destroy_body(const Editing& e, uint32_t body) {
     if (objects.bodies[body].traits != none)
         objects.trait_slots.give_back(objects.traits, objects.bodies[body].traits);
     objects.kinematic_bodies -= objects.bodies[body].mobility == Mobility::kinematic;
+    objects.bullets -= objects.bodies[body].bullet;
     objects.body_slots.give_back(objects.bodies, body);
     e.columns.body_generations[body] = 0;
 }

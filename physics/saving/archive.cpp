@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 19;
+constexpr uint32_t archive_version = 20;
 
 /// Hash of the layout of the types that are copied byte by byte. A different layout is a different
 /// format.

@@ -61,7 +61,8 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
 }
 
 Fault check_bodies(const WorldState& data) {
-    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0, traits = 0;
+    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0, bullets = 0,
+             traits = 0;
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         if (data.body_generations[body] == 0) {
@@ -74,6 +75,7 @@ Fault check_bodies(const WorldState& data) {
         traits += record.traits != none;
         if (record.disabled && (record.mobility != Mobility::fixed || record.first_contact != none))
             return "body " + number(body) + " is disabled but takes part";
+        bullets += record.bullet;
         kinematic += record.mobility == Mobility::kinematic;
         if ((record.mass_dirty || record.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
@@ -89,7 +91,8 @@ Fault check_bodies(const WorldState& data) {
             if (record.island == none) return "body " + number(body) + " sleeps in no island";
         }
     }
-    if (live != data.body_slots.count || kinematic != data.kinematic_bodies)
+    if (live != data.body_slots.count || kinematic != data.kinematic_bodies ||
+        bullets != data.bullets)
         return std::string("the number of bodies is wrong");
     if (traits != data.trait_slots.count)
         return std::string("the number of unusual traits of bodies is wrong");

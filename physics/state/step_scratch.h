@@ -57,10 +57,9 @@ struct BodyScratch {
     std::vector<uint8_t> bounced;   ///< by body: the last pass that changed it
     bool axes_locked = false;       ///< some awake body is locked along x or y
     bool driven = false;            ///< an awake body moves on its own
-    bool bullets = false;           ///< an awake body is a bullet
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.bounced, s.axes_locked, s.driven, s.bullets)
+                   s.locked, s.bounced, s.axes_locked, s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

@@ -66,7 +66,8 @@ struct ObjectState {
     Slots body_slots, trait_slots, island_slots, shape_slots, contact_slots, joint_slots,
         field_slots;
     uint32_t dormant_joints = 0;
-    uint32_t kinematic_bodies = 0, sensors = 0;  ///< numbers of such bodies and shapes
+    /// Numbers of such bodies and shapes.
+    uint32_t kinematic_bodies = 0, bullets = 0, sensors = 0;
     uint32_t crowded_shapes = 0;
 
     /// The shape that the user sees: the owner of a part, otherwise the shape itself.
@@ -164,7 +165,7 @@ struct ObjectState {
         list_members<ObjectState>(
             io,
             named("bodies", s.bodies, s.rest_poses, s.traits, s.islands, s.body_slots,
-                  s.trait_slots, s.island_slots, s.kinematic_bodies),
+                  s.trait_slots, s.island_slots, s.kinematic_bodies, s.bullets),
             named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
             named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.manifold_poses, s.contact_slots),

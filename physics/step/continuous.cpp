@@ -21,8 +21,8 @@ void slide_along(Impact impact, Motion& motion, Vec2& velocity) {
     velocity = velocity - min(dot(velocity, normal), 0.0f) * normal;
 }
 
-/// Puts the body back to where a fixed shape stopped it. It keeps its velocity, and the next step
-/// finds an ordinary contact.
+/// Puts the body back to where a fixed shape stopped it. It keeps the velocity with which it
+/// arrived, and the next step finds an ordinary contact.
 void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) {
     Motion& motion = fast.motion;
     Impact impact = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
@@ -32,6 +32,7 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
         impact = time_of_impact_with_fixed(in, fast.body, motion, 0.0f);
     }
     motion.until = impact.time;
+    take_back_forces(in, fast.body, 1.0f - motion.until);
     follow_motion(in, fast.body, motion, piece);
     motion.angle = -motion.until * motion.turn;
 }
@@ -101,7 +102,7 @@ bool may_meet_fixed(const FinishInput& in, const Box4& path) {
 bool may_meet_moving(const FinishInput& in, const BodyRecord& record, const Motion& motion,
                      const Box4& path) {
     const std::vector<DrivenBody>& driven = in.scratch.driven_bodies;
-    if (in.bodies.bullets || record.mobility == Mobility::kinematic) return true;
+    if (in.objects.bullets > 0 || record.mobility == Mobility::kinematic) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
     return std::any_of(driven.begin(), driven.end(), [&](const DrivenBody& other) {
         return is_fast_beside(in, record, motion, path, other);

@@ -20,6 +20,7 @@ struct FinishInput {
     const ActiveLists& active;
     const WorldDef& settings;
     const BodyScratch& bodies;
+    int substeps;  ///< of this step
     FinishScratch& scratch;
     PairScratch& pairs;  ///< contains the pairs that end
     ContactList list;

@@ -15,8 +15,7 @@ enum Gathered : uint8_t {
     some_locked = 1,
     some_axis_locked = 2,
     some_driven = 4,
-    some_crowded = 8,
-    some_bullet = 16
+    some_crowded = 8
 };
 
 uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravity, float h,
@@ -40,7 +39,7 @@ uint8_t gather_body(const BodyRecord& record, const BodyState& state, Vec2 gravi
     f.keep.x = f.keep.y = 1.0f / (1.0f + h * record.linear_damping);
     f.turn_keep = 1.0f / (1.0f + h * record.angular_damping);
     const bool axis = record.locked_x || record.locked_y;
-    return uint8_t((record.bullet ? some_bullet : 0) | (axis ? some_axis_locked | some_locked : 0) |
+    return uint8_t((axis ? some_axis_locked | some_locked : 0) |
                    (record.locked_rotation ? some_locked : 0) |
                    (record.contact_count >= Hubs::least_contacts ? some_crowded : 0));
 }
@@ -86,7 +85,6 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
     }
     bodies.axes_locked = (found & some_axis_locked) != 0;
     bodies.driven = (found & some_driven) != 0;
-    bodies.bullets = (found & some_bullet) != 0;
     bodies.locked.clear();
     for (size_t i = 0; (found & some_locked) != 0 && i < count; ++i) {
         const BodyRecord& record = records[awake[i]];

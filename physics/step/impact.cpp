@@ -155,6 +155,16 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
     return first;
 }
 
+void take_back_forces(const FinishInput& in, uint32_t body, float share) {
+    const BodyRecord& record = in.objects.bodies[body];
+    const SolverForce& force = in.bodies.solver_forces[record.solver_index];
+    BodyState& state = in.columns.states[body];
+    const float substeps = share * float(in.substeps);
+    if (!record.locked_x) state.velocity.x -= substeps * force.change.x;
+    if (!record.locked_y) state.velocity.y -= substeps * force.change.y;
+    if (!record.locked_rotation) state.angular_velocity -= substeps * force.turn_change;
+}
+
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
                    FinishedPiece& piece) {
     BodyRecord& record = in.objects.bodies[body];

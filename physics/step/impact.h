@@ -36,6 +36,11 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
                    FinishedPiece& piece);
 
+/// Takes back what forces changed in the velocity of a body in `share` of the step. A body that an
+/// impact stops does not live through the rest of the step: the forces of that time would add
+/// energy for a way that the body did not go.
+void take_back_forces(const FinishInput& in, uint32_t body, float share);
+
 // moving_impacts.cpp
 
 /// Stops bullets where they meet other moving bodies, and lets bodies be carried along by what

@@ -7,7 +7,8 @@
 // Impacts of moving bodies with each other: of bullets with all bodies, and of bodies that move on
 // their own with dynamic bodies. The impacts are processed in the order of time. Each changes the
 // motions of two bodies for the rest of the step; then the impacts of these bodies are computed
-// again. No impact changes a velocity: the next step finds contacts.
+// again. No impact changes a velocity, but for the forces of the time that it took away: the next
+// step finds contacts.
 // - Two dynamic bodies stop. One that is neither fast nor a bullet goes on, and the other one keeps
 //   its place beside it.
 // - A body that moves on its own does not stop. It carries the other body along, and what that body
@@ -125,9 +126,9 @@ class MovingImpacts {
     /// Finds what the body meets from `now` on. `first`: all bodies are looked at in turn.
     void look_around(size_t i, float now, bool first) {
         const Mover mover = movers_[i];
-        // A fast body that is no bullet is found by the bullets.
+        // A fast body that is no bullet is found by the fast bullets; it finds those that are slow.
         const bool seeks = mover.driven || record(mover.body).bullet || mover.carrier != none;
-        if (!seeks && in_.objects.kinematic_bodies == 0) return;
+        if (!seeks && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
         for_each_shape(mover.body, [&](uint32_t s) {
             in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
@@ -207,8 +208,9 @@ class MovingImpacts {
     void stop(size_t i, float now, bool held) {
         movers_[i].held |= held;
         const Motion& motion = movers_[i].motion;
-        if (motion.moves_after(now))
-            change(i, standing(motion.center(now), float(motion.rotation(now))), now);
+        if (!motion.moves_after(now)) return;
+        take_back_forces(in_, movers_[i].body, motion.until - now);
+        change(i, standing(motion.center(now), float(motion.rotation(now))), now);
     }
     /// The body is carried along as if it were fixed to the carrier.
     void carry(size_t i, uint32_t carrier, float now) {

@@ -304,6 +304,7 @@ void Body::set_sleep_speed(std::optional<float> speed) {
 
 void Body::set_bullet(bool bullet) {
     FETTLE_EDIT_BODY
+    data.bullets += uint32_t(bullet) - uint32_t(record.bullet);
     record.bullet = bullet;
 }
 

@@ -129,11 +129,11 @@ void WorldData::step(float dt) {
         report_persisting(objects, columns, active, uint32_t(steps), of_step.substeps, events);
     statistics.solve_ms = clock.lap();
 
-    sleep_candidates =
-        finish_bodies({objects, columns, broad_phase, active, settings, body_scratch, *this,
-                       pair_scratch, contact_list(), activity(), pending, user_filter(),
-                       self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
-                      dt);
+    sleep_candidates = finish_bodies(
+        {objects, columns, broad_phase, active, settings, body_scratch, of_step.substeps, *this,
+         pair_scratch, contact_list(), activity(), pending, user_filter(),
+         self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
+        dt);
     for (VelocitySums& sums : self.sums)
         if (sums.solver_body != 0) sums.after = states[sums.body.index].velocity;
     report_parted(touching());

@@ -63,4 +63,30 @@ TEST_CASE("thin bodies do not pass through a thicker bullet") {
     CHECK(through == 0);
 }
 
+TEST_CASE("thin bodies do not pass through a bullet that is slow") {
+    const int seeds = int(families::seeds_or(150));
+    int through = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 200, .height = 1, .center = {0, -0.5f}});
+        const float height = random(0.1f, 0.4f);
+        Body bar = world.create_body({.position = {0, 0.5f * height}, .bullet = true});
+        bar.add(Box{.width = 100, .height = height}, {.density = 5});
+        Body thin = world.create_body({.position = {random(-0.5f, 0.5f), random(3, 8)},
+                                       .angle = random(-3, 3),
+                                       .velocity = {0, random(-40, 0)}});
+        thin.add(thin_shape(random, seed % 3));
+        for (int step = 0; step < 60; ++step) {
+            world.step(1.0f / 60);
+            if (thin.position().y > bar.position().y) continue;
+            ++through;
+            break;
+        }
+    }
+    std::printf("thin bodies: %d of %d through the slow bullet\n", through, seeds);
+    CHECK(through == 0);
+}
+
 }  // namespace thin_on_bullets_test
