@@ -11,7 +11,8 @@ namespace fettle::physics {
 
 /// The part of a contact of two shapes in the change of a velocity.
 struct ContactShare {
-    ShapeId own, other;
+    ShapeId own;        ///< the shape of the body
+    ShapeId other;      ///< the shape that it touches
     BodyId body;        ///< of `other`; the border has the slot 0
     Vec2 impulse = {};  ///< N s, on the body of `own`
     Vec2 change = {};   ///< m/s
@@ -19,7 +20,7 @@ struct ContactShare {
 
 /// The part of a joint in the change of a velocity.
 struct JointShare {
-    JointId joint;
+    JointId joint;      ///< on the body
     Vec2 impulse = {};  ///< N s, on the body
     Vec2 change = {};   ///< m/s
 };
@@ -32,10 +33,10 @@ struct VelocityAccount {
     Vec2 gravity = {};  ///< m/s, as all that follow
     Vec2 force = {};    ///< by `Body::force`
     Vec2 applied = {};  ///< by `Body::apply_force`
-    Vec2 fields = {};
-    Vec2 damping = {};
-    std::vector<ContactShare> contacts;
-    std::vector<JointShare> joints;
+    Vec2 fields = {};   ///< by fields of force
+    Vec2 damping = {};  ///< by `Body::linear_damping`
+    std::vector<ContactShare> contacts;  ///< by contacts, one each
+    std::vector<JointShare> joints;      ///< by joints, one each
     /// What has no other name: locked axes, limits of speed, the answer of joints to a blow,
     /// rounding.
     Vec2 rest = {};

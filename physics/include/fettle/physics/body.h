@@ -31,18 +31,18 @@ struct FETTLE_PHYSICS_PRIVATE WorldLink;
 /// working setter is `set_user_data`.
 class Body {
   public:
-    Body() = default;
-    inline Body(World* world, BodyId id);
+    Body() = default;                      ///< empty: it refers to no body
+    inline Body(World* world, BodyId id);  ///< the body with this id
 
-    bool is_valid() const;
-    explicit operator bool() const { return is_valid(); }
-    BodyId id() const { return id_; }
-    uint32_t index() const { return id_.index; }
-    World& world() const;
+    bool is_valid() const;                                 ///< whether its world and its body exist
+    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
+    BodyId id() const { return id_; }                      ///< empty for an empty handle
+    uint32_t index() const { return id_.index; }           ///< its slot: `BodyId::index`
+    World& world() const;                                  ///< the world that it is in
     friend bool operator==(const Body&, const Body&) = default;
     void destroy();  ///< with its shapes and the joints on it
 
-    BodyType type() const;
+    BodyType type() const;  ///< what moves it
     void set_type(BodyType type);
 
     Vec2 position() const;  ///< of the origin, m
@@ -71,19 +71,21 @@ class Body {
     float torque() const;  ///< N m, applied in every step until changed
     void set_torque(float torque);
     void apply_force(const Vec2& force);  ///< for the next step only
-    void apply_force(const Vec2& force, const Vec2& world_point);
-    void apply_torque(float torque);
-    Vec2 applied_force() const;               ///< N, sum of forces applied for the next step
-    float applied_torque() const;             ///< N m, about the center of mass
-    void apply_impulse(const Vec2& impulse);  ///< N s: changes the velocity at once
-    void apply_impulse(const Vec2& impulse, const Vec2& world_point);
-    void apply_angular_impulse(float impulse);
+    void apply_force(const Vec2& force,
+                     const Vec2& world_point);  ///< N, at a point of the world, m
+    void apply_torque(float torque);            ///< N m, for the next step only
+    Vec2 applied_force() const;                 ///< N, sum of forces applied for the next step
+    float applied_torque() const;               ///< N m, about the center of mass
+    void apply_impulse(const Vec2& impulse);    ///< N s: changes the velocity at once
+    void apply_impulse(const Vec2& impulse,
+                       const Vec2& world_point);  ///< N s, at a point of the world, m
+    void apply_angular_impulse(float impulse);    ///< N m s: changes the angular velocity at once
 
-    float gravity_scale() const;
+    float gravity_scale() const;  ///< factor of the gravity of the world; may be negative
     void set_gravity_scale(float scale);
     float linear_damping() const;  ///< 1/s
     void set_linear_damping(float damping);
-    float angular_damping() const;
+    float angular_damping() const;  ///< 1/s, at least 0
     void set_angular_damping(float damping);
 
     /// False: it takes no part in steps, touches nothing, is found by no query, and its joints do
@@ -99,21 +101,21 @@ class Body {
     float max_speed() const;
     void set_max_speed(float speed);
 
-    bool awake() const;
+    bool awake() const;          ///< whether steps move it
     void set_awake(bool awake);  ///< with its whole island
-    bool can_sleep() const;
+    bool can_sleep() const;      ///< whether it may fall asleep; false wakes it
     void set_can_sleep(bool can_sleep);
     /// It rests below this speed, m/s: its own value, or that of the world.
     float sleep_speed() const;
-    void set_sleep_speed(std::optional<float> speed);  ///< none: that of the world
-    std::optional<float> sleep_speed_override() const;
-    bool bullet() const;
+    void set_sleep_speed(std::optional<float> speed);   ///< none: that of the world
+    std::optional<float> sleep_speed_override() const;  ///< its own value, m/s, at least 0
+    bool bullet() const;  ///< whether it does not pass through moving bodies, either
     void set_bullet(bool bullet);
-    bool locked_x() const;
+    bool locked_x() const;  ///< true: it does not move along x
     void set_locked_x(bool locked);
-    bool locked_y() const;
+    bool locked_y() const;  ///< true: it does not move along y
     void set_locked_y(bool locked);
-    bool locked_rotation() const;
+    bool locked_rotation() const;  ///< true: it does not rotate
     void set_locked_rotation(bool locked);
 
     /// Mass, kg: the override if there is one, otherwise the sum over the shapes. A dynamic body
@@ -122,16 +124,17 @@ class Body {
     float mass() const;
     void set_mass(
         std::optional<float> mass);  ///< none: from the shapes; infinity: does not move; else > 0
-    std::optional<float> mass_override() const;
-    float inertia() const;  ///< kg m² about the center of mass
-    void set_inertia(std::optional<float> inertia);
-    std::optional<float> inertia_override() const;
-    Vec2 center() const;  ///< center of mass, body coordinates
-    void set_center(std::optional<Vec2> center);
-    std::optional<Vec2> center_override() const;
-    Vec2 world_center() const;
-    float area() const;         ///< m², sum over the shapes
-    Aabb aabb() const;          ///< of all shapes; the origin if there are none
+    std::optional<float> mass_override() const;  ///< kg; none: from the shapes
+    float inertia() const;                       ///< kg m² about the center of mass
+    void set_inertia(std::optional<float>
+                         inertia);  ///< none: from the shapes; infinity: does not rotate; else > 0
+    std::optional<float> inertia_override() const;  ///< kg m²; none: from the shapes
+    Vec2 center() const;                            ///< center of mass, body coordinates
+    void set_center(std::optional<Vec2> center);    ///< m; none: from the shapes
+    std::optional<Vec2> center_override() const;    ///< m; none: from the shapes
+    Vec2 world_center() const;                      ///< center of mass, world, m
+    float area() const;                             ///< m², sum over the shapes
+    Aabb aabb() const;                              ///< of all shapes; the origin if there are none
     uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
 
     /// Pose before the last step, for drawing between steps. A teleport changes it too, so that
@@ -140,15 +143,17 @@ class Body {
     /// Pose at `fraction` (0: previous, 1: current) of the last step.
     Pose interpolated(float fraction) const;
 
-    Vec2 world_point(const Vec2& local) const;
-    Vec2 local_point(const Vec2& world) const;
-    Vec2 world_vector(const Vec2& local) const;
-    Vec2 local_vector(const Vec2& world) const;
-    Vec2 velocity_at(const Vec2& world_point) const;
-    float kinetic_energy() const;  ///< J
+    Vec2 world_point(const Vec2& local) const;   ///< from body to world coordinates, m
+    Vec2 local_point(const Vec2& world) const;   ///< from world to body coordinates, m
+    Vec2 world_vector(const Vec2& local) const;  ///< rotates a direction of the body into the world
+    Vec2 local_vector(const Vec2& world) const;  ///< rotates a direction of the world into the body
+    Vec2 velocity_at(const Vec2& world_point) const;  ///< m/s, of its point that is there now
+    float kinetic_energy() const;                     ///< J
 
+    /// Attaches a new shape. Throws std::invalid_argument, with the reason, for a geometry or a
+    /// value out of range.
     Shape add(const Geometry& geometry, const ShapeDef& def = {});
-    uint32_t shape_count() const;
+    uint32_t shape_count() const;       ///< number of its shapes
     std::vector<Shape> shapes() const;  ///< in the order they were attached
 
     std::vector<Joint> joints() const;  ///< on it, in no particular order
@@ -157,7 +162,7 @@ class Body {
     std::vector<Contact> contacts()
         const;  ///< touching contacts of the last step, sleeping ones included
 
-    uint64_t user_data() const;
+    uint64_t user_data() const;  ///< a number of the host, without effect; saved with the world
     void set_user_data(uint64_t value);
 
   private:

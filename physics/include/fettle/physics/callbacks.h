@@ -37,8 +37,8 @@ namespace fettle::physics {
 
 /// A contact about to be solved.
 struct ContactEdit {
-    Shape shape_a;
-    Shape shape_b;
+    Shape shape_a;               ///< the normal points away from it
+    Shape shape_b;               ///< the normal points towards it
     Vec2 point = {};             ///< world, m: middle of the manifold of the deepest part
     Vec2 normal = {};            ///< from a to b
     float speed = 0.0f;          ///< m/s, approach speed along the normal
@@ -64,10 +64,12 @@ using ContactCallback = std::function<void(ContactEdit&)>;
 
 /// The data that a read updates: all edited data, or the derived data of one body or shape.
 struct Refresh {
+    /// What is updated.
     enum class Of : uint8_t { everything, body, shape };
-    Of of = Of::everything;
-    uint32_t slot = 0;  ///< of the body or shape
+    Of of = Of::everything;  ///< what is updated
+    uint32_t slot = 0;       ///< of the body or shape
 };
+/// Called before a read updates edited data: `World::on_refresh`.
 using RefreshCallback = std::function<void(const Refresh&)>;
 
 }  // namespace fettle::physics

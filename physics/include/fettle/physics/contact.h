@@ -9,6 +9,7 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+/// A point of a contact.
 struct ContactPoint {
     Vec2 point = {};          ///< world, m
     float separation = 0.0f;  ///< m, negative: overlap
@@ -21,18 +22,20 @@ struct ContactPoint {
 /// A contact between two shapes as it was in the last step. The normal points from a to b. One of
 /// the bodies may be the world's border (`ShapeType::border`).
 struct Contact {
-    BodyId body_a;
-    BodyId body_b;
-    ShapeId shape_a;
-    ShapeId shape_b;
-    Vec2 normal = {};
-    int point_count = 0;
-    std::array<ContactPoint, 2> points;
-    float friction = 0.0f;      ///< mixed
-    float restitution = 0.0f;   ///< mixed
-    float normal_force = 0.0f;  ///< N, mean over the last sub-step, sum of both points
+    BodyId body_a;                       ///< of `shape_a`
+    BodyId body_b;                       ///< of `shape_b`
+    ShapeId shape_a;                     ///< the normal points away from it
+    ShapeId shape_b;                     ///< the normal points towards it
+    Vec2 normal = {};                    ///< from a to b; its length is 1
+    int point_count = 0;                 ///< 1 or 2
+    std::array<ContactPoint, 2> points;  ///< the first `point_count` of them
+    float friction = 0.0f;               ///< mixed
+    float restitution = 0.0f;            ///< mixed
+    float normal_force = 0.0f;           ///< N, mean over the last sub-step, sum of both points
 
-    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
+    ContactId id() const noexcept {
+        return ContactId::of(shape_a, shape_b);
+    }  ///< the same in all events of this touch
 };
 
 }  // namespace fettle::physics

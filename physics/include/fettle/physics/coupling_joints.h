@@ -15,15 +15,15 @@ class WeldJoint : public Joint {
     using Joint::Joint;
 
     float angle() const;  ///< rad, of b relative to a, minus the reference angle: held at 0
-    float reference_angle() const;
+    float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);
     float hertz() const;  ///< stiffness at the point; infinity (the default): rigid; 0: not held
     void set_hertz(float hertz);
-    float damping_ratio() const;
+    float damping_ratio() const;  ///< of `hertz`, at least 0
     void set_damping_ratio(float ratio);
     float angular_hertz() const;  ///< of the angle; infinity (the default): rigid; 0: free
     void set_angular_hertz(float hertz);
-    float angular_damping_ratio() const;
+    float angular_damping_ratio() const;  ///< of `angular_hertz`, at least 0
     void set_angular_damping_ratio(float ratio);
 };
 
@@ -59,7 +59,7 @@ class PulleyJoint : public Joint {
 
     Vec2 ground_a() const;  ///< the wheel above a; world, m
     void set_ground_a(const Vec2& point);
-    Vec2 ground_b() const;
+    Vec2 ground_b() const;  ///< the wheel above b; world, m
     void set_ground_b(const Vec2& point);
     float ratio() const;  ///< force on b divided by the force on a; b moves slower by this factor
     void set_ratio(float ratio);  ///< positive
@@ -67,8 +67,8 @@ class PulleyJoint : public Joint {
     void set_length(float length);
     float length_now() const;  ///< m, length of the rope between both bodies; `length` when taut
     float length_a() const;    ///< m, from the wheel to anchor a now
-    float length_b() const;
-    float tension() const;  ///< N, in the last step
+    float length_b() const;    ///< m, from the wheel to anchor b now
+    float tension() const;     ///< N, in the last step
 };
 
 /// Rotates b with a.
@@ -89,8 +89,8 @@ class RatchetJoint : public Joint {
   public:
     using Joint::Joint;
 
-    float angle() const;  ///< rad, of b relative to a, minus the reference angle
-    float reference_angle() const;
+    float angle() const;            ///< rad, of b relative to a, minus the reference angle
+    float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);
     float tooth() const;  ///< rad between teeth; 0 (the default): the ratchet holds at any angle
     void set_tooth(float angle);
@@ -112,7 +112,7 @@ class RotaryLimitJoint : public Joint {
     using Joint::Joint;
 
     float angle() const;  ///< rad, of b relative to a, minus the reference angle; not wrapped
-    float reference_angle() const;
+    float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);
     float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);

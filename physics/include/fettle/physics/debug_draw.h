@@ -12,7 +12,7 @@ namespace fettle::physics {
 
 /// What `World::draw` draws, and where.
 struct DebugDrawOptions {
-    bool shapes = true;
+    bool shapes = true;     ///< their outlines
     bool joints = true;     ///< from the centers of mass to the anchors
     bool contacts = false;  ///< points, and normals of 0.2 m
     bool boxes = false;     ///< bounding boxes of shapes
@@ -39,7 +39,9 @@ class DebugDraw {
     virtual void polygon(std::span<const Vec2> points, bool closed, uint32_t color) = 0;
     /// A circle, with the angle of its body, rad.
     virtual void circle(const Vec2& center, float radius, float angle, uint32_t color) = 0;
+    /// A line between two points.
     virtual void segment(const Vec2& from, const Vec2& to, uint32_t color) = 0;
+    /// A point, to be drawn in a size of the host.
     virtual void point(const Vec2& at, uint32_t color) = 0;
     /// Color of a shape of `body`. By default it shows whether the shape is a sensor, and otherwise
     /// whether the body is static, kinematic, awake or asleep.

@@ -27,6 +27,7 @@ enum class Solver : uint8_t {
     direct       ///< each island as one complementarity problem
 };
 
+/// Settings of a world.
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};  ///< m/s²
     /// Solver sub-steps per step, 1 … 64. With `soft_step`, a step that is much longer than the
@@ -43,40 +44,41 @@ struct WorldDef {
     float sleep_delay = 0.5f;     ///< s
     float contact_hertz = 60.0f;  ///< frequency of a contact under load; ¾ of it without load. The
                                   ///< solver uses at most a quarter of the sub-step rate
-    float contact_damping = 10.0f;  ///< damping ratio of contacts
-    float push_speed = 3.0f;        ///< m/s; limit for pushing overlapping shapes apart
-    MixRule friction_mix = MixRule::geometric;
-    MixRule restitution_mix = MixRule::maximum;
-    Solver solver = Solver::soft_step;
-    bool persist_events = false;  ///< report every continuing touch in every step
+    float contact_damping = 10.0f;              ///< damping ratio of contacts
+    float push_speed = 3.0f;                    ///< m/s; limit for pushing overlapping shapes apart
+    MixRule friction_mix = MixRule::geometric;  ///< how a contact computes its friction
+    MixRule restitution_mix = MixRule::maximum;  ///< how a contact computes its restitution
+    Solver solver = Solver::soft_step;           ///< how contacts and joints are solved
+    bool persist_events = false;                 ///< report every continuing touch in every step
 };
 
+/// A body that a world is to create.
 struct BodyDef {
-    BodyType type = BodyType::dynamic_body;
-    Vec2 position = {};             ///< m
-    float angle = 0.0f;             ///< rad
-    Vec2 velocity = {};             ///< m/s
-    float angular_velocity = 0.0f;  ///< rad/s
-    Vec2 force = {};                ///< N, applied at the center of mass in every step
-    float torque = 0.0f;            ///< N m, applied in every step
-    float gravity_scale = 1.0f;
-    float linear_damping = 0.0f;        ///< 1/s
-    float angular_damping = 0.0f;       ///< 1/s
-    std::optional<float> mass = {};     ///< kg; none: from the shapes; infinity: does not move
+    BodyType type = BodyType::dynamic_body;  ///< what moves it
+    Vec2 position = {};                      ///< m
+    float angle = 0.0f;                      ///< rad
+    Vec2 velocity = {};                      ///< m/s
+    float angular_velocity = 0.0f;           ///< rad/s
+    Vec2 force = {};                         ///< N, applied at the center of mass in every step
+    float torque = 0.0f;                     ///< N m, applied in every step
+    float gravity_scale = 1.0f;              ///< factor of the gravity of the world
+    float linear_damping = 0.0f;             ///< 1/s
+    float angular_damping = 0.0f;            ///< 1/s
+    std::optional<float> mass = {};          ///< kg; none: from the shapes; infinity: does not move
     std::optional<float> inertia = {};  ///< kg m²; none: from the shapes; infinity: does not rotate
     std::optional<Vec2> center = {};  ///< center of mass in body coordinates; none: from the shapes
-    bool awake = true;
-    bool can_sleep = true;
-    bool bullet = false;  ///< true: continuous collision with moving bodies, too
-    bool locked_x = false;
-    bool locked_y = false;
-    bool locked_rotation = false;
-    bool enabled = true;  ///< false: takes no part in steps and queries
+    bool awake = true;                ///< false: asleep until something wakes it
+    bool can_sleep = true;            ///< false: it never falls asleep
+    bool bullet = false;              ///< true: continuous collision with moving bodies, too
+    bool locked_x = false;            ///< true: it does not move along x
+    bool locked_y = false;            ///< true: it does not move along y
+    bool locked_rotation = false;     ///< true: it does not rotate
+    bool enabled = true;              ///< false: takes no part in steps and queries
     /// m/s; with its island, it rests below this. None: `WorldDef::sleep_speed`.
     std::optional<float> sleep_speed = {};
     float max_speed = infinity;  ///< m/s, limit of its speed, above 0
     std::string_view name = {};  ///< for messages and tools; at most 63 bytes, copied
-    uint64_t user_data = 0;
+    uint64_t user_data = 0;      ///< a number of the host, without effect
 };
 
 /// Surface, mass and filter of a shape, for any geometry.
@@ -98,50 +100,52 @@ struct ShapeDef {
     int32_t group = 0;         ///< same non-zero group: positive always collides, negative never
     uint16_t material = 0;     ///< a number of the host, without effect
     bool before_solve = true;  ///< call the before-solve callback; both shapes must agree
-    uint64_t user_data = 0;
+    uint64_t user_data = 0;    ///< a number of the host, without effect
 };
 
 // Geometry, in body coordinates.
 
+/// A disc.
 struct Circle {
-    float radius = 0.5f;
-    Vec2 center = {};
+    float radius = 0.5f;  ///< m, 1e-5 … 1e6
+    Vec2 center = {};     ///< body coordinates, m
 };
 
+/// A rectangle, also with round corners.
 struct Box {
-    float width = 1.0f;  ///< full width, including rounding
-    float height = 1.0f;
-    Vec2 center = {};
-    float angle = 0.0f;
+    float width = 1.0f;     ///< full width, including rounding
+    float height = 1.0f;    ///< full height, including rounding
+    Vec2 center = {};       ///< body coordinates, m
+    float angle = 0.0f;     ///< rad
     float rounding = 0.0f;  ///< corner radius; at most half of the smaller side is used
 };
 
 /// If both ends are at the same point, the segment gets the minimal length.
 struct Segment {
-    Vec2 from = {-0.5f, 0.0f};
-    Vec2 to = {0.5f, 0.0f};
-    float rounding = 0.0f;  ///< radius: a capsule when positive
+    Vec2 from = {-0.5f, 0.0f};  ///< its begin, m
+    Vec2 to = {0.5f, 0.0f};     ///< its end, m
+    float rounding = 0.0f;      ///< radius: a capsule when positive
 };
 
 /// The shape is the convex hull of these points. They may be in any order; duplicates and inner
 /// points are dropped.
 struct Polygon {
-    std::vector<Vec2> vertices = {};
-    float rounding = 0.0f;  ///< radius added on all sides
+    std::vector<Vec2> vertices = {};  ///< body coordinates, m; at least three
+    float rounding = 0.0f;            ///< radius added on all sides
 };
 
 /// Collides as an exact ellipse, not as a polygon.
 struct Ellipse {
-    float radius_x = 0.5f;  ///< half of its width before rotation
-    float radius_y = 0.25f;
-    Vec2 center = {};
-    float angle = 0.0f;
+    float radius_x = 0.5f;   ///< half of its width before rotation
+    float radius_y = 0.25f;  ///< half of its height before rotation
+    Vec2 center = {};        ///< body coordinates, m
+    float angle = 0.0f;      ///< rad
 };
 
 /// A polygon that may be concave, clockwise or counter-clockwise. Its outline must not touch
 /// itself. It is one shape and collides as convex pieces.
 struct Concave {
-    std::vector<Vec2> vertices = {};
+    std::vector<Vec2> vertices = {};  ///< body coordinates, m; at least three
 };
 
 /// A line of segments on which bodies slide without catching at its points. It is one-sided: solid
@@ -149,10 +153,11 @@ struct Concave {
 /// closed counter-clockwise chain holds the bodies inside, a clockwise one is an island. Bodies
 /// pass through it from behind. Consecutive points at the same place count once.
 struct Chain {
-    std::vector<Vec2> points = {};
-    bool closed = false;  ///< true: a segment goes from the last point to the first
+    std::vector<Vec2> points = {};  ///< body coordinates, m; at least two
+    bool closed = false;            ///< true: a segment goes from the last point to the first
 };
 
+/// What a shape may be.
 using Geometry = std::variant<Circle, Box, Segment, Polygon, Ellipse, Concave, Chain>;
 
 /// A definition of a type of joint: joint_definitions.h.
@@ -162,20 +167,21 @@ concept JointDefinition = std::convertible_to<decltype(Def::type), JointType>;
 /// Settings that all types of joints have. It converts to the definition of any type of joint with
 /// two bodies, whose other settings are the defaults of the type.
 struct JointDef {
-    BodyId body_a = {};  ///< the default is the world: anchor in world coordinates
-    BodyId body_b = {};
-    Vec2 anchor_a = {};  ///< body coordinates, m
-    Vec2 anchor_b = {};
-    bool collide = false;  ///< whether the two bodies collide with each other
-    bool enabled = true;
-    uint64_t user_data = 0;
+    BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
+    BodyId body_b = {};              ///< the same for body b; not both may be the world
+    Vec2 anchor_a = {};              ///< body coordinates, m
+    Vec2 anchor_b = {};              ///< body coordinates, m
+    bool collide = false;            ///< whether the two bodies collide with each other
+    bool enabled = true;             ///< false: it does nothing
+    uint64_t user_data = 0;          ///< a number of the host, without effect
     float break_force = infinity;    ///< N: `Joint::set_break_force`
     float break_torque = infinity;   ///< N m
     float report_force = infinity;   ///< N: `Joint::set_report_force`
     float report_torque = infinity;  ///< N m
     float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
-    float constraint_damping_ratio = 2.0f;
+    float constraint_damping_ratio = 2.0f;  ///< `Joint::set_constraint_damping_ratio`
 
+    /// These settings in the definition of a type of joint.
     template <JointDefinition Def>
     operator Def() const {
         return {body_a,
@@ -196,14 +202,14 @@ struct JointDef {
 
 /// A soft pull of a point of a body towards a target, for dragging with a mouse.
 struct MouseJointDef {
-    BodyId body = {};
+    BodyId body = {};                 ///< that is dragged; must be set
     Vec2 target = {};                 ///< world, m
     std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point at `target`
     float hertz = 5.0f;               ///< stiffness
-    float damping_ratio = 0.7f;
-    float max_force = infinity;  ///< N
-    bool enabled = true;
-    uint64_t user_data = 0;
+    float damping_ratio = 0.7f;       ///< of that stiffness, at least 0
+    float max_force = infinity;       ///< N
+    bool enabled = true;              ///< false: it does nothing
+    uint64_t user_data = 0;           ///< a number of the host, without effect
 };
 
 }  // namespace fettle::physics

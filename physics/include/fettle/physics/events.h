@@ -12,11 +12,12 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+/// Two shapes touch that did not touch before.
 struct ContactBeginEvent {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
+    ShapeId shape_a;           ///< the normal points away from it
+    ShapeId shape_b;           ///< the other shape
+    BodyId body_a;             ///< of `shape_a`
+    BodyId body_b;             ///< of `shape_b`
     Vec2 point = {};           ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal before the step
@@ -24,89 +25,103 @@ struct ContactBeginEvent {
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
 
-    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
+    ContactId id() const noexcept {
+        return ContactId::of(shape_a, shape_b);
+    }  ///< the same in all events of this touch
 };
 
+/// Two shapes no longer touch, or one of them was destroyed, detached or disabled.
 struct ContactEndEvent {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
+    ShapeId shape_a;  ///< the normal points away from it
+    ShapeId shape_b;  ///< the other shape
+    BodyId body_a;    ///< of `shape_a`
+    BodyId body_b;    ///< of `shape_b`
 
-    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
+    ContactId id() const noexcept {
+        return ContactId::of(shape_a, shape_b);
+    }  ///< the same in all events of this touch
 };
 
 /// A continuing touch; only with `WorldDef::persist_events`.
 struct ContactPersistEvent {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 point = {};
+    ShapeId shape_a;           ///< the normal points away from it
+    ShapeId shape_b;           ///< the other shape
+    BodyId body_a;             ///< of `shape_a`
+    BodyId body_b;             ///< of `shape_b`
+    Vec2 point = {};           ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal
     float impulse = 0.0f;      ///< N s, normal impulse of the last step
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
 
-    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
+    ContactId id() const noexcept {
+        return ContactId::of(shape_a, shape_b);
+    }  ///< the same in all events of this touch
 };
 
 /// An impact, for shapes with `hit_events`.
 struct ContactHitEvent {
-    ShapeId shape_a;
-    ShapeId shape_b;
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 point = {};
+    ShapeId shape_a;           ///< the normal points away from it
+    ShapeId shape_b;           ///< the other shape
+    BodyId body_a;             ///< of `shape_a`
+    BodyId body_b;             ///< of `shape_b`
+    Vec2 point = {};           ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal
     float impulse = 0.0f;      ///< N s, the impulse that stopped the approach
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
 
-    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
+    ContactId id() const noexcept {
+        return ContactId::of(shape_a, shape_b);
+    }  ///< the same in all events of this touch
 };
 
+/// A shape has entered a sensor, or has left it.
 struct SensorEvent {
-    ShapeId sensor;
-    ShapeId visitor;
-    BodyId sensor_body;
-    BodyId visitor_body;
+    ShapeId sensor;       ///< which reports
+    ShapeId visitor;      ///< which has entered or left
+    BodyId sensor_body;   ///< of `sensor`
+    BodyId visitor_body;  ///< of `visitor`
 
-    ContactId id() const noexcept { return ContactId::of(sensor, visitor); }
+    ContactId id() const noexcept {
+        return ContactId::of(sensor, visitor);
+    }  ///< the same in all events of this touch
 };
 
 /// A joint had more load than its `break_force` or `break_torque`; it no longer acts
 /// (`Joint::broken`).
 struct JointBreakEvent {
-    JointId joint;
-    BodyId body_a;  ///< an invalid id means the world
-    BodyId body_b;
+    JointId joint;        ///< which bore the load
+    BodyId body_a;        ///< an invalid id means the world
+    BodyId body_b;        ///< of `shape_b`
     Vec2 force = {};      ///< N, on body b, mean over the step
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
 
 /// A joint had more load in this step than its `report_force` or `report_torque`.
 struct JointLoadEvent {
-    JointId joint;
-    BodyId body_a;  ///< an invalid id means the world
-    BodyId body_b;
+    JointId joint;        ///< which bore the load
+    BodyId body_a;        ///< an invalid id means the world
+    BodyId body_b;        ///< of `shape_b`
     Vec2 force = {};      ///< N, on body b, mean over the step
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
 
+/// The events of a step, by kind, in an order that is repeatable.
 struct Events {
-    std::vector<ContactBeginEvent> contact_begin;
-    std::vector<ContactPersistEvent> contact_persist;
-    std::vector<ContactEndEvent> contact_end;
-    std::vector<ContactHitEvent> contact_hit;
-    std::vector<SensorEvent> sensor_begin;
-    std::vector<SensorEvent> sensor_end;
-    std::vector<JointBreakEvent> joint_broke;
-    std::vector<JointLoadEvent> joint_loaded;
-    std::vector<BodyId> slept;
-    std::vector<BodyId> woke;
+    std::vector<ContactBeginEvent> contact_begin;      ///< touches that began
+    std::vector<ContactPersistEvent> contact_persist;  ///< touches that continue
+    std::vector<ContactEndEvent> contact_end;          ///< touches that ended
+    std::vector<ContactHitEvent> contact_hit;          ///< impacts
+    std::vector<SensorEvent> sensor_begin;             ///< shapes that entered a sensor
+    std::vector<SensorEvent> sensor_end;               ///< shapes that left a sensor
+    std::vector<JointBreakEvent> joint_broke;          ///< joints that broke
+    std::vector<JointLoadEvent>
+        joint_loaded;           ///< joints above their `report_force` or `report_torque`
+    std::vector<BodyId> slept;  ///< bodies that fell asleep
+    std::vector<BodyId> woke;   ///< bodies that woke
 };
 
 }  // namespace fettle::physics

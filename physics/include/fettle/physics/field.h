@@ -17,12 +17,13 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
 }  // namespace detail
 
+/// A handle to a field: as `BodyId`.
 struct FieldId {
-    uint32_t index = 0;
-    uint32_t generation = 0;
+    uint32_t index = 0;       ///< slot
+    uint32_t generation = 0;  ///< of the field in the slot; 0: empty
     friend bool operator==(const FieldId&, const FieldId&) noexcept = default;
     friend auto operator<=>(const FieldId&, const FieldId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }
+    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
 };
 
 /// Moving air: presses on every edge that faces the wind by ½·density·(speed across the edge)². It
@@ -57,31 +58,32 @@ struct AttractorField {
     float core = 0.5f;       ///< m: nearer, the pull is proportional to the distance
 };
 
+/// A field of force: what it does, and where.
 struct FieldDef {
-    std::variant<WindField, DragField, BuoyancyField, AttractorField> force = {};
+    std::variant<WindField, DragField, BuoyancyField, AttractorField> force = {};  ///< what it does
     /// Region in which the field acts, m: on shapes that overlap it (liquids), or on bodies with
     /// their center of mass in it (other fields). None: everywhere.
     std::optional<Aabb> region = {};
     uint64_t mask = ~uint64_t{0};  ///< the field acts on shapes of these categories
-    bool enabled = true;
-    uint64_t user_data = 0;
+    bool enabled = true;           ///< false: it does nothing
+    uint64_t user_data = 0;        ///< a number of the host, without effect
 };
 
 /// A light handle to a field of force. Errors as for `Body`. A field acts only on awake bodies;
 /// setting it wakes all.
 class Field {
   public:
-    Field() = default;
-    inline Field(World* world, FieldId id);
+    Field() = default;                       ///< empty: it refers to no field
+    inline Field(World* world, FieldId id);  ///< the field with this id
 
-    bool is_valid() const;
-    explicit operator bool() const { return is_valid(); }
-    FieldId id() const { return id_; }
-    World& world() const;
+    bool is_valid() const;  ///< whether its world and its field exist
+    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
+    FieldId id() const { return id_; }                     ///< empty for an empty handle
+    World& world() const;                                  ///< the world that it is in
     friend bool operator==(const Field&, const Field&) = default;
-    void destroy();
+    void destroy();  ///< ends its force
 
-    const FieldDef& definition() const;
+    const FieldDef& definition() const;    ///< valid until the field is set or destroyed
     void set(const FieldDef& definition);  ///< all settings at once; invalid values are refused
 
   private:

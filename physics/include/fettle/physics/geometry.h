@@ -30,7 +30,9 @@ struct FETTLE_PHYSICS_PRIVATE FormAccess;
 /// `Shape::set_geometry`.
 class Form {
   public:
-    Form(const Geometry& geometry);                            // NOLINT: converts
+    /// Of any geometry.
+    Form(const Geometry& geometry);  // NOLINT: converts
+    /// Of a geometry of this type.
     Form(const Circle& circle) : Form(Geometry(circle)) {}     // NOLINT
     Form(const Box& box) : Form(Geometry(box)) {}              // NOLINT
     Form(const Segment& segment) : Form(Geometry(segment)) {}  // NOLINT
@@ -39,7 +41,7 @@ class Form {
     Form(const Concave& concave) : Form(Geometry(concave)) {}  // NOLINT
     Form(const Chain& chain) : Form(Geometry(chain)) {}        // NOLINT
 
-    ShapeType type() const;
+    ShapeType type() const;  ///< which geometry it has
     /// Its convex parts, counter-clockwise, body coordinates, without rounding: corners of a box or
     /// a polygon, ends of a segment, pieces of a concave polygon (at most sixteen vertices each),
     /// segments of a chain. Circle and ellipse: their center.
@@ -96,8 +98,8 @@ std::vector<ContactManifold> contact_manifolds(const Form& a, const Pose& pose_a
 
 /// A uniform motion from one pose to another.
 struct Movement {
-    Pose from = {};
-    Pose to = {};
+    Pose from = {};  ///< at fraction 0
+    Pose to = {};    ///< at fraction 1
     /// The point that moves on a straight line, body coordinates, m; usually the center of mass.
     Vec2 center = {};
 };

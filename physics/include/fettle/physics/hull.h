@@ -10,8 +10,9 @@ FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
 
+/// Whether points have a convex hull.
 enum class HullStatus : uint8_t {
-    ok,
+    ok,              ///< they have
     too_few_points,  ///< fewer than three distinct points
     collinear,       ///< all on one line (within 1e-5 of their extent)
     not_finite       ///< NaN or infinity among the coordinates

@@ -16,20 +16,21 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 /// destroys its joints. As an argument or a result, `Body()` means the world.
 class Joint {
   public:
-    Joint() = default;
-    inline Joint(World* world, JointId id);
+    Joint() = default;  ///< empty: it refers to no joint
+    inline Joint(World* world,
+                 JointId id);  ///< the joint with this id, of which no type is checked
 
-    bool is_valid() const;
-    explicit operator bool() const { return is_valid(); }
-    JointId id() const { return id_; }
-    World& world() const;
+    bool is_valid() const;  ///< whether its world and its joint exist
+    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
+    JointId id() const { return id_; }                     ///< empty for an empty handle
+    World& world() const;                                  ///< the world that it is in
     friend bool operator==(const Joint&, const Joint&) = default;
-    void destroy();
+    void destroy();  ///< its bodies stay and wake
 
-    JointType type() const;
-    Body body_a() const;
+    JointType type() const;             ///< decides which settings it has
+    Body body_a() const;                ///< `Body()`: the world
     void set_body_a(const Body& body);  ///< keeps the anchor's body coordinates; must not be body b
-    Body body_b() const;
+    Body body_b() const;                ///< `Body()`: the world
     void set_body_b(const Body& body);
     /// Ties two bodies at once, of which one may be the world.
     void connect(const Body& a, const Body& b);
@@ -39,13 +40,13 @@ class Joint {
     bool dormant() const;   ///< has no bodies; then both are the world
     Vec2 anchor_a() const;  ///< body coordinates, m
     void set_anchor_a(const Vec2& anchor);
-    Vec2 anchor_b() const;
+    Vec2 anchor_b() const;  ///< body coordinates, m
     void set_anchor_b(const Vec2& anchor);
-    Vec2 world_anchor_a() const;
-    Vec2 world_anchor_b() const;
-    bool enabled() const;
+    Vec2 world_anchor_a() const;     ///< world, m
+    Vec2 world_anchor_b() const;     ///< world, m
+    bool enabled() const;            ///< whether it acts, unless it is broken or dormant
     void set_enabled(bool enabled);  ///< a disabled joint does nothing at all
-    bool collide() const;
+    bool collide() const;            ///< whether the two bodies collide with each other
     void set_collide(bool collide);  ///< whether the two bodies collide with each other
     /// Force limit, N: if the mean force over a step is higher, the joint breaks. Then it has no
     /// effect, as if disabled, and `Events::joint_broke` reports it. Infinity (the default): it
@@ -68,7 +69,7 @@ class Joint {
     /// 0 … 1000; 2 by default. Only with a `constraint_hertz`.
     float constraint_damping_ratio() const;
     void set_constraint_damping_ratio(float ratio);
-    bool broken() const;
+    bool broken() const;           ///< whether its load was above its limits; then it does nothing
     void set_broken(bool broken);  ///< false repairs the joint
     Vec2 force() const;            ///< N, on body b in the last step
     float torque() const;          ///< N m, on body b; excludes the torque of the force
@@ -77,7 +78,7 @@ class Joint {
     float separation() const;
     float angular_separation() const;  ///< rad
 
-    uint64_t user_data() const;
+    uint64_t user_data() const;  ///< a number of the host, without effect
     void set_user_data(uint64_t value);
 
   protected:
@@ -105,15 +106,15 @@ class MouseJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Body body() const { return body_b(); }
-    void set_body(const Body& body);  ///< keeps the anchor; must not be the world
-    Vec2 anchor() const { return anchor_b(); }
+    Body body() const { return body_b(); }      ///< the body that is dragged
+    void set_body(const Body& body);            ///< keeps the anchor; must not be the world
+    Vec2 anchor() const { return anchor_b(); }  ///< body coordinates, m
     void set_anchor(const Vec2& anchor);
     Vec2 target() const { return anchor_a(); }  ///< world, m
     void set_target(const Vec2& target);
-    float hertz() const;
+    float hertz() const;          ///< stiffness; 5 by default
     void set_hertz(float hertz);  ///< 0: slack
-    float damping_ratio() const;
+    float damping_ratio() const;  ///< of the stiffness or spring, at least 0
     void set_damping_ratio(float ratio);
     float max_force() const;  ///< N
     void set_max_force(float force);
@@ -156,7 +157,7 @@ class RevoluteJoint : public Joint {
     /// Angle of b relative to a, rad, minus the reference angle; not wrapped. Limits and spring
     /// refer to this angle.
     float angle() const;
-    float reference_angle() const;
+    float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);
     float lower_angle() const;  ///< rad; -infinity (the default): no limit
     void set_lower_angle(float angle);
@@ -168,7 +169,7 @@ class RevoluteJoint : public Joint {
     void set_max_motor_torque(float torque);
     float hertz() const;  ///< of a spring towards `target_angle`; 0 (the default): no spring
     void set_hertz(float hertz);
-    float damping_ratio() const;
+    float damping_ratio() const;  ///< of the stiffness or spring, at least 0
     void set_damping_ratio(float ratio);
     float target_angle() const;  ///< rad
     void set_target_angle(float angle);

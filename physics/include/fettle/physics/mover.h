@@ -36,7 +36,7 @@ struct MoverPlane {
     Vec2 normal = {};         ///< from the shape to the mover; its length is 1
     Vec2 point = {};          ///< on the surface, world, m
     float separation = 0.0f;  ///< m; negative when they overlap
-    Shape shape;
+    Shape shape;              ///< that bounds it
 };
 
 /// What a mover keeps from one move to the next.
@@ -45,8 +45,8 @@ struct MoverState {
     Vec2 ground_normal = {};  ///< zero in the air
     ShapeId ground = {};      ///< on which it stands
     ShapeId dropped = {};     ///< through which it falls until it is clear of it
-    bool on_ground = false;
-    bool climbing = false;
+    bool on_ground = false;   ///< after the move: it stands
+    bool climbing = false;    ///< without steps, ground and rides
 };
 
 /// What happened in a move.
@@ -55,15 +55,15 @@ struct Moved {
     /// The velocity that is left, m/s, relative to the ground: without the parts that obstacles
     /// stopped. On the ground it has no part along `up`.
     Vec2 velocity = {};
-    bool on_ground = false;
+    bool on_ground = false;     ///< after the move: it stands
     Vec2 ground_normal = {};    ///< zero in the air
     Vec2 ground_velocity = {};  ///< of the ground at its feet, m/s
     Shape ground;               ///< the shape below its feet; empty in the air
-    bool hit_wall = false;
-    bool hit_ceiling = false;
-    Vec2 wall_normal = {};  ///< of the last wall or ceiling that it hit
-    Shape wall;             ///< the last wall or ceiling that it hit
-    bool stepped = false;   ///< it climbed a step
+    bool hit_wall = false;      ///< it was stopped by a wall
+    bool hit_ceiling = false;   ///< it was stopped by a ceiling
+    Vec2 wall_normal = {};      ///< of the last wall or ceiling that it hit
+    Shape wall;                 ///< the last wall or ceiling that it hit
+    bool stepped = false;       ///< it climbed a step
     /// Obstacles press it from several sides and it has no place between them: it overlaps one.
     bool crushed = false;
 };
@@ -85,21 +85,24 @@ struct Moved {
 ///     }
 class Mover {
   public:
-    Mover() = default;
+    Mover() = default;  ///< with the default settings, at the origin
+    /// A mover with its feet at `position` (m).
     explicit Mover(const MoverDef& def, const Vec2& position = {0.0f, 0.0f});
 
-    const MoverDef& definition() const { return def_; }
+    const MoverDef& definition() const { return def_; }  ///< its settings
     /// The position stays. A mover that grows may overlap obstacles, which the next move corrects;
     /// `fits` tells whether it will.
     void set_definition(const MoverDef& def);
-    const MoverState& state() const { return state_; }
+    const MoverState& state() const { return state_; }  ///< what it keeps from one move to the next
     /// For hosts that save movers. Ids of shapes that do not exist count as empty.
     void set_state(const MoverState& state);
-    const Vec2& position() const { return state_.position; }  ///< of its feet, m
-    void set_position(const Vec2& position);                  ///< it leaves the ground
-    bool on_ground() const { return state_.on_ground; }       ///< after the last move
-    const Vec2& ground_normal() const { return state_.ground_normal; }
-    ShapeId ground() const { return state_.ground; }
+    const Vec2& position() const { return state_.position; }            ///< of its feet, m
+    void set_position(const Vec2& position);                            ///< it leaves the ground
+    bool on_ground() const { return state_.on_ground; }                 ///< after the last move
+    const Vec2& ground_normal() const { return state_.ground_normal; }  ///< zero in the air
+    ShapeId ground() const {
+        return state_.ground;
+    }  ///< the shape on which it stands; empty in the air
     /// It climbs: `move` moves it freely, without steps, ground and rides.
     bool climbing() const { return state_.climbing; }
     void set_climbing(bool climbing) { state_.climbing = climbing; }

@@ -14,16 +14,17 @@ namespace fettle::physics {
 
 /// The direction of a closed chain, which decides on which side it is solid.
 enum class Winding : uint8_t {
-    as_given,
+    as_given,          ///< the direction of its first line
     clockwise,         ///< an island: solid for bodies outside
     counter_clockwise  ///< a container: solid for bodies inside
 };
 
+/// How `join_lines` joins.
 struct JoinOptions {
     float reach = 1e-3f;    ///< m; ends of lines that are nearer to each other are joined
     float straight = 0.0f;  ///< m; points this near to the line through the points that remain are
                             ///< dropped
-    Winding closed = Winding::as_given;
+    Winding closed = Winding::as_given;  ///< direction of closed chains
 };
 
 /// Joins lines, which may be in any order and direction, into as few chains as their ends allow. A
@@ -42,10 +43,10 @@ std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool clo
 
 /// Where the samples of a grid are: sample (column, row) at `origin` + `cell` · (column, row).
 struct GridLayout {
-    uint32_t columns = 0;
-    uint32_t rows = 0;
-    Vec2 origin = {};   ///< m
-    float cell = 1.0f;  ///< m between two samples, positive
+    uint32_t columns = 0;  ///< samples in a row
+    uint32_t rows = 0;     ///< number of rows
+    Vec2 origin = {};      ///< m
+    float cell = 1.0f;     ///< m between two samples, positive
 };
 
 /// The outlines of the area where a grid of numbers (row after row) is above `threshold`, by

@@ -31,8 +31,10 @@ class Owner {
     /// While it lives, calls count as calls by the owner.
     class Acting {
       public:
-        explicit Acting(Owner& owner) : owner_(owner) { ++owner_.acting_; }
-        ~Acting() { --owner_.acting_; }
+        explicit Acting(Owner& owner) : owner_(owner) {
+            ++owner_.acting_;
+        }                                ///< calls count from now on
+        ~Acting() { --owner_.acting_; }  ///< and no longer
         Acting(const Acting&) = delete;
         Acting& operator=(const Acting&) = delete;
 
@@ -44,12 +46,13 @@ class Owner {
     /// may be called. The owner can then destroy the objects that it could not destroy inside these
     /// functions. It must not throw.
     void on_unlocked(std::function<void()> call) { unlocked_ = std::move(call); }
+    /// Calls the function of `on_unlocked`; the library does that.
     void tell_unlocked() const {
         if (const auto call = unlocked_) call();  // a copy, because it may replace itself
     }
 
-    bool acts() const { return acting_ != 0; }
-    const char* advice() const { return advice_; }
+    bool acts() const { return acting_ != 0; }      ///< whether an `Acting` lives
+    const char* advice() const { return advice_; }  ///< the end of its messages
 
   private:
     const char* advice_;

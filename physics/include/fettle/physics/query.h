@@ -21,9 +21,10 @@ struct QueryFilter {
     std::function<bool(const Shape&)> accept = {};
 };
 
+/// Where a ray or a cast shape meets a shape.
 struct RayHit {
-    Shape shape;
-    Vec2 point = {};
+    Shape shape;      ///< that was found
+    Vec2 point = {};  ///< world, m
     /// Outward normal of the surface. Opposite to the motion if a cast shape overlaps the shape at
     /// the start.
     Vec2 normal = {};
@@ -43,7 +44,7 @@ struct ExplosionDef {
 
 /// A point on a shape.
 struct PointHit {
-    Shape shape;
+    Shape shape;            ///< that was found
     Vec2 point = {};        ///< on its surface; the query point if that is inside
     Vec2 normal = {};       ///< of the surface, outward; zero inside
     float distance = 0.0f;  ///< m; 0 inside

@@ -20,23 +20,24 @@ struct FETTLE_PHYSICS_PRIVATE WorldData;
 /// the type of shape does not have (the radius of a box) throws `std::invalid_argument`.
 class Shape {
   public:
-    Shape() = default;
-    inline Shape(World* world, ShapeId id);
+    Shape() = default;                       ///< empty: it refers to no shape
+    inline Shape(World* world, ShapeId id);  ///< the shape with this id
 
-    bool is_valid() const;
-    explicit operator bool() const { return is_valid(); }
-    ShapeId id() const { return id_; }
-    uint32_t index() const { return id_.index; }
-    World& world() const;
+    bool is_valid() const;  ///< whether its world and its shape exist
+    explicit operator bool() const { return is_valid(); }  ///< as `is_valid`
+    ShapeId id() const { return id_; }                     ///< empty for an empty handle
+    uint32_t index() const { return id_.index; }           ///< its slot: `ShapeId::index`
+    World& world() const;                                  ///< the world that it is in
     friend bool operator==(const Shape&, const Shape&) = default;
-    void destroy();
+    void destroy();  ///< its body stays, with less mass
 
-    ShapeType type() const;
-    Body body() const;  ///< an invalid body when detached
-    void attach(const Body& body);
-    void detach();
+    ShapeType type() const;  ///< which geometry it has
+    Body body() const;       ///< an invalid body when detached
+    void attach(
+        const Body& body);  ///< to a body of the same world; it leaves the one that it was on
+    void detach();          ///< from its body: then it takes no part in steps and queries
 
-    Geometry geometry() const;
+    Geometry geometry() const;                    ///< body coordinates
     void set_geometry(const Geometry& geometry);  ///< may change the type (see Owner); polygon
                                                   ///< vertices are the hull
 
@@ -77,19 +78,19 @@ class Shape {
     /// coordinates. Chain: its segments. Other types: empty.
     std::vector<std::vector<Vec2>> pieces() const;
 
-    float density() const;
+    float density() const;  ///< kg/m², at least 0
     void set_density(float density);
-    float friction() const;
+    float friction() const;  ///< Coulomb coefficient, at least 0
     void set_friction(float friction);
-    float restitution() const;
+    float restitution() const;  ///< 0 … 1: part of the speed that a bounce keeps
     void set_restitution(float restitution);
-    float rolling_resistance() const;
+    float rolling_resistance() const;  ///< at least 0: lever arm divided by the radius
     void set_rolling_resistance(float resistance);
-    float surface_speed() const;
+    float surface_speed() const;  ///< m/s, conveyor, counter-clockwise round the shape
     void set_surface_speed(float speed);
-    bool sensor() const;
+    bool sensor() const;  ///< whether it reports overlaps and applies no force
     void set_sensor(bool sensor);
-    bool hit_events() const;
+    bool hit_events() const;  ///< whether impacts above `WorldDef::hit_threshold` are reported
     void set_hit_events(bool enabled);
     /// Its touches are reported if both shapes want it, from the next touch on. A touch whose begin
     /// was reported is reported to its end.
@@ -101,23 +102,23 @@ class Shape {
     void set_before_solve(bool enabled);
     uint16_t material() const;  ///< a number of the host, without effect
     void set_material(uint16_t material);
-    uint64_t category() const;
+    uint64_t category() const;  ///< categories that it belongs to, one bit each
     void set_category(uint64_t category);
-    uint64_t mask() const;
+    uint64_t mask() const;  ///< categories that it collides with; both shapes must agree
     void set_mask(uint64_t mask);
-    int32_t group() const;
+    int32_t group() const;  ///< same non-zero group: positive always collides, negative never
     void set_group(int32_t group);
 
-    float area() const;                        ///< m²
-    float mass() const;                        ///< kg: density × area
-    Aabb aabb() const;                         ///< world; body coordinates when detached
-    std::vector<Vec2> world_vertices() const;  ///< as `vertices`, in the world
-    Vec2 world_center() const;                 ///< centroid, in the world
-    bool contains(const Vec2& world_point) const;
-    bool is_touching() const;
+    float area() const;                            ///< m²
+    float mass() const;                            ///< kg: density × area
+    Aabb aabb() const;                             ///< world; body coordinates when detached
+    std::vector<Vec2> world_vertices() const;      ///< as `vertices`, in the world
+    Vec2 world_center() const;                     ///< centroid, in the world
+    bool contains(const Vec2& world_point) const;  ///< whether the point is in it or on its edge
+    bool is_touching() const;   ///< any contact, sleeping or not; sensors do not count
     uint32_t rebuilds() const;  ///< how often its derived geometry was computed again
 
-    uint64_t user_data() const;
+    uint64_t user_data() const;  ///< a number of the host, without effect; saved with the world
     void set_user_data(uint64_t value);
 
   private:

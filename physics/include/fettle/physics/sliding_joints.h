@@ -15,7 +15,7 @@ class PrismaticJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 axis() const;
+    Vec2 axis() const;  ///< coordinates of a, of any length but 0
     void set_axis(const Vec2& axis);
     float translation() const;        ///< m, of anchor b from anchor a along the axis now
     float lower_translation() const;  ///< m; -infinity (the default): no limit
@@ -30,12 +30,12 @@ class PrismaticJoint : public Joint {
     float motor_force() const;  ///< N, force of the motor in the last step
     float hertz() const;        ///< spring to `target_translation`; 0 (the default): none
     void set_hertz(float hertz);
-    float damping_ratio() const;
+    float damping_ratio() const;  ///< of the spring, at least 0
     void set_damping_ratio(float ratio);
     float target_translation() const;  ///< m
     void set_target_translation(float translation);
     float angle() const;  ///< rad, of b relative to a, minus the reference angle: held at 0
-    float reference_angle() const;
+    float reference_angle() const;  ///< rad, finite: angle of b relative to a that is held
     void set_reference_angle(float angle);
 };
 
@@ -44,23 +44,23 @@ class PinSlotJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 axis() const;
+    Vec2 axis() const;  ///< coordinates of a, of any length but 0
     void set_axis(const Vec2& axis);
-    float translation() const;
-    float lower_translation() const;
+    float translation() const;        ///< m, of anchor b from anchor a along the axis now
+    float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
-    float upper_translation() const;
+    float upper_translation() const;  ///< m; infinity (the default): no limit. Wins over `lower`
     void set_upper_translation(float translation);
-    float motor_speed() const;
+    float motor_speed() const;  ///< m/s, of b relative to a along the axis
     void set_motor_speed(float speed);
-    float max_motor_force() const;
+    float max_motor_force() const;  ///< N; 0 (the default): no motor
     void set_max_motor_force(float force);
-    float motor_force() const;
-    float hertz() const;
+    float motor_force() const;  ///< N, force of the motor in the last step
+    float hertz() const;        ///< spring to `target_translation`; 0 (the default): none
     void set_hertz(float hertz);
-    float damping_ratio() const;
+    float damping_ratio() const;  ///< of the spring, at least 0
     void set_damping_ratio(float ratio);
-    float target_translation() const;
+    float target_translation() const;  ///< m, where the spring is at rest
     void set_target_translation(float translation);
 };
 
@@ -80,16 +80,16 @@ class WheelJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 axis() const;
+    Vec2 axis() const;  ///< coordinates of a, of any length but 0
     void set_axis(const Vec2& axis);
     float translation() const;  ///< m, of the axle from the rest position of the spring
     float hertz() const;        ///< of the suspension; 4 by default; 0: no suspension
     void set_hertz(float hertz);
     float damping_ratio() const;  ///< 0.7 by default
     void set_damping_ratio(float ratio);
-    float lower_translation() const;
+    float lower_translation() const;  ///< m; -infinity (the default): no limit
     void set_lower_translation(float translation);
-    float upper_translation() const;
+    float upper_translation() const;  ///< m; infinity (the default): no limit. Wins over `lower`
     void set_upper_translation(float translation);
     float motor_speed() const;  ///< rad/s, of the wheel relative to the vehicle
     void set_motor_speed(float speed);

@@ -11,14 +11,14 @@ namespace fettle::physics {
 
 /// Statistics of the last step.
 struct StepStatistics {
-    uint64_t steps = 0;  ///< since the world was created
-    uint32_t bodies = 0;
-    uint32_t awake_bodies = 0;  ///< dynamic and moving kinematic ones
-    uint32_t shapes = 0;
-    uint32_t joints = 0;        ///< without dormant ones
-    uint32_t awake_joints = 0;  ///< joints that a step processes
-    uint32_t contacts = 0;      ///< pairs whose fat boxes overlap
-    uint32_t awake_contacts = 0;
+    uint64_t steps = 0;            ///< since the world was created
+    uint32_t bodies = 0;           ///< of all types
+    uint32_t awake_bodies = 0;     ///< dynamic and moving kinematic ones
+    uint32_t shapes = 0;           ///< detached ones, too
+    uint32_t joints = 0;           ///< without dormant ones
+    uint32_t awake_joints = 0;     ///< joints that a step processes
+    uint32_t contacts = 0;         ///< pairs whose fat boxes overlap
+    uint32_t awake_contacts = 0;   ///< contacts that a step processes
     uint32_t touching = 0;         ///< awake contacts with a manifold that was solved
     uint32_t islands = 0;          ///< sleeping islands
     uint32_t moved_proxies = 0;    ///< proxies that left their fat box
@@ -32,12 +32,12 @@ struct StepStatistics {
     float solve_ms = 0.0f;   ///< prepare, sub-steps, store
     float finish_ms = 0.0f;  ///< poses, boxes, continuous collision
     float sleep_ms = 0.0f;   ///< islands
-    float total_ms = 0.0f;
+    float total_ms = 0.0f;   ///< the whole step
 };
 
 /// Memory that a world has reserved for one purpose, bytes.
 struct MemoryShare {
-    const char* purpose = "";
+    const char* purpose = "";  ///< what it is for, "contacts"
     std::size_t used = 0;      ///< bytes in use
     std::size_t reserved = 0;  ///< including reserved room
 };

@@ -23,81 +23,90 @@ using Vec2 = Vector2<float>;
 /// id never refers to a later object in the same slot. Ids are ordered by slot, then by generation,
 /// and can be keys of all containers.
 struct BodyId {
-    uint32_t index = 0;
+    uint32_t index = 0;       ///< slot
     uint32_t generation = 0;  ///< 0: empty
     friend bool operator==(const BodyId&, const BodyId&) noexcept = default;
     friend auto operator<=>(const BodyId&, const BodyId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }
+    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
 };
 
+/// A handle to a shape: as `BodyId`.
 struct ShapeId {
-    uint32_t index = 0;
-    uint32_t generation = 0;
+    uint32_t index = 0;       ///< slot
+    uint32_t generation = 0;  ///< of the object in the slot; 0: empty
     friend bool operator==(const ShapeId&, const ShapeId&) noexcept = default;
     friend auto operator<=>(const ShapeId&, const ShapeId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }
+    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
 };
 
+/// A handle to a joint: as `BodyId`.
 struct JointId {
-    uint32_t index = 0;
-    uint32_t generation = 0;
+    uint32_t index = 0;       ///< slot
+    uint32_t generation = 0;  ///< of the object in the slot; 0: empty
     friend bool operator==(const JointId&, const JointId&) noexcept = default;
     friend auto operator<=>(const JointId&, const JointId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }
+    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
 };
 
+/// What moves a body.
 enum class BodyType : uint8_t {
     static_body,     ///< never moves by itself; can be teleported
     kinematic_body,  ///< moves by its velocity, no force moves it
     dynamic_body     ///< moved by forces, contacts and joints
 };
 
+/// The geometry of a shape.
 enum class ShapeType : uint8_t {
-    circle,
-    box,
-    segment,
-    polygon,
-    ellipse,
-    concave,
-    chain,
-    border  ///< half-plane of `World::bounds`; only in contacts, events and rays
+    circle,   ///< `Circle`
+    box,      ///< `Box`
+    segment,  ///< `Segment`
+    polygon,  ///< `Polygon`
+    ellipse,  ///< `Ellipse`
+    concave,  ///< `Concave`
+    chain,    ///< `Chain`
+    border    ///< half-plane of `World::bounds`; only in contacts, events and rays
 };
 
+/// What a joint does with its two bodies.
 enum class JointType : uint8_t {
-    mouse,
-    distance,
-    revolute,
-    prismatic,
-    wheel,
-    weld,
-    motor,
-    pulley,
-    gear,
-    groove,
-    pin_slot,
-    ratchet,
-    filter,
-    rotary_limit
+    mouse,        ///< `MouseJoint`
+    distance,     ///< `DistanceJoint`
+    revolute,     ///< `RevoluteJoint`
+    prismatic,    ///< `PrismaticJoint`
+    wheel,        ///< `WheelJoint`
+    weld,         ///< `WeldJoint`
+    motor,        ///< `MotorJoint`
+    pulley,       ///< `PulleyJoint`
+    gear,         ///< `GearJoint`
+    groove,       ///< `GrooveJoint`
+    pin_slot,     ///< `PinSlotJoint`
+    ratchet,      ///< `RatchetJoint`
+    filter,       ///< `FilterJoint`
+    rotary_limit  ///< `RotaryLimitJoint`
 };
 
 /// Identifies the contact of two shapes: it is the same in all events of a touch, and in every
 /// later touch of the same two shapes. Ids with the shapes in either order are equal if `of` made
 /// them.
 struct ContactId {
-    ShapeId shape_a;
-    ShapeId shape_b;
+    ShapeId shape_a;  ///< the smaller id, if `of` made it
+    ShapeId shape_b;  ///< the other shape
+    /// The contact of two shapes in either order.
     static ContactId of(const ShapeId& one, const ShapeId& other) noexcept {
         return one < other ? ContactId{one, other} : ContactId{other, one};
     }
     friend bool operator==(const ContactId&, const ContactId&) noexcept = default;
     friend auto operator<=>(const ContactId&, const ContactId&) noexcept = default;
-    explicit operator bool() const noexcept { return bool(shape_a) && bool(shape_b); }
+    explicit operator bool() const noexcept {
+        return bool(shape_a) && bool(shape_b);
+    }  ///< false: empty
 };
 
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {
-    Vec2 min = {};
-    Vec2 max = {};
+    Vec2 min = {};  ///< m
+    Vec2 max = {};  ///< the upper right corner, m
+    /// Compares both corners.
     friend bool operator==(const Aabb& a, const Aabb& b) {
         return a.min == b.min && a.max == b.max;
     }
@@ -105,8 +114,8 @@ struct Aabb {
 
 /// Pose of a body: its origin, and its angle (rad, counter-clockwise, not wrapped).
 struct Pose {
-    Vec2 position = {};
-    float angle = 0.0f;
+    Vec2 position = {};  ///< m
+    float angle = 0.0f;  ///< rad
 };
 
 /// State of a body that changes in each step. All states are in one array with the index
@@ -122,6 +131,7 @@ struct BodyState {
 };
 static_assert(sizeof(BodyState) == 32);
 
+/// For limits that are none, and for masses that do not move.
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 namespace detail {

@@ -44,6 +44,7 @@ struct Columns {
     std::vector<uint32_t> shape_generations;  ///< by `ShapeId::index`
     std::vector<uint32_t> joint_generations;  ///< by `JointId::index`
 
+    /// Whether the object exists in this world.
     bool is_valid(BodyId id) const { return lives(body_generations, id.index, id.generation); }
     bool is_valid(ShapeId id) const { return lives(shape_generations, id.index, id.generation); }
     bool is_valid(JointId id) const { return lives(joint_generations, id.index, id.generation); }
@@ -66,19 +67,24 @@ enum class Written : uint8_t { same, done, refused };
 /// Numbers of a body that hosts write by slot, named like the setters of `Body`. These setters
 /// document the ranges; writing by slot does not check them.
 enum class BodyNumber : uint8_t {
+    /// `Body::set_angular_velocity`
     angular_velocity,
+    /// `Body::set_torque`
     torque,
+    /// `Body::set_gravity_scale`
     gravity_scale,
+    /// `Body::set_linear_damping`
     linear_damping,
+    /// `Body::set_angular_damping`
     angular_damping
 };
 
 /// Numbers of objects for which `World::reserve` reserves memory.
 struct Capacity {
-    uint32_t bodies = 0;
+    uint32_t bodies = 0;    ///< of all types
     uint32_t shapes = 0;    ///< each segment of a chain and each convex part counts as a shape, too
     uint32_t contacts = 0;  ///< pairs of shapes near each other
-    uint32_t joints = 0;
+    uint32_t joints = 0;    ///< dormant ones, too
 };
 
 /// A world of rigid bodies. It owns all its objects; `Body`, `Shape`, `Joint` and `Field` are
@@ -101,6 +107,7 @@ struct Capacity {
 ///     std::cout << crate.position().y;
 class World {
   public:
+    /// An empty world. Throws std::invalid_argument for a value out of its range.
     explicit World(const WorldDef& def = {});
     /// Inside a function that the world is calling: the step or the query continues to its end and
     /// then throws `Locked`, and handles report that their world was destroyed.
@@ -140,46 +147,47 @@ class World {
     /// not to its state. An empty function is ignored.
     void after_step(std::function<void()> act) const;
 
-    Vec2 gravity() const;
+    Vec2 gravity() const;                   ///< m/s²
     void set_gravity(const Vec2& gravity);  ///< wakes all
-    int substeps() const;
-    void set_substeps(int substeps);  ///< 1 … 64
+    int substeps() const;                   ///< solver sub-steps per step
+    void set_substeps(int substeps);        ///< 1 … 64
     /// The number of sub-steps of the last step: more than `substeps` if it was much longer than
     /// the one before it; 0 before the first step.
     int last_substeps() const;
-    const std::optional<Aabb>& bounds() const;
+    const std::optional<Aabb>& bounds()
+        const;  ///< walls that keep dynamic bodies inside; none: open
     void set_bounds(const std::optional<Aabb>& bounds);  ///< wakes all
-    float bounds_friction() const;
+    float bounds_friction() const;                       ///< of these walls, at least 0
     void set_bounds_friction(float friction);
-    float bounds_restitution() const;
+    float bounds_restitution() const;  ///< of these walls, 0 … 1
     void set_bounds_restitution(float restitution);
-    bool sleeping() const;
+    bool sleeping() const;            ///< whether resting islands fall asleep
     void set_sleeping(bool enabled);  ///< false wakes all
-    bool continuous() const;
+    bool continuous() const;          ///< whether fast bodies do not pass through static ones
     void set_continuous(bool enabled);
-    float restitution_threshold() const;
+    float restitution_threshold() const;  ///< m/s, at least 0: slower impacts do not bounce
     void set_restitution_threshold(float speed);
-    float hit_threshold() const;
+    float hit_threshold() const;  ///< m/s, at least 0: slower impacts make no hit event
     void set_hit_threshold(float speed);
-    float sleep_speed() const;
+    float sleep_speed() const;  ///< m/s, at least 0: slower islands fall asleep after `sleep_delay`
     void set_sleep_speed(float speed);
-    float sleep_delay() const;
+    float sleep_delay() const;  ///< s, at least 0
     void set_sleep_delay(float seconds);
-    float contact_hertz() const;
+    float contact_hertz() const;  ///< Hz, at least 0: `WorldDef::contact_hertz`
     void set_contact_hertz(float hertz);
-    float contact_damping() const;
+    float contact_damping() const;  ///< damping ratio of contacts, at least 0
     void set_contact_damping(float ratio);
-    float push_speed() const;
+    float push_speed() const;  ///< m/s, at least 0: limit for pushing overlapping shapes apart
     void set_push_speed(float speed);
-    Solver solver() const;
-    void set_solver(Solver solver);  ///< wakes all
-    MixRule friction_mix() const;
-    void set_friction_mix(MixRule rule);  ///< wakes all
-    MixRule restitution_mix() const;
+    Solver solver() const;                   ///< how contacts and joints are solved
+    void set_solver(Solver solver);          ///< wakes all
+    MixRule friction_mix() const;            ///< how a contact computes its friction
+    void set_friction_mix(MixRule rule);     ///< wakes all
+    MixRule restitution_mix() const;         ///< how a contact computes its restitution
     void set_restitution_mix(MixRule rule);  ///< wakes all
-    bool persist_events() const;
+    bool persist_events() const;  ///< whether every continuing touch is reported in every step
     void set_persist_events(bool enabled);
-    void wake_all();
+    void wake_all();  ///< wakes all bodies
     /// The largest number of values that are computed at a time: 4, 8 or 16, limited by
     /// `simd_width`. Smaller widths are slower and give equal bits; they are for comparisons.
     /// Throws for any other number.
@@ -229,6 +237,8 @@ class World {
     /// change it, and a copy has none.
     void set_owner(const Owner* owner);
 
+    /// Like all functions that create, it throws std::invalid_argument for a value out of its
+    /// range.
     Body create_body(const BodyDef& def = {});
     Shape create_shape(const Geometry& geometry, const ShapeDef& def = {});  ///< detached
     /// A dormant joint, to be set and then connected; what other functions measure at creation is
@@ -236,31 +246,51 @@ class World {
     Joint create_joint(JointType type, uint64_t user_data = 0);
     /// A dormant joint with the settings and user data of another one, of any world.
     Joint create_joint(const Joint& like);
+    /// A soft pull of a point of a body towards a target, for dragging.
     MouseJoint create_mouse_joint(const MouseJointDef& def);
     // A joint of each type; joint_definitions.h has the definitions.
+    /// A rod, a rope or a spring between two points.
     DistanceJoint create_distance_joint(const DistanceJointDef& def);
+    /// A hinge: holds two points together.
     RevoluteJoint create_revolute_joint(const RevoluteJointDef& def);
+    /// A slide along an axis, without rotation.
     PrismaticJoint create_prismatic_joint(const PrismaticJointDef& def);
+    /// A wheel with suspension and motor.
     WheelJoint create_wheel_joint(const WheelJointDef& def);
+    /// Holds two bodies together at a point and at an angle.
     WeldJoint create_weld_joint(const WeldJointDef& def);
+    /// Drives b relative to a, with a limited force.
     MotorJoint create_motor_joint(const MotorJointDef& def);
+    /// A rope over two wheels of the world.
     PulleyJoint create_pulley_joint(const PulleyJointDef& def);
+    /// Rotates b with a.
     GearJoint create_gear_joint(const GearJointDef& def);
+    /// A pin in a groove with two ends.
     GrooveJoint create_groove_joint(const GrooveJointDef& def);
+    /// A pin in a straight slot.
     PinSlotJoint create_pin_slot_joint(const PinSlotJointDef& def);
+    /// Lets b rotate in one direction only.
     RatchetJoint create_ratchet_joint(const RatchetJointDef& def);
+    /// The two bodies do not collide with each other.
     FilterJoint create_filter_joint(const FilterJointDef& def);
+    /// Keeps the angle of b relative to a between two angles.
     RotaryLimitJoint create_rotary_limit_joint(const RotaryLimitJointDef& def);
+    /// A field of force.
     Field create_field(const FieldDef& def);
+    /// Whether the object exists in this world.
     bool is_valid(FieldId id) const;
+    /// The field with this id; its functions throw if there is none.
     Field field(FieldId id) const { return {self(), id}; }
     std::vector<Field> fields() const;  ///< in slot order
     void clear();                       ///< destroys every body, shape, joint and field
 
+    /// Whether the object exists in this world.
     bool is_valid(BodyId id) const { return columns_->is_valid(id); }
     bool is_valid(ShapeId id) const { return columns_->is_valid(id); }
     bool is_valid(JointId id) const { return columns_->is_valid(id); }
+    /// The body with this id; its functions throw if there is none.
     Body body(BodyId id) const { return {self(), id}; }
+    /// The shape with this id; its functions throw if there is none.
     Shape shape(ShapeId id) const { return {self(), id}; }
     /// The joint as its own type, or as a general joint: `joint<WheelJoint>(id)`.
     template <class Any = Joint>
@@ -270,28 +300,39 @@ class World {
 
     // Unchecked access for hosts that store slots: `index` must be that of a live body. A reference
     // is valid until the next body is created.
+    /// Pose and velocities.
     const BodyState& state(uint32_t index) const { return columns_->states[index]; }
+    /// kg.
     float mass(uint32_t index) const;
+    /// Of the center of mass, m/s.
     Vec2 velocity(uint32_t index) const;
     /// Returns false and does nothing if the body does not move by itself.
     bool set_velocity(uint32_t index, const Vec2& velocity);
+    /// Writes a number; `Written` says whether it could.
     template <BodyNumber number>
     Written write(uint32_t index, float value);
+    /// Writes the velocity of the center of mass, m/s.
     Written write_velocity(uint32_t index, const Vec2& velocity);
+    /// Pose before the last step.
     const Pose& previous(uint32_t index) const { return columns_->previous[index]; }
+    /// The states of all slots.
     std::span<const BodyState> states() const { return columns_->states; }
     /// Generation of the object in a slot, 0 for a free slot. Slots 0 … `body_slots()`-1; slot 0
     /// belongs to the world.
     uint32_t body_generation(uint32_t index) const { return columns_->body_generations[index]; }
+    /// As `body_generation`, for shapes.
     uint32_t shape_generation(uint32_t index) const { return columns_->shape_generations[index]; }
+    /// As `body_generation`, for joints.
     uint32_t joint_generation(uint32_t index) const { return columns_->joint_generations[index]; }
+    /// Number of slots, free ones included.
     uint32_t body_slots() const { return uint32_t(columns_->body_generations.size()); }
+    /// Number of slots, free ones included.
     uint32_t shape_slots() const { return uint32_t(columns_->shape_generations.size()); }
 
     // All live objects, in slot order, without the border of the world.
-    std::vector<Body> bodies() const;
-    std::vector<Shape> shapes() const;
-    std::vector<Joint> joints() const;
+    std::vector<Body> bodies() const;       ///< in slot order, without the border of the world
+    std::vector<Shape> shapes() const;      ///< in slot order, detached ones included
+    std::vector<Joint> joints() const;      ///< in slot order, dormant ones included
     std::vector<Contact> contacts() const;  ///< touching contacts, sleeping ones, too
     /// Whether two shapes touch; false if one of them does not exist.
     bool is_touching(const ContactId& id) const;
@@ -303,19 +344,20 @@ class World {
     /// Bodies that have another pose than before the last step, in slot order: those that a host
     /// has to draw elsewhere. Bodies that were teleported since are not among them.
     std::vector<Body> moved_bodies() const;
-    uint32_t body_count() const;
+    uint32_t body_count() const;  ///< without the border of the world
     /// True in the middle of a step, a query or an edit that calls a user function: editing methods
     /// throw Locked then.
     bool locked() const;
-    uint32_t shape_count() const;
-    uint32_t joint_count() const;
+    uint32_t shape_count() const;  ///< detached ones included
+    uint32_t joint_count() const;  ///< dormant ones included
 
-    const Events& events() const;  ///< of the last step
-    const StepStatistics& statistics() const;
+    const Events& events() const;              ///< of the last step
+    const StepStatistics& statistics() const;  ///< of the last step
     /// From the next step on, adds up what changes the velocity of this body; other results do not
     /// depend on that. Beyond `most_accounts` bodies, the account that began first is dropped.
     /// Accounts are for the solver `soft_step`. They are not part of the state: a copy has none.
     void keep_account(BodyId body);
+    /// The number of bodies of which accounts can be kept at a time.
     static constexpr size_t most_accounts = 8;
     /// What changed the velocity of a body in the last step; none if that was not added up, or if
     /// the body was asleep or does not move by forces.
@@ -329,11 +371,14 @@ class World {
 
     // Queries include every edit made before them. The order of the found shapes is repeatable. An
     // exception of `QueryFilter::accept` ends the query at once; the world does not change.
+    /// Shapes that contain a point (m).
     std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_aabb(
         const Aabb& box, const QueryFilter& filter = {}) const;  ///< shapes that overlap the box
+    /// The first shape that a ray from one point to another (m) meets from outside.
     std::optional<RayHit> cast_ray(const Vec2& from, const Vec2& to,
                                    const QueryFilter& filter = {}) const;
+    /// All shapes that a ray meets from outside.
     std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
                                      const QueryFilter& filter = {}) const;  ///< nearest first
     /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are

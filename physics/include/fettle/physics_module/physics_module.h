@@ -22,12 +22,12 @@ class FETTLE_PHYSICS_MODULE_PRIVATE Hosting;
 /// them; its classes can have no others then.
 class PhysicsModule : public module::Module {
   public:
-    PhysicsModule();
+    PhysicsModule();  ///< without a tree: `attach`
     ~PhysicsModule() override;
     PhysicsModule(const PhysicsModule&) = delete;
     PhysicsModule& operator=(const PhysicsModule&) = delete;
 
-    std::string_view name() const override { return "physics"; }
+    std::string_view name() const override { return "physics"; }  ///< of the module
     /// Throws std::logic_error if the module was attached before, and Error(bad_name) if the tree
     /// already has a class, a child `world` of the root or a part of snapshots with a name that the
     /// module needs. Then nothing has changed, and the module is not attached.
@@ -39,10 +39,12 @@ class PhysicsModule : public module::Module {
     /// Hash of the only world below the root. If there are several, their hashes are combined in
     /// the order of their numbers; the number of a deleted world is used again.
     std::uint64_t hash() const override;
+    /// Makes an update of physics that a recording contains: `World::refresh`.
     void refresh(std::uint64_t what) override;
 
     /// Saves every world, bit for bit.
     property::Memory save(property::ByteWriter& to) const override;
+    /// Reads what `save` wrote, and returns the function that takes it over.
     std::function<void()> restore(property::ByteReader& from,
                                   const property::Memory& memory) override;
 
@@ -63,8 +65,8 @@ class PhysicsModule : public module::Module {
     /// The world of a World instance. For any other instance, the nearest world above it; if there
     /// is none, the world that contains all objects without a world.
     physics::World& world(property::Handle instance);
-    physics::Body body(property::Handle instance);
-    physics::Shape shape(property::Handle instance);
+    physics::Body body(property::Handle instance);    ///< of an instance of Body
+    physics::Shape shape(property::Handle instance);  ///< of an instance of Shape
 
     /// The instance of an object; the null handle if it has none (a world's border).
     property::Handle handle(const physics::Body& body) const;
