@@ -32,6 +32,7 @@ FETTLE_PHYSICS_C_BEGIN
 /** Result of a function: one of fettle_codes. */
 typedef int32_t fettle_code;
 
+/** What a function gives. */
 enum fettle_codes {
     FETTLE_DONE = 0,
     FETTLE_INVALID =
@@ -63,27 +64,31 @@ typedef uint64_t fettle_id;
 /** Slot of the object in the columns of its world (columns.h): the low 28 bits of the id. */
 uint32_t fettle_slot(fettle_id id);
 
+/** A point or a vector, in m unless its user says otherwise. */
 typedef struct fettle_vec2 {
-    float x, y;
+    float x, y; /* to the right and upwards */
 } fettle_vec2;
 
 /** Axis-aligned box. */
 typedef struct fettle_aabb {
     fettle_vec2 min; /* lower left corner */
-    fettle_vec2 max;
+    fettle_vec2 max; /* the upper right corner */
 } fettle_aabb;
 
+/** Where a body is. */
 typedef struct fettle_pose {
     fettle_vec2 position; /* of the origin, m */
     float angle;          /* rad, not wrapped */
 } fettle_pose;
 
+/** What moves a body. */
 enum fettle_body_type {
     FETTLE_BODY_STATIC = 0,    /* never moves by itself; can be teleported */
     FETTLE_BODY_KINEMATIC = 1, /* moves by its velocity, no force moves it */
     FETTLE_BODY_DYNAMIC = 2    /* moved by forces, contacts and joints */
 };
 
+/** The geometry of a shape. */
 enum fettle_shape_type {
     FETTLE_SHAPE_CIRCLE = 0,
     FETTLE_SHAPE_BOX = 1,
@@ -95,6 +100,7 @@ enum fettle_shape_type {
     FETTLE_SHAPE_BORDER = 7 /* half-plane of the bounds; only in contacts, events and rays */
 };
 
+/** What a joint does with its two bodies: sliding_joints.h, holding_joints.h, coupling_joints.h. */
 enum fettle_joint_type {
     FETTLE_JOINT_MOUSE = 0,
     FETTLE_JOINT_DISTANCE = 1,
@@ -128,6 +134,7 @@ enum fettle_solver {
     FETTLE_SOLVER_DIRECT = 2      /* each island as one complementarity problem */
 };
 
+/** Whether points have a convex hull. */
 enum fettle_hull_status {
     FETTLE_HULL_OK = 0,
     FETTLE_HULL_TOO_FEW_POINTS = 1, /* fewer than three different points */

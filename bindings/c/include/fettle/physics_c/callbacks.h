@@ -19,19 +19,20 @@ FETTLE_PHYSICS_C_BEGIN
 /** A contact about to be solved. The last five members may be set; the first four of
     them are valid for the step. */
 typedef struct fettle_contact_edit {
-    fettle_id shape_a, shape_b;
-    fettle_vec2 point;   /* world, m: middle of the manifold of the deepest part */
-    fettle_vec2 normal;  /* from a to b */
-    float speed;         /* m/s, approach speed along the normal */
-    float impulse;       /* N s, normal impulse of the last step */
-    float separation;    /* m, negative when the shapes overlap */
-    float friction;      /* mixed; 0 or more; NaN changes nothing */
-    float restitution;   /* mixed; 0 to 1 */
-    float surface_speed; /* mixed; m/s */
-    bool enabled;        /* false: no contact in this step */
-    bool ignored;        /* true: no contact until the shapes have separated */
+    fettle_id shape_a, shape_b; /* the normal points from a to b */
+    fettle_vec2 point;          /* world, m: middle of the manifold of the deepest part */
+    fettle_vec2 normal;         /* from a to b */
+    float speed;                /* m/s, approach speed along the normal */
+    float impulse;              /* N s, normal impulse of the last step */
+    float separation;           /* m, negative when the shapes overlap */
+    float friction;             /* mixed; 0 or more; NaN changes nothing */
+    float restitution;          /* mixed; 0 to 1 */
+    float surface_speed;        /* mixed; m/s */
+    bool enabled;               /* false: no contact in this step */
+    bool ignored;               /* true: no contact until the shapes have separated */
 } fettle_contact_edit;
 
+/** What a refresh updates. */
 enum fettle_refresh_of {
     FETTLE_REFRESH_EVERYTHING = 0,
     FETTLE_REFRESH_BODY = 1,
@@ -41,6 +42,7 @@ enum fettle_refresh_of {
 /** Whether two shapes whose filters agree may collide. */
 typedef bool (*fettle_pair_filter)(void* user, const fettle_world* world, fettle_id shape_a,
                                    fettle_id shape_b);
+/** Edits a contact that is about to be solved. */
 typedef void (*fettle_contact_callback)(void* user, const fettle_world* world,
                                         fettle_contact_edit* contact);
 /** `of`: one of fettle_refresh_of; `slot`: of the body or shape. */
@@ -75,6 +77,7 @@ fettle_code fettle_world_locked(const fettle_world* world, bool* locked);
    be created and destroyed, and their user data set, only while the owner acts: otherwise these
    calls give FETTLE_LOCKED. */
 typedef struct fettle_owner fettle_owner;
+/** Called when the world may be edited again. */
 typedef void (*fettle_unlocked_callback)(void* user);
 
 /** An owner. `advice` is copied to the end of messages, as in "delete the entity instead". */

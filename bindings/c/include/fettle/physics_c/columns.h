@@ -19,9 +19,9 @@ typedef struct fettle_body_state {
 /** Arrays of a world. A body has the index fettle_slot(id) in them, which does not change while it
     lives. Slot 0 belongs to the world; what is in a free slot has no meaning. */
 typedef struct fettle_columns {
-    const fettle_body_state* states;
-    const fettle_pose* previous; /* before the last step */
-    uint32_t body_slots;         /* length of both */
+    const fettle_body_state* states; /* now */
+    const fettle_pose* previous;     /* before the last step */
+    uint32_t body_slots;             /* length of both */
 } fettle_columns;
 
 /** The arrays themselves: they show every step and every edit. The pointers are valid until a body
@@ -70,6 +70,7 @@ enum fettle_body_number {
     FETTLE_NUMBER_ANGULAR_DAMPING = 4
 };
 
+/** Result of writing by slot. */
 enum fettle_written {
     FETTLE_WRITTEN_SAME = 0, /* the value was there already */
     FETTLE_WRITTEN_DONE = 1, /* the value is written */

@@ -6,6 +6,7 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
+/** A point of a contact. */
 typedef struct fettle_contact_point {
     fettle_vec2 point;     /* world, m */
     float separation;      /* m, negative: overlap */
@@ -16,14 +17,14 @@ typedef struct fettle_contact_point {
 
 /** A contact between two shapes. One of the bodies may be the border of the world. */
 typedef struct fettle_contact {
-    fettle_id body_a, body_b;
-    fettle_id shape_a, shape_b;
-    fettle_vec2 normal; /* from a to b */
-    float friction;     /* mixed */
-    float restitution;  /* mixed */
-    float normal_force; /* N, mean over the last sub-step, sum of both points */
-    int32_t point_count;
-    fettle_contact_point points[2];
+    fettle_id body_a, body_b;       /* of these shapes */
+    fettle_id shape_a, shape_b;     /* that touch */
+    fettle_vec2 normal;             /* from a to b */
+    float friction;                 /* mixed */
+    float restitution;              /* mixed */
+    float normal_force;             /* N, mean over the last sub-step, sum of both points */
+    int32_t point_count;            /* 1 or 2 */
+    fettle_contact_point points[2]; /* the first point_count of them */
 } fettle_contact;
 
 FETTLE_PHYSICS_C_END

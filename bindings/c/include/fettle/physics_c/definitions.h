@@ -136,6 +136,7 @@ typedef struct fettle_mouse_joint_def {
     uint64_t user_data;  /* 0 */
 } fettle_mouse_joint_def;
 
+/** What a field of force does. */
 enum fettle_field_type {
     FETTLE_FIELD_WIND = 0,
     FETTLE_FIELD_DRAG = 1,

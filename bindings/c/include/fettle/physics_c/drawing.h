@@ -24,7 +24,9 @@ typedef struct fettle_debug_draw {
                     uint32_t color);
     /** A circle, with the angle of its body. */
     void (*circle)(void* user, fettle_vec2 center, float radius, float angle, uint32_t color);
+    /** A line between two points. */
     void (*segment)(void* user, fettle_vec2 from, fettle_vec2 to, uint32_t color);
+    /** A point, to be drawn in a size of the host. */
     void (*point)(void* user, fettle_vec2 at, uint32_t color);
 } fettle_debug_draw;
 

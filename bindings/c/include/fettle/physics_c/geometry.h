@@ -8,6 +8,7 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
+/** Area, mass and inertia of a geometry; a chain has none. */
 typedef struct fettle_mass_properties {
     float area;           /* m2 */
     float mass;           /* kg */
@@ -31,8 +32,8 @@ typedef struct fettle_contact_manifold {
 
 /** A uniform motion from one pose to another. */
 typedef struct fettle_movement {
-    fettle_pose from;
-    fettle_pose to;
+    fettle_pose from;   /* at fraction 0 */
+    fettle_pose to;     /* at fraction 1 */
     fettle_vec2 center; /* the point that moves on a straight line, body coordinates, m */
 } fettle_movement;
 
@@ -43,6 +44,7 @@ typedef struct fettle_line_point {
     bool closed;       /* whether the line is closed */
 } fettle_line_point;
 
+/** The direction of a closed chain, which decides on which side it is solid. */
 enum fettle_winding {
     FETTLE_WINDING_AS_GIVEN = 0,
     FETTLE_WINDING_CLOCKWISE = 1,        /* an island: solid for bodies outside */

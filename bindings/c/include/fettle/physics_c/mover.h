@@ -31,7 +31,7 @@ typedef struct fettle_mover_def {
 /** The state of a mover: a plain value that can be copied and saved. */
 typedef struct fettle_mover_state {
     uint32_t size;
-    bool on_ground;
+    bool on_ground;            /* after the last move */
     bool climbing;             /* true: it moves freely, without ground, steps and rides */
     fettle_vec2 position;      /* of its feet, m */
     fettle_vec2 ground_normal; /* zero in the air */
@@ -48,11 +48,11 @@ typedef struct fettle_moved {
     fettle_vec2 wall_normal;     /* of the last wall or ceiling that it hit */
     fettle_id ground;            /* shape below its feet; 0 in the air */
     fettle_id wall;              /* shape of the last wall or ceiling; 0: none */
-    bool on_ground;
-    bool hit_wall;
-    bool hit_ceiling;
-    bool stepped; /* it climbed a step */
-    bool crushed; /* it has no place between what presses it */
+    bool on_ground;              /* it stands */
+    bool hit_wall;               /* it was stopped by a wall */
+    bool hit_ceiling;            /* it was stopped by a ceiling */
+    bool stepped;                /* it climbed a step */
+    bool crushed;                /* it has no place between what presses it */
 } fettle_moved;
 
 /** A plane that bounds the motion of a mover. */
@@ -60,7 +60,7 @@ typedef struct fettle_mover_plane {
     fettle_vec2 normal; /* from the shape to the mover; its length is 1 */
     fettle_vec2 point;  /* on the surface, m */
     float separation;   /* m; negative when they overlap */
-    fettle_id shape;
+    fettle_id shape;    /* that bounds it */
 } fettle_mover_plane;
 
 /** Write the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */

@@ -28,8 +28,9 @@ typedef struct fettle_query_filter {
 /** Writes the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */
 fettle_code fettle_query_filter_init(fettle_query_filter* filter, size_t size);
 
+/** Where a ray or a cast shape meets a shape. */
 typedef struct fettle_ray_hit {
-    fettle_id shape;
+    fettle_id shape;    /* that was found */
     fettle_vec2 point;  /* world, m */
     fettle_vec2 normal; /* outward; opposite to the motion if a cast shape overlaps at the start */
     float fraction;     /* 0 at the start of the ray, 1 at its end */
@@ -37,7 +38,7 @@ typedef struct fettle_ray_hit {
 
 /** A point on a shape. */
 typedef struct fettle_point_hit {
-    fettle_id shape;
+    fettle_id shape;    /* that was found */
     fettle_vec2 point;  /* on its surface; the query point if that is inside */
     fettle_vec2 normal; /* outward; zero inside */
     float distance;     /* m; 0 inside */
@@ -51,6 +52,7 @@ typedef struct fettle_separation {
     fettle_vec2 normal;  /* from a to b; zero when they overlap */
 } fettle_separation;
 
+/** Called for each find; false ends the query. */
 typedef bool (*fettle_shape_visitor)(void* user, const fettle_world* world, fettle_id shape);
 typedef bool (*fettle_ray_visitor)(void* user, const fettle_world* world,
                                    const fettle_ray_hit* hit);

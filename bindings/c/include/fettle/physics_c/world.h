@@ -155,14 +155,14 @@ fettle_code fettle_world_hash(const fettle_world* world, uint64_t* hash);
 
 /** What a step did. Times are in ms. */
 typedef struct fettle_statistics {
-    uint64_t steps; /* since the world was created */
-    uint32_t bodies;
-    uint32_t awake_bodies; /* dynamic and moving kinematic ones */
-    uint32_t shapes;
-    uint32_t joints;       /* without dormant ones */
-    uint32_t awake_joints; /* joints that a step processes */
-    uint32_t contacts;     /* pairs whose fat boxes overlap */
-    uint32_t awake_contacts;
+    uint64_t steps;           /* since the world was created */
+    uint32_t bodies;          /* of all types */
+    uint32_t awake_bodies;    /* dynamic and moving kinematic ones */
+    uint32_t shapes;          /* detached ones, too */
+    uint32_t joints;          /* without dormant ones */
+    uint32_t awake_joints;    /* joints that a step processes */
+    uint32_t contacts;        /* pairs whose fat boxes overlap */
+    uint32_t awake_contacts;  /* contacts that a step processes */
     uint32_t touching;        /* awake contacts with a manifold that was solved */
     uint32_t islands;         /* sleeping islands */
     uint32_t moved_proxies;   /* proxies that left their fat box */
@@ -174,7 +174,7 @@ typedef struct fettle_statistics {
     float solve_ms;           /* prepare, sub-steps, store */
     float finish_ms;          /* poses, boxes, continuous collision */
     float sleep_ms;           /* islands */
-    float total_ms;
+    float total_ms;           /* the whole step */
 } fettle_statistics;
 
 /** Statistics of the last step. */

@@ -9,6 +9,7 @@
 
 FETTLE_HOST_BEGIN
 
+/** A corner of a triangle. */
 typedef struct fettle_console_vertex {
     float x, y;         /* pixels from the top left */
     float u, v;         /* in the texture, 0 to 1 */
@@ -17,31 +18,31 @@ typedef struct fettle_console_vertex {
 
 /** Pixels that a command may show. */
 typedef struct fettle_console_clip {
-    float left, top, width, height;
+    float left, top, width, height; /* pixels */
 } fettle_console_clip;
 
 /** Triangles to be drawn one after another: three indices each, blended with straight alpha. */
 typedef struct fettle_console_command {
-    uint32_t texture; /* id of a texture; 0: none, a plain color */
-    uint32_t first_index, index_count;
-    fettle_console_clip clip;
+    uint32_t texture;                  /* id of a texture; 0: none, a plain color */
+    uint32_t first_index, index_count; /* its part of the indices of the picture */
+    fettle_console_clip clip;          /* nothing is drawn outside */
 } fettle_console_command;
 
 /** Pixels: four bytes each (red, green, blue, alpha), rows from the top. */
 typedef struct fettle_console_texture {
-    uint32_t id;
-    uint32_t width, height;
-    uint32_t version; /* another one when the pixels have changed */
-    const uint8_t* rgba;
+    uint32_t id;            /* as in fettle_console_command */
+    uint32_t width, height; /* pixels */
+    uint32_t version;       /* another one when the pixels have changed */
+    const uint8_t* rgba;    /* 4 * width * height bytes */
 } fettle_console_texture;
 
 /** A picture of the console. Its arrays are valid until the next picture of the game. */
 typedef struct fettle_console_picture {
-    const fettle_console_vertex* vertices;
-    const uint32_t* indices; /* of vertices */
-    const fettle_console_command* commands;
-    const fettle_console_texture* textures; /* all that there are */
-    uint32_t vertex_count, index_count, command_count, texture_count;
+    const fettle_console_vertex* vertices;                            /* corners of the triangles */
+    const uint32_t* indices;                                          /* of vertices */
+    const fettle_console_command* commands;                           /* in the order of drawing */
+    const fettle_console_texture* textures;                           /* all that there are */
+    uint32_t vertex_count, index_count, command_count, texture_count; /* lengths */
 } fettle_console_picture;
 
 /** The console over a picture of that size in pixels (1 to 32768), `seconds` of real time after the
@@ -49,6 +50,7 @@ typedef struct fettle_console_picture {
 fettle_code fettle_console_draw(fettle_hosted* game, float width, float height, double seconds,
                                 fettle_console_picture* picture);
 
+/** Whether it is open; the grave key of an input opens and closes it, too. */
 fettle_code fettle_console_open(fettle_hosted* game, bool open);
 fettle_code fettle_console_is_open(fettle_hosted* game, bool* is_open);
 

@@ -24,6 +24,7 @@ typedef struct fettle_hosted_def {
     const char* tweaks_of;
 } fettle_hosted_def;
 
+/** Writes the defaults and `size`. FETTLE_INVALID unless `size` is the size of the structure. */
 fettle_code fettle_hosted_def_init(fettle_hosted_def* def, size_t size);
 
 /** A new game with an empty world (`world`) and with `time`, `view`, `input` and `audio`, which

@@ -6,6 +6,7 @@
 
 FETTLE_HOST_BEGIN
 
+/** What happened. */
 enum fettle_input_kind {
     FETTLE_INPUT_KEY_PRESSED = 0,
     FETTLE_INPUT_KEY_RELEASED = 1,
@@ -40,11 +41,13 @@ typedef struct fettle_hosted_input {
     int32_t gamepad;    /* from 1 */
     float x, y;         /* mouse: pixels from the top left; new size of FETTLE_INPUT_RESIZED */
     float delta;        /* wheel: notches, away from the user positive; axis: -1 to 1 */
-    bool control, shift, alt;
-    bool repeated; /* a key that is held down */
-    bool focused;  /* of FETTLE_INPUT_FOCUS: gained */
+    bool control, shift, alt; /* keys that are held down */
+    bool repeated;            /* a key that is held down */
+    bool focused;             /* of FETTLE_INPUT_FOCUS: gained */
 } fettle_hosted_input;
 
+/** Makes all members 0 and null, and writes `size`. FETTLE_INVALID unless `size` is the size of the
+    structure. */
 fettle_code fettle_hosted_input_init(fettle_hosted_input* input, size_t size);
 
 /** Gives an event to the console and then to the game. `used` may be null; true: the console has

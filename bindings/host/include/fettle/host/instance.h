@@ -37,6 +37,7 @@ fettle_code fettle_hosted_child(fettle_hosted* game, fettle_instance instance, c
 fettle_code fettle_hosted_children(fettle_hosted* game, fettle_instance instance,
                                    fettle_instance* out, uint32_t room, uint32_t* count);
 
+/** Its name among its siblings, and its path from the root. */
 fettle_code fettle_hosted_name(fettle_hosted* game, fettle_instance instance, const char** name);
 fettle_code fettle_hosted_path(fettle_hosted* game, fettle_instance instance, const char** path);
 
@@ -54,8 +55,8 @@ fettle_code fettle_hosted_classes(fettle_hosted* game, const char** out, uint32_
 
 /** A member of a class. Its texts live as long as the game. */
 typedef struct fettle_member {
-    const char* name;
-    const char* doc;
+    const char* name;        /* as in Lua */
+    const char* doc;         /* "" without one */
     const char* unit;        /* of a property; "" without a unit */
     const char* declared_by; /* the class, or one that it derives from */
     int32_t kind;            /* one of fettle_member_kind */
@@ -63,6 +64,7 @@ typedef struct fettle_member {
     bool read_only;          /* of a property */
 } fettle_member;
 
+/** What a member of a class is. */
 enum fettle_member_kind {
     FETTLE_MEMBER_PROPERTY = 0,
     FETTLE_MEMBER_METHOD = 1,

@@ -20,17 +20,19 @@ fettle_code fettle_hosted_reset(fettle_hosted* game, const char* path);
     it is released. After its instance is deleted, its functions give FETTLE_STALE. */
 typedef uint64_t fettle_property_id;
 
+/** Handles by path, or by instance and name; `release` ends one. */
 fettle_code fettle_property_at(fettle_hosted* game, const char* path, fettle_property_id* property);
 fettle_code fettle_property_of(fettle_hosted* game, fettle_instance instance, const char* name,
                                fettle_property_id* property);
 fettle_code fettle_property_release(fettle_hosted* game, fettle_property_id property);
 
+/** The value of the property. */
 fettle_code fettle_property_get(fettle_hosted* game, fettle_property_id property,
                                 fettle_hosted_value* value);
 fettle_code fettle_property_set(fettle_hosted* game, fettle_property_id property,
                                 const fettle_hosted_value* value);
 
-/* The same for one type. A getter refuses a value of another type, except that an integer is a
+/** The same for one type. A getter refuses a value of another type, except that an integer is a
    number too. */
 fettle_code fettle_property_get_number(fettle_hosted* game, fettle_property_id property,
                                        double* number);

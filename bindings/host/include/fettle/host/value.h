@@ -6,6 +6,7 @@
 
 FETTLE_HOST_BEGIN
 
+/** The type of a value. */
 enum fettle_value_type {
     FETTLE_VALUE_NIL = 0,
     FETTLE_VALUE_BOOLEAN = 1,
@@ -32,7 +33,7 @@ typedef struct fettle_hosted_value {
         int32_t boolean; /* 0 is false */
         const char* text;
         const struct fettle_hosted_value* list;
-    } as;
+    } as; /* the member that the type names */
 } fettle_hosted_value;
 
 FETTLE_HOST_END
