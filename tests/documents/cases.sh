@@ -363,4 +363,61 @@ echo short
     expect_failure "long"
 }
 
+# reference: builds the reference of a header, which is on the standard input. The name decides whether it is one in C.
+reference() {
+    mkdir -p "$work/include/host"
+    rm -f "$work"/include/host/* "$work"/include/*.h
+    cat >"$work/include/$1"
+    status=0
+    output=$("$here/reference.sh" "$work/reference" "$work/include" 2>&1) || status=$?
+    if [[ $status == 77 ]]; then exit 77; fi
+}
+
+case_a_public_member_without_a_comment_is_no_reference() {
+    reference a.h <<'HEADER'
+/// A thing.
+struct Thing {
+    int size() const;  ///< bytes
+    int weight() const;
+    void set_weight(int weight);
+};
+HEADER
+    expect_failure "a.h:4: error: Member weight() const"
+}
+
+case_a_setter_in_the_reference_has_the_comment_of_its_getter() {
+    reference a.h <<'HEADER'
+/// A thing.
+struct Thing {
+    int weight() const;  ///< in kilograms
+    void set_weight(int weight);
+    /// How long it is,
+    /// in meters.
+    int length() const;
+    void set_length(int length);
+};
+HEADER
+    expect_success
+    [[ $(grep -c 'in kilograms' "$work/reference/html/structThing.html") == 2 ]] || wrong "both should have the comment"
+}
+
+case_functions_in_c_without_a_line_between_share_a_comment_in_the_reference() {
+    reference host/a.h <<'HEADER'
+/* Things. */
+
+/** A thing. */
+typedef struct thing {
+    float x, y; /* where it is */
+} thing;
+
+/** Its weight. */
+int thing_weight(const thing* of);
+int thing_set_weight(thing* of, int weight);
+
+int thing_length(const thing* of);
+HEADER
+    expect_failure "a.h:12: error: Member thing_length"
+    [[ $output != *thing_set_weight* && $output != *"Member y"* ]] || wrong "the comments should be shared"
+}
+
 "$1"
