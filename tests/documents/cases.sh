@@ -348,6 +348,25 @@ x = 1
     expect_failure "look at both pictures"
 }
 
+case_a_picture_that_the_commands_made_is_compared() {
+    local page='```sh
+mkdir inside && cd inside && echo "<svg/>" >ball.svg
+```
+
+<!-- test: picture made ball.svg -->
+![A ball](ball.svg)'
+    follow --draw <<<"$page"
+    expect_success
+    [[ $(<"$work/ball.svg") == '<svg/>' ]] || wrong "the picture should be copied"
+    follow <<<"$page"
+    expect_success
+    printf 'another\n' >"$work/ball.svg"
+    follow <<<"$page"
+    expect_failure "look at both pictures"
+    follow <<<"${page/ball.svg -->/box.svg -->}"
+    expect_failure "the commands before wrote no box.svg"
+}
+
 case_full_runs_what_is_marked_so_and_nothing_else() {
     local page='<!-- test: full -->
 ```sh

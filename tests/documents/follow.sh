@@ -136,6 +136,7 @@ picture_size='--eval "view.window.size = vec(960, 600)"'
 draw_picture() {
     local mark=${block_mark[i]} kept drawn=$folder/drawn.${block_file[i]##*.} words
     kept=$(cd -- "$(dirname -- "$where")" && realpath -m -- "${block_file[i]}")
+    rm -f -- "$drawn"
     case $mark in
         # In a copy, so that the edits of the block before are not there twice.
         'picture console'*)
@@ -144,6 +145,11 @@ draw_picture() {
                 "$finished/bin/fettle" "$folder/copy" "$console_words" "${mark#picture console}"
             ;;
         'picture session '*) words= ;;
+        'picture made '*)
+            in_terminal "test -s ${mark#picture made } && pwd" || fail "the commands before wrote no ${mark#picture made }"
+            words=
+            cp -- "${said%$'\n'}/${mark#picture made }" "$drawn"
+            ;;
         picture\ *\ at\ *)
             [[ $mark =~ ^picture\ ([^ ]+)\ at\ ([0-9]+)(.*)$ ]] || fail "no such mark: test: $mark"
             # A page may begin with a picture of what it makes.
@@ -157,13 +163,12 @@ draw_picture() {
         'picture kept') [[ -s $kept ]] || fail "there is no $kept"; return ;;
         *) fail "a picture needs a mark that says how it is drawn: <!-- test: picture GAME at STEP -->" ;;
     esac
-    rm -f -- "$drawn"
     if [[ $mark == 'picture session '* ]]; then
         # A moving picture is not compared, so its last frame is enough.
         if ((!draw)) && [[ $drawn == *.webp ]]; then drawn=$folder/drawn.png; fi
         "$here/draw_session.sh" "${mark#picture session }" "$checkout" "$finished" "$folder/frames" "$drawn" ||
             fail "the session went wrong"
-    else
+    elif [[ -n $words ]]; then
         printf -v words "LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s '-screen 0 1280x800x24 -noreset' %s %s --screenshot %q" "$words" "$picture_size" "$drawn"
         run_commands "$words"
     fi
@@ -176,6 +181,8 @@ draw_picture() {
     if [[ $kept == *.webp ]]; then
         # A page with the picture must load quickly.
         (($(stat -c %s -- "$kept") <= 3000000)) || fail "$kept has more than 3 MB"
+    elif [[ $kept == *.svg ]]; then
+        cmp -- "$kept" "$drawn" || fail "look at both pictures; follow.sh --draw writes the new one"
     else
         "$finished/bin/fettle_pictures" compare "$kept" "$drawn" || fail "look at both pictures; follow.sh --draw writes the new one"
     fi
