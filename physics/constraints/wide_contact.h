@@ -46,8 +46,8 @@ struct ContactLanes {
 
 /// The result of a group, one bit for each lane.
 struct GroupNews {
-    uint16_t told = 0;     ///< a touch begins or ends, or the contact is reported in every step
-    uint16_t touches = 0;  ///< touching now
+    uint16_t reported = 0;  ///< a touch begins or ends, or the contact is reported in every step
+    uint16_t touches = 0;   ///< touching now
 };
 
 /// Memory for solving a block of contacts. A thread uses it for one block after the other, so that

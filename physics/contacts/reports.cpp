@@ -49,15 +49,15 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
 
 void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
                       ContactScratch& scratch, ThreadPool* threads, Events& events) {
-    const std::vector<uint64_t>& told = scratch.told;
+    const std::vector<uint64_t>& reported = scratch.reported;
     const auto visit = [&](size_t begin, size_t end, auto&& act) {
         for (size_t word = begin; word < end; ++word) {
-            for (uint64_t left = told[word]; left != 0; left &= left - 1)
+            for (uint64_t left = reported[word]; left != 0; left &= left - 1)
                 act(scratch.acting[word * 64 + size_t(std::countr_zero(left))]);
         }
     };
-    scratch.hits.resize((told.size() + words_at_a_time - 1) / words_at_a_time);
-    share_out_range(threads, told.size(), words_at_a_time, [&](size_t begin, size_t end) {
+    scratch.hits.resize((reported.size() + words_at_a_time - 1) / words_at_a_time);
+    share_out_range(threads, reported.size(), words_at_a_time, [&](size_t begin, size_t end) {
         auto& found = scratch.hits[begin / words_at_a_time];
         found.clear();
         visit(begin, end, [&](const ActingContact& c) { objects.contacts[c.slot].prefetch(); });
@@ -75,8 +75,8 @@ void report_persisting(const ObjectState& objects, const Columns& columns,
                        const ActiveLists& active, uint32_t step, int substeps, Events& events) {
     for (const uint32_t slot : active.awake_contacts) {
         const ContactRecord& c = objects.contacts[slot];
-        if (!c.touching || !c.told || c.sensor || objects.contact_links[slot].began == step ||
-            c.manifold.count == 0)
+        if (!c.touching || !c.begin_reported || c.sensor ||
+            objects.contact_links[slot].began == step || c.manifold.count == 0)
             continue;
         if (!reports_for_pair(objects, slot)) continue;
         const Vec2 point = middle_of(objects, c);

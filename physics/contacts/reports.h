@@ -18,7 +18,7 @@ namespace fettle::physics::detail {
 std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
                                       float threshold, uint32_t contact, const ContactExtra* extra);
 
-/// Adds the hits of the wide contacts in `scratch.told`, in the order of the acting contacts.
+/// Adds the hits of the wide contacts in `scratch.reported`, in the order of the acting contacts.
 void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
                       ContactScratch& scratch, ThreadPool* threads, Events& events);
 

@@ -41,7 +41,7 @@ uint32_t touching_elsewhere(const ObjectState& objects, uint32_t slot) {
 }
 
 /// Whether a touch of the two shapes that begins now is reported.
-bool are_told(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b, bool sensor) {
+bool are_reported(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b, bool sensor) {
     const ShapeDef& a = objects.shapes[shape_a].surface;
     const ShapeDef& b = objects.shapes[shape_b].surface;
     return sensor ? a.sensor_events && b.sensor_events : a.contact_events && b.contact_events;
@@ -54,7 +54,7 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
     const uint32_t change = begins ? 1u : ~0u;  // ± 1, modulo 2³²
     objects.shapes[objects.named_shape(c.shape_a)].touching += change;
     objects.shapes[objects.named_shape(c.shape_b)].touching += change;
-    if (!c.told) return;
+    if (!c.begin_reported) return;
     const ShapeId a = shape_id(objects, columns, c.shape_a);
     const ShapeId b = shape_id(objects, columns, c.shape_b);
     const BodyId body_a = body_id(columns, c.body_a), body_b = body_id(columns, c.body_b);
@@ -80,7 +80,7 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
 void begin_touch(const Touching& touching, uint32_t slot) {
     ContactRecord& c = touching.objects.contacts[slot];
     touching.objects.contact_links[slot].began = touching.step;
-    c.told = are_told(touching.objects, c.shape_a, c.shape_b, c.sensor);
+    c.begin_reported = are_reported(touching.objects, c.shape_a, c.shape_b, c.sensor);
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
         return;
     }
     if (const uint32_t other = touching_elsewhere(objects, slot); other != none) {
-        c.told = objects.contacts[other].told;
+        c.begin_reported = objects.contacts[other].begin_reported;
         return;
     }
     if (!begins) {
@@ -120,7 +120,7 @@ void set_touching(const Touching& touching, uint32_t slot, bool begins) {
             return same_pair(objects, c, d);
         });
         if (left != parted.end()) {
-            c.told = left->told;
+            c.begin_reported = left->begin_reported;
             parted.erase(left);  // the touch only moved to another part
             return;
         }
@@ -137,7 +137,7 @@ void report_parted(const Touching& touching) {
 void report_crossing(const Touching& touching, Events& later, uint32_t sensor, uint32_t visitor) {
     const ObjectState& objects = touching.objects;
     const Columns& columns = touching.columns;
-    if (!are_told(objects, sensor, visitor, true)) return;
+    if (!are_reported(objects, sensor, visitor, true)) return;
     const SensorEvent event = {shape_id(objects, columns, sensor),
                                shape_id(objects, columns, visitor),
                                body_id(columns, objects.forms[sensor].body),

@@ -253,7 +253,7 @@ void check_contacts(const WorldState& w, Findings& findings) {
     findings.require(w.contact_links.size() == n && w.manifold_poses.size() == n, "contacts");
     for (const ContactRecord& c : w.contacts) {
         findings.require(are_bools(c.touching, c.sensor, c.special, c.hit_events, c.disabled,
-                                   c.curved, c.kept, c.told),
+                                   c.curved, c.kept, c.begin_reported),
                          "a contact");
         if (findings.result()) return;
         const bool used = c.shape_a != none;

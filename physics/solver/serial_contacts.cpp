@@ -211,18 +211,18 @@ namespace {
 void report_wide(ContactScratch& scratch, const Touching& touching, float hit_threshold,
                  ThreadPool* threads) {
     const std::vector<GroupNews>& news = scratch.news;
-    std::vector<uint64_t>& told = scratch.told;
-    told.assign((scratch.acting.size() + 63) / 64, 0);
+    std::vector<uint64_t>& reported = scratch.reported;
+    reported.assign((scratch.acting.size() + 63) / 64, 0);
     for (size_t group = 0; group < news.size(); ++group) {
-        for (uint32_t left = news[group].told; left != 0; left &= left - 1) {
+        for (uint32_t left = news[group].reported; left != 0; left &= left - 1) {
             const uint32_t i =
                 scratch.lane_contacts[group * lanes + size_t(std::countr_zero(left))];
-            told[i / 64] |= uint64_t{1} << i % 64;
+            reported[i / 64] |= uint64_t{1} << i % 64;
         }
     }
     bool any_hits = false;
-    for (size_t word = 0; word < told.size(); ++word) {
-        for (uint64_t left = told[word]; left != 0; left &= left - 1) {
+    for (size_t word = 0; word < reported.size(); ++word) {
+        for (uint64_t left = reported[word]; left != 0; left &= left - 1) {
             const ActingContact& c = scratch.acting[word * 64 + size_t(std::countr_zero(left))];
             const bool touches = (news[c.place / lanes].touches >> c.place % lanes & 1) != 0;
             if (touches != c.touching()) set_touching(touching, c.slot, touches);

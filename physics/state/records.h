@@ -233,7 +233,7 @@ struct alignas(64) ContactRecord {
     bool disabled = false;  ///< disabled in this step by a callback
     bool curved = false;    ///< a contact of an ellipse: it moves along the rim within the step
     bool kept = false;      ///< the manifold may be kept; edits of a body or its shapes forbid it
-    bool told = false;      ///< the begin of its touch was reported, and its end will be
+    bool begin_reported = false;  ///< the begin of its touch was reported, and its end will be
     float friction = 0.0f;
     Manifold manifold;
     float restitution = 0.0f, rolling_resistance = 0.0f, surface_speed = 0.0f;

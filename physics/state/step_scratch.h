@@ -110,8 +110,8 @@ struct ContactScratch {
     size_t colored_count = 0;             ///< acting contacts in groups
     std::vector<uint32_t> lane_contacts;  ///< by lane: index of the acting contact
     std::vector<uint32_t> spare_lanes;
-    std::vector<GroupNews> news;  ///< of each group
-    std::vector<uint64_t> told;   ///< one bit for each acting contact: true if it is reported
+    std::vector<GroupNews> news;     ///< of each group
+    std::vector<uint64_t> reported;  ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
     std::vector<uint32_t> serial_acting;             ///< indices in the list of acting contacts
     std::vector<uint32_t> serial_contacts;           ///< slots of the same contacts
@@ -122,7 +122,7 @@ struct ContactScratch {
     std::vector<uint8_t> serial_notes;
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                   s.spare_lanes, s.news, s.told, s.hits, s.serial_acting, s.serial_contacts,
+                   s.spare_lanes, s.news, s.reported, s.hits, s.serial_acting, s.serial_contacts,
                    s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes)
 };
 
