@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 enum { width = 800, height = 600 };
-static const float scale = 40; /* pixels for a metre */
+static const float scale = 40; /* pixels for a meter */
 
 static SDL_Renderer* renderer;
 static fettle_world* world;

@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { width = 960, height = 640, most_bodies = 256, most_textures = 16 };
-static const double scale = 32; /* pixels for a metre */
+static const double scale = 32; /* pixels for a meter */
 static const char* const game_in_lua =
     "world.floor = Body { Box { width = 40, height = 1 }, type = 'static' }\n"
     "for i = 0, 59 do\n"

@@ -22,13 +22,13 @@ using property::Vec2;
 
 namespace {
 
-constexpr float scale = 40;  // pixels a metre
+constexpr float scale = 40;  // pixels a meter
 constexpr unsigned width = 960, height = 640;
 
 sf::Vector2f pixels(const Vec2& at) {
     return {width / 2 + scale * float(at.x), height - 60 - scale * float(at.y)};
 }
-Vec2 metres(float x, float y) {
+Vec2 meters(float x, float y) {
     return {(x - width / 2) / scale, (height - 60 - y) / scale};
 }
 
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     script::Runtime lua(tree, {});
     app::HostWindow host(window);
     console::Console console(
-        tree, lua, {.clipboard = &host.clipboard(), .to_world = metres, .to_pixels = [](Vec2 at) {
+        tree, lua, {.clipboard = &host.clipboard(), .to_world = meters, .to_pixels = [](Vec2 at) {
                         const sf::Vector2f p = pixels(at);
                         return Vec2(p.x, p.y);
                     }});

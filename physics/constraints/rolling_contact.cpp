@@ -63,7 +63,7 @@ void RollingContact::follow(ContactConstraint& c, const SolverBody& a, const Sol
     double phi = (double(dot(across, shift)) + second_a_ * turn_a + second_b_ * turn_b) / sum_;
     if (std::fabs(phi) > greatest_angle) {
         // All four are limited by the same part. With the angle alone, the second order would hold
-        // for no pose, and for a face, whose bend is a million metres, be a million times too
+        // for no pose, and for a face, whose bend is a million meters, be a million times too
         // large.
         const double part = greatest_angle / std::fabs(phi);
         shift = float(part) * shift;

@@ -2,7 +2,7 @@
 
 #include <constraints/contact_constraint.h>
 
-// The stiffness of a contact increases with its load, and bodies of a few centimetres have contacts
+// The stiffness of a contact increases with its load, and bodies of a few centimeters have contacts
 // that do not yield.
 //
 // One stiffness for all contacts is not enough. With 45 Hz at four sub-steps of 1/240 s a house of
@@ -15,7 +15,7 @@
 // while it is soft and pushes back while it is stiff, which adds energy to every bounce.
 
 // A soft contact yields by the same distance for bodies of any size, since its stiffness follows
-// from the sub-step: a stack of ten boxes sinks in by 13 mm. That is one percent of a metre and
+// from the sub-step: a stack of ten boxes sinks in by 13 mm. That is one percent of a meter and
 // more than a box of 1 cm. Contacts of small bodies do not yield, and push out more slowly: with
 // the full bias, a stack of ten rigid contacts sways.
 

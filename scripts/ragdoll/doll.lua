@@ -1,4 +1,4 @@
--- A doll of eleven bones and ten pins. Its measures are metres of a doll 1.6 m tall, standing at the origin.
+-- A doll of eleven bones and ten pins. Its measures are meters of a doll 1.6 m tall, standing at the origin.
 
 local doll = {}
 

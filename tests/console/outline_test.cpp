@@ -71,7 +71,7 @@ TEST_CASE_METHOD(Haunted, "the outline of the selected instance is where the ins
         CHECK(lined(rim));
     CHECK(lined({x + 2, -5}));
     CHECK(lined({x, -4.5}));
-    // A line with a rounding: the outline is half a metre from its ends and sides.
+    // A line with a rounding: the outline is half a meter from its ends and sides.
     CHECK(lined({x + 1.5, -7.5}));
     CHECK(lined({x, -8}));
     CHECK_FALSE(lined({x + 2, -2}));

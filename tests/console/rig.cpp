@@ -20,7 +20,7 @@ using property::Vec2;
 
 namespace {
 
-constexpr double pixels_per_metre = 40;
+constexpr double pixels_per_meter = 40;
 
 property::Result body_at(void*, property::Tree& tree, Handle world, property::Row,
                          std::span<const Value> arguments) {
@@ -114,12 +114,12 @@ void make_game(property::Tree& tree) {
 Options Rig::with_view(Options options) {
     if (options.clipboard == nullptr) options.clipboard = &clipboard;
     options.to_world = [this](float x, float y) {
-        return Vec2((x - surface.width() / 2) / pixels_per_metre,
-                    (surface.height() / 2 - y) / pixels_per_metre);
+        return Vec2((x - surface.width() / 2) / pixels_per_meter,
+                    (surface.height() / 2 - y) / pixels_per_meter);
     };
     options.to_pixels = [this](Vec2 p) {
-        return Vec2(surface.width() / 2 + p.x * pixels_per_metre,
-                    surface.height() / 2 - p.y * pixels_per_metre);
+        return Vec2(surface.width() / 2 + p.x * pixels_per_meter,
+                    surface.height() / 2 - p.y * pixels_per_meter);
     };
     options.tweaks = tweaks.get();
     return options;

@@ -99,7 +99,7 @@ TEST_CASE("the error contains the reason for which a module refuses a value") {
     Game game;
     const std::string reported = complaint([&] { game.set("front.height", 13); });
     CHECK(reported.find("front.height") != std::string::npos);
-    CHECK(reported.find("thirteen metres bring bad luck") != std::string::npos);
+    CHECK(reported.find("thirteen meters bring bad luck") != std::string::npos);
     CHECK(game.get("front.height") == Value(100.0));
 }
 

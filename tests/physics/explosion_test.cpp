@@ -8,7 +8,7 @@ namespace explosion_test {
 
 using namespace scenes;
 
-TEST_CASE("an explosion gives an impulse for each metre that faces it") {
+TEST_CASE("an explosion gives an impulse for each meter that faces it") {
     World world({.gravity = {0, 0}});
     Body small = add_box(world, {3, 0}, 1.0f), large = add_box(world, {-4, 0}, 2.0f);
     Body ball = add_ball(world, {0, 3}, 0.75f);
@@ -45,7 +45,7 @@ TEST_CASE("an outline counts once and a negative impulse pulls") {
     Body star = world.create_body({.position = {5, 0}});
     star.add(Concave{{{-1, -1}, {1, -1}, {1, 1}, {0.9f, 1}, {0.9f, -0.9f}, {-1, -0.9f}}});
     world.explode({.radius = 10, .impulse_per_length = -3});
-    // Seen from the center, the L is two metres high, across the way to its nearest point.
+    // Seen from the center, the L is two meters high, across the way to its nearest point.
     const float impulse = star.velocity().length() * star.mass();
     CHECK(impulse == Approx(3 * 2.0f).epsilon(0.25));
     CHECK(star.velocity().x < 0);

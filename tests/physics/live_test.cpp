@@ -175,7 +175,7 @@ TEST_CASE("each of these edits wakes a sleeping body") {
     }
 }
 
-TEST_CASE("waking one wakes the island it sleeps in and not its neighbours") {
+TEST_CASE("waking one wakes the island it sleeps in and not its neighbors") {
     World world;
     add_floor(world);
     Body low = add_box(world, {0, 0.5f}), high = add_box(world, {0, 1.5f}),

@@ -338,7 +338,7 @@ TEST_CASE("a mover stands in a gap between two steep slopes") {
     CHECK(hero.velocity.length() < 0.2f);
 }
 
-TEST_CASE("a fall at 300 metres a second ends on the thinnest floor") {
+TEST_CASE("a fall at 300 meters a second ends on the thinnest floor") {
     World world;
     add_static(world, Segment{.from = {-5, 0}, .to = {5, 0}});
     add_static(world, Chain{.points = {{10, 0}, {20, 0}}});

@@ -7,7 +7,7 @@ namespace stability_test {
 
 using namespace scenes;
 
-TEST_CASE("a stack of twelve boxes stands still to a millimetre a second") {
+TEST_CASE("a stack of twelve boxes stands still to a millimeter a second") {
     World world({.sleeping = false});
     add_floor(world);
     std::vector<Body> stack;
@@ -121,7 +121,7 @@ TEST_CASE("a house of cards of five storeys stands") {
     REQUIRE(highest > top - 0.06f);
 }
 
-TEST_CASE("bullets at 300 metres a second do not pass through thin walls") {
+TEST_CASE("bullets at 300 meters a second do not pass through thin walls") {
     for (int kind = 0; kind < 4; ++kind) {
         for (float angle : {0.0f, 0.3f, -0.8f}) {
             World world({.gravity = {0, 0}});

@@ -14,7 +14,7 @@ void breaking_cases(Cases& cases) {
     cases["Joint.report_torque"] = flung("WeldJoint", {}, 1, loaded, fling_with("torque", 5), 10);
 }
 
-/// How fast a weld brings a body back that was put a metre away.
+/// How fast a weld brings a body back that was put a meter away.
 void stiffness_cases(Cases& cases) {
     const auto put_aside = [](Stage& s) {
         fling(s);

@@ -201,7 +201,7 @@ TEST_CASE_METHOD(Drawn, "a sensor is drawn so that shapes inside stay visible") 
 
 namespace {
 
-/// A body that moved by a metre and turned in the last step, and a static body.
+/// A body that moved by a meter and turned in the last step, and a static body.
 struct Moving : Drawn {
     Handle ship = body("Box", {0, 0});
 

@@ -15,7 +15,7 @@ using property::Overlay;
 
 namespace {
 
-/// A picture with 40 pixels a metre.
+/// A picture with 40 pixels a meter.
 struct FinePicture : Picture {
     double pixels_per_unit() const override { return 40; }
 };

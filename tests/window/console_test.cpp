@@ -101,7 +101,7 @@ TEST_CASE("a click on a body in a window selects it for the console and the insp
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));
     open_console(game);
-    // The crate is at (-6, -7): 40 pixels per metre, (0, 0) in the middle of 1280 × 800.
+    // The crate is at (-6, -7): 40 pixels per meter, (0, 0) in the middle of 1280 × 800.
     game.click(400, 680);
     game.type("it.mass = 7");
     game.key("Return");

@@ -46,7 +46,7 @@ bool skipped() {
     return !missing.empty();
 }
 
-/// The picture of a game with one file: 40 pixels per metre, the origin in the middle of 1280 ×
+/// The picture of a game with one file: 40 pixels per meter, the origin in the middle of 1280 ×
 /// 800.
 Picture picture_of(const std::string& name, const std::string& script) {
     const TemporaryFolder folder;

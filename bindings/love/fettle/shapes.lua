@@ -45,7 +45,7 @@ function shapes.newRectangleShape(x, y, width, height, angle)
     return shape("polygon", { points = points, box = { x, y, width, height, angle or 0 } })
 end
 
---- Geometries in metres. Chains and edges of LÖVE are solid on both sides, as segments are.
+--- Geometries in meters. Chains and edges of LÖVE are solid on both sides, as segments are.
 local function geometries(of)
     local m = units.meter
     if of.type == "circle" then

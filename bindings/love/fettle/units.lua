@@ -1,2 +1,2 @@
--- Pixels for a metre, as love.physics.setMeter sets them.
+-- Pixels for a meter, as love.physics.setMeter sets them.
 return { meter = 30 }

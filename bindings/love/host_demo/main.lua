@@ -3,7 +3,7 @@
 --     love GAME [--frames N PICTURE.png]     types a command, ends after so many frames and saves the last one in the save folder
 
 local host = require "fettle.host"
-local scale = 32  -- pixels a metre
+local scale = 32  -- pixels a meter
 
 local function add_ball(name)
     balls[#balls + 1] = {

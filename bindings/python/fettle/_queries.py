@@ -107,7 +107,7 @@ class Queries:
         return self._hit(found, hit)
 
     def closest(self, point, reach=float("inf"), **only):
-        """The shape nearest to a point, at most `reach` metres away, or None."""
+        """The shape nearest to a point, at most `reach` meters away, or None."""
         given, kept = self._filter(only)
         found, hit = ffi.new("bool*"), ffi.new("fettle_point_hit*")
         check(lib.fettle_world_closest(self._pointer, *pair(point, "point"), to_number("float", reach, "reach"), given, found,
@@ -121,7 +121,7 @@ class Queries:
                                        to_number("float", impulse, "impulse"), given))
 
     def explode_surfaces(self, point, radius, falloff, impulse_per_length, **only):
-        """Pushes dynamic bodies away from a point: each shape with an impulse (N s) for each metre of its outline as seen from
+        """Pushes dynamic bodies away from a point: each shape with an impulse (N s) for each meter of its outline as seen from
         there, which falls to 0 over `falloff` (m) beyond `radius` (m)."""
         given, kept = self._filter(only)
         definition = ffi.new("fettle_explosion_def*")

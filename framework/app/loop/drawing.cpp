@@ -31,7 +31,7 @@ Color contrasting(Color background, float opacity) {
     return {shade, shade, shade, opacity};
 }
 
-/// Draws a grid. The lines are a power of ten of metres apart, which is 20 to 200 pixels.
+/// Draws a grid. The lines are a power of ten of meters apart, which is 20 to 200 pixels.
 void draw_grid(property::Painter& painter, const View& view) {
     const double spacing = std::pow(10, std::ceil(std::log10(20 / view.zoom())));
     const Vec2 lower = view.lower(), upper = view.upper();

@@ -115,7 +115,7 @@ std::vector<Property> where(View& view) {
          .default_value = 40.0,
          .unit = "px/m",
          .range = {1e-3, 1e6},
-         .doc = "Pixels a metre. Setting it changes the height, which has a range of its own.",
+         .doc = "Pixels a meter. Setting it changes the height, which has a range of its own.",
          .binding = accessor(
              view, [](View& v, property::Row) { return v.zoom(); },
              [](View& v, property::Row, const Value& zoom) {
@@ -333,7 +333,7 @@ std::vector<Property> overlays(Show& show) {
                 "Earlier poses of the selected instance while the console is open, and later ones "
                 "after going back.",
                 [](Show& s) { return &s.onion_skins; }),
-        overlay(show, "grid", "A grid of metres.", [](Show& s) { return &s.grid; }),
+        overlay(show, "grid", "A grid of meters.", [](Show& s) { return &s.grid; }),
         overlay(show, "timings", "Frames a second, and where a frame's time goes.",
                 [](Show& s) { return &s.timings; }),
     };

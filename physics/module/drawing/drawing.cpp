@@ -55,7 +55,7 @@ void draw_contacts(physics::World& world, Painter& painter, double alpha) {
             const Vec2 at = shared_point(world, contact, p.point, alpha);
             if (!painter.sees(at, at)) continue;
             painter.point(at, dot, 6);
-            // The weight of a kilogram is 10 N: drawn as a tenth of a metre.
+            // The weight of a kilogram is 10 N: drawn as a tenth of a meter.
             const double length = std::min(
                 2.0, 0.01 * static_cast<double>(contact.normal_force) / contact.point_count);
             painter.line(at, at + length * widen(contact.normal), arrow, 1.5f);

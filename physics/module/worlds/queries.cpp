@@ -375,7 +375,7 @@ std::vector<Method> world_methods(Hosting& hosting) {
                             {"falloff", Type::number, "m",
                              "The impulse decreases to 0 over this distance beyond the radius."},
                             {"impulse_per_length", Type::number, "N s",
-                             "Impulse for each metre of a shape's outline as seen from the point."},
+                             "Impulse for each meter of a shape's outline as seen from the point."},
                             mask,
                             accept},
              .required = 4,

@@ -71,7 +71,7 @@ static fettle_status get_height(void* context, fettle_row row, fettle_value* val
 static fettle_status set_height(void* context, fettle_row row, const fettle_value* value) {
     (void)context;
     if (value->as.number == 13) {
-        host->fail(host->self, "thirteen metres bring bad luck");
+        host->fail(host->self, "thirteen meters bring bad luck");
         return FETTLE_ERR_REJECTED;
     }
     clouds[row].height = value->as.number;

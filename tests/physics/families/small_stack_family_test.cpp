@@ -12,7 +12,7 @@ namespace small_stack_family_test {
 
 using namespace fettle::physics;
 
-TEST_CASE("boxes of a few millimetres to a hundred metres keep their places in a stack") {
+TEST_CASE("boxes of a few millimeters to a hundred meters keep their places in a stack") {
     for (const float size : {0.003f, 0.005f, 0.01f, 0.02f, 1.0f, 10.0f, 100.0f})
         for (const int count : {5, 10})
             for (const bool sleeping : {false, true}) {

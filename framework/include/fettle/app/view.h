@@ -39,7 +39,7 @@ struct Show {
 /// each pixel of the design is a whole number of pixels.
 enum class Fit : std::uint8_t { expand, letterbox, pixel };
 
-/// World units are metres with y up; screen units are pixels from the top left corner with y down.
+/// World units are meters with y up; screen units are pixels from the top left corner with y down.
 struct View {
     property::Vec2 center{0, 0};  // m, in the middle of the screen
     double height = 20;           // m, visible from bottom to top

@@ -37,7 +37,7 @@ struct ExplosionDef {
     float radius = 1.0f;   ///< m, at least 0; nearer shapes get the full impulse
     float falloff = 0.0f;  ///< m, at least 0: the impulse falls linearly to 0 over this distance
                            ///< beyond the radius
-    /// N s for each metre of the perimeter of a shape, seen from the center of the explosion. A
+    /// N s for each meter of the perimeter of a shape, seen from the center of the explosion. A
     /// negative impulse pulls.
     float impulse_per_length = 1.0f;
 };

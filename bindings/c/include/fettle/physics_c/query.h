@@ -138,7 +138,7 @@ typedef struct fettle_explosion_def {
     fettle_vec2 point; /* (0, 0) m */
     float radius;      /* 1 m, at least 0; nearer shapes get the full impulse */
     float falloff; /* 0 m, at least 0; the impulse falls to 0 over this distance beyond radius */
-    float impulse_per_length; /* 1 N s for each metre of the perimeter of a shape, seen from the
+    float impulse_per_length; /* 1 N s for each meter of the perimeter of a shape, seen from the
                                  center of the explosion; negative pulls */
 } fettle_explosion_def;
 
