@@ -33,8 +33,8 @@ class JointFunctions {
 
   public:
     static constexpr JointKind kind(const char* name) {
-        return {name, sizeof(Constraint), begin,      check, prepare, warm_start, solve, relax,
-                load, push_on_a,          write_rows, store};
+        return {name, sizeof(Constraint), begin,   check,      prepare, warm_start, solve, relax,
+                load, impulses_of,        load_on, write_rows, store};
     }
 
   private:
@@ -102,12 +102,21 @@ class JointFunctions {
     static JointLoad load(const JointArray& array, size_t index) {
         return array.as<Constraint>()[index].load();
     }
-    static Vec2 push_on_a(const JointArray& array, size_t index) {
-        const Constraint& c = array.as<Constraint>()[index];
-        if constexpr (requires { c.push_on_a(); })
-            return c.push_on_a();
-        else
-            return -c.load().push;
+    static JointImpulses impulses_of(const JointArray& array, size_t index) {
+        JointImpulses all;
+        all.become(array.as<Constraint>()[index].impulses);
+        return all;
+    }
+    /// Two bodies of unit mass and inertia at rest get the impulses: their velocities are the load.
+    static JointLoad load_on(const JointArray& array, size_t index, const JointImpulses& impulses,
+                             size_t side) {
+        Constraint c = array.as<Constraint>()[index];
+        c.impulses = impulses.template as<Impulses>();
+        c.ends.inverse_a = c.ends.inverse_b = {1.0f, 1.0f};
+        SolverBody bodies[2];
+        for (SolverBody& body : bodies) body.inverse_mass = body.inverse_inertia = 1.0f;
+        c.warm_start(bodies[0], bodies[1]);
+        return {bodies[side].velocity, bodies[side].angular_velocity};
     }
 
     static void write_rows(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows) {

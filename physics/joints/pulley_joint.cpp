@@ -96,7 +96,6 @@ struct PulleyConstraint {
         rows.limit(rope, room(), impulses.tension);
     }
     JointLoad load() const { return {-(ratio * impulses.tension) * side_b.direction, 0.0f}; }
-    Vec2 push_on_a() const { return -impulses.tension * side_a.direction; }
 
   private:
     void follow(const SolverBody& a, const SolverBody& b) {

@@ -2,6 +2,7 @@
 #include <state/joint_kind.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fettle::physics::detail {
 namespace {
@@ -30,19 +31,44 @@ void for_lanes(const WideContact& wide, uint32_t body, auto&& add) {
     }
 }
 
+/// The angular impulse at one point on the body of a side, -1: a, 1: b; with its size.
+struct Twist {
+    float sum = 0.0f, size = 0.0f;
+
+    void add(float side, float normal_lever, float tangent_lever, float normal, float tangent) {
+        const float n = normal_lever * normal, t = tangent_lever * tangent;
+        sum += side * (n + t);
+        size += std::fabs(n) + std::fabs(t);
+    }
+    void add(float side, const ConstraintPoint& p, float normal, float tangent) {
+        add(side, side < 0.0f ? p.normal_lever_a : p.normal_lever_b,
+            side < 0.0f ? p.tangent_lever_a : p.tangent_lever_b, normal, tangent);
+    }
+};
+
+void add_twist(VelocitySums& sums, VelocitySums::OfContact& sum, const Twist& twist) {
+    sum.twist += twist.sum;
+    sums.turn.size += twist.size;
+}
+
 void add_wide(VelocitySums& sums, const SolverInput& input, const SolverBlock& block,
               WideBlock& from) {
     for (size_t group = block.first_group; group < block.group_end; ++group) {
         const WideContact& wide = *from.contacts_of(group);
         for_lanes(wide, sums.solver_body, [&](int lane) {
-            const WidePoint &p = wide.points[0], &q = wide.points[1];
-            const float normal = p.normal_impulse[lane] + q.normal_impulse[lane];
-            const float tangent = p.tangent_impulse[lane] + q.tangent_impulse[lane];
             const Vec2 n = {wide.normal_x[lane], wide.normal_y[lane]};
-            const float side = wide.b[lane] == sums.solver_body ? 1.0f : -1.0f;
+            const bool second = wide.b[lane] == sums.solver_body;
+            const float side = second ? 1.0f : -1.0f;
             const uint32_t acting = input.contacts.lane_contacts[group * lanes + size_t(lane)];
             VelocitySums::OfContact& sum = sum_of(sums, input.contacts.acting[acting].slot);
-            sum.impulse = sum.impulse + side * (normal * n + tangent * right_perp(n));
+            Twist twist;
+            for (const WidePoint& p : wide.points) {
+                const float normal = p.normal_impulse[lane], tangent = p.tangent_impulse[lane];
+                sum.impulse = sum.impulse + side * (normal * n + tangent * right_perp(n));
+                twist.add(side, (second ? p.normal_lever_b : p.normal_lever_a)[lane],
+                          (second ? p.tangent_lever_b : p.tangent_lever_a)[lane], normal, tangent);
+            }
+            add_twist(sums, sum, twist);
         });
     }
 }
@@ -54,18 +80,38 @@ void for_serial(VelocitySums& sums, const SolverInput& input, auto&& add) {
             add(c, sum_of(sums, c.contact), c.b == sums.solver_body ? 1.0f : -1.0f);
 }
 
-void add_serial(VelocitySums& sums, const SolverInput& input) {
-    for_serial(
-        sums, input, [](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
-            for (int k = 0; k < c.count; ++k) {
-                const ConstraintPoint& p = c.points[k];
-                sum.impulse = sum.impulse + side * along(c, p.normal_impulse, p.tangent_impulse);
-                sum.counted[k] += p.normal_impulse;
-            }
-        });
+/// Whether the normal and the levers of a contact follow its bodies. It has one point then.
+bool is_curved(const SolverInput& input, const ContactConstraint& c) {
+    return c.extra != 0 && input.contacts.extras[c.extra - 1].rolling != 0;
 }
 
-void add_joints(VelocitySums& sums, const SolverInput& input) {
+void add_serial(VelocitySums& sums, const SolverInput& input) {
+    for_serial(sums, input,
+               [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
+                   Twist twist;
+                   const bool curved = is_curved(input, c);
+                   if (curved) {
+                       sum.impulse = sum.impulse + sum.biased_impulse;
+                       twist.sum = sum.biased_twist;
+                   }
+                   for (int k = 0; k < c.count; ++k) {
+                       const ConstraintPoint& p = c.points[k];
+                       const Vec2 done = curved ? sum.biased : Vec2{};
+                       const float normal = p.normal_impulse - done.x,
+                                   tangent = p.tangent_impulse - done.y;
+                       sum.impulse = sum.impulse + side * along(c, normal, tangent);
+                       twist.add(side, p, normal, tangent);
+                       sum.counted[k] += p.normal_impulse;
+                   }
+                   if (c.extra != 0)
+                       twist.add(side, 1.0f, 0.0f,
+                                 input.contacts.extras[c.extra - 1].rolling_impulse, 0.0f);
+                   add_twist(sums, sum, twist);
+               });
+}
+
+/// Calls `add(kind, array, index, sum, side)` for the joints of a body.
+void for_joints(VelocitySums& sums, const SolverInput& input, auto&& add) {
     if (input.objects.bodies[sums.body.index].joint_count == 0) return;
     for (size_t i = 0; i < input.joints.joint_arrays.size(); ++i) {
         const JointArray& array = input.joints.joint_arrays[i];
@@ -73,13 +119,43 @@ void add_joints(VelocitySums& sums, const SolverInput& input) {
         for (size_t k = 0; k < array.joints.size(); ++k) {
             const uint32_t slot = array.joints[k];
             const auto& bodies = input.objects.joints[slot].bodies;
-            if (bodies[0] != sums.body.index && bodies[1] != sums.body.index) continue;
-            const Vec2 push =
-                bodies[1] == sums.body.index ? kind.load(array, k).push : kind.push_on_a(array, k);
-            VelocitySums::OfJoint& sum = sum_of_joint(sums, slot);
-            sum.impulse = sum.impulse + push;
+            if (bodies[0] == sums.body.index || bodies[1] == sums.body.index)
+                add(kind, array, k, sum_of_joint(sums, slot),
+                    bodies[1] == sums.body.index ? size_t{1} : size_t{0});
         }
     }
+}
+
+/// A sub-step begins with the impulses of the last one, at the levers that they had.
+void begin_joint(const JointKind& kind, const JointArray& array, size_t k,
+                 VelocitySums::OfJoint& sum, size_t side) {
+    sum.known = kind.impulses(array, k);
+    const JointLoad load = kind.load_on(array, k, sum.known, side);
+    sum.now_impulse = load.push;
+    sum.now_twist = load.twist;
+}
+
+/// Adds what a pass has changed, at the present levers.
+void follow_joint(const JointKind& kind, const JointArray& array, size_t k,
+                  VelocitySums::OfJoint& sum, size_t side) {
+    const JointImpulses now = kind.impulses(array, k);
+    const JointLoad all = kind.load_on(array, k, now, side),
+                    old = kind.load_on(array, k, sum.known, side);
+    sum.known = now;
+    sum.now_impulse = sum.now_impulse + (all.push - old.push);
+    sum.now_twist += all.twist - old.twist;
+}
+
+void add_joints(VelocitySums& sums, const SolverInput& input) {
+    for_joints(sums, input,
+               [&](const JointKind& kind, const JointArray& array, size_t k,
+                   VelocitySums::OfJoint& sum, size_t side) {
+                   follow_joint(kind, array, k, sum, side);
+                   sum.impulse = sum.impulse + sum.now_impulse;
+                   sum.twist += sum.now_twist;
+                   sums.turn.size += std::fabs(sum.now_twist);
+                   begin_joint(kind, array, k, sum, side);
+               });
 }
 
 }  // namespace
@@ -88,6 +164,7 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
     for (VelocitySums& sums : input.sums) {
         const bool follows = sums.step != 0 && sums.step == steps && sums.solver_body != 0;
         const Vec2 earlier = sums.after;
+        const float earlier_turn = sums.turn.after;
         sums = {.body = sums.body, .step = steps + 1};
         if (!columns.is_valid(sums.body)) continue;
         const BodyRecord& record = input.objects.bodies[sums.body.index];
@@ -105,6 +182,32 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
         sums.applied = substeps * h * scaled(sums.inverse_mass, record.step_force);
         sums.fields =
             substeps * scaled(moves, force.change) - (sums.gravity + sums.force + sums.applied);
+        VelocitySums::OfTurn& turn = sums.turn;
+        turn.inverse_inertia = record.locked_rotation ? 0.0f : body.inverse_inertia;
+        turn.before = body.angular_velocity;
+        turn.earlier = follows ? earlier_turn : turn.before;
+        const float by_torque = substeps * h * turn.inverse_inertia;
+        turn.torque = by_torque * record.torque;
+        turn.applied = by_torque * record.step_torque;
+        if (turn.inverse_inertia > 0.0f)
+            turn.fields = substeps * force.turn_change - (turn.torque + turn.applied);
+    }
+}
+
+void add_biased(const SolverInput& input) {
+    for (VelocitySums& sums : input.sums) {
+        if (sums.solver_body == 0 || sums.block != 0) continue;
+        for_serial(sums, input,
+                   [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
+                       if (!is_curved(input, c)) return;
+                       const ConstraintPoint& p = c.points[0];
+                       Twist twist;
+                       twist.add(side, p, p.normal_impulse, p.tangent_impulse);
+                       sum.biased = {p.normal_impulse, p.tangent_impulse};
+                       sum.biased_impulse = side * along(c, p.normal_impulse, p.tangent_impulse);
+                       sum.biased_twist = twist.sum;
+                   });
+        for_joints(sums, input, follow_joint);
     }
 }
 
@@ -116,6 +219,8 @@ void begin_substeps(const SolverInput& input, const SolverBlock& block) {
             continue;
         sums.block = uint32_t(&block - &input.schedule.blocks[0]);
         sums.last = input.bodies.solver_bodies[sums.solver_body].velocity;
+        sums.turn.last = input.bodies.solver_bodies[sums.solver_body].angular_velocity;
+        if (sums.block == 0) for_joints(sums, input, begin_joint);
     }
 }
 
@@ -136,6 +241,10 @@ void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& 
                            lost_by(force.keep.y, sums.inverse_mass.y)};
         sums.damping = sums.damping + scaled(lost, sums.last + force.change);
         sums.last = input.bodies.solver_bodies[sums.solver_body].velocity;
+        VelocitySums::OfTurn& turn = sums.turn;
+        turn.damping +=
+            lost_by(force.turn_keep, turn.inverse_inertia) * (turn.last + force.turn_change);
+        turn.last = input.bodies.solver_bodies[sums.solver_body].angular_velocity;
     }
 }
 
@@ -148,12 +257,16 @@ void end_sums(const SolverInput& input, const Columns& columns) {
                    [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
                        if (c.extra == 0) return;
                        const ContactExtra& extra = input.contacts.extras[c.extra - 1];
-                       for (int k = 0; k < c.count; ++k)
-                           sum.impulse =
-                               sum.impulse + side * along(c, extra.total[k] - sum.counted[k], 0.0f);
+                       Twist twist;
+                       for (int k = 0; k < c.count; ++k) {
+                           const float bounced = extra.total[k] - sum.counted[k];
+                           sum.impulse = sum.impulse + side * along(c, bounced, 0.0f);
+                           twist.add(side, c.points[k], bounced, 0.0f);
+                       }
+                       add_twist(sums, sum, twist);
                    });
         std::erase_if(sums.contacts, [](const VelocitySums::OfContact& sum) {
-            return sum.impulse.x == 0.0f && sum.impulse.y == 0.0f;
+            return sum.impulse.x == 0.0f && sum.impulse.y == 0.0f && sum.twist == 0.0f;
         });
         for (VelocitySums::OfContact& sum : sums.contacts) {
             const ContactRecord& c = objects.contacts[sum.contact];

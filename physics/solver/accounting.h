@@ -12,6 +12,9 @@ namespace fettle::physics::detail {
 void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h);
 /// To be called before the first sub-step of a block, after its bounces.
 void begin_substeps(const SolverInput& input, const SolverBlock& block);
+/// To be called after the biased pass of a sub-step of the first block: the levers of joints and of
+/// curved contacts change then.
+void add_biased(const SolverInput& input);
 /// To be called after each sub-step of a block. `wide` has the wide contacts of the block.
 void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& wide);
 /// Ends the sums after the solver, while all contacts of the step still exist.

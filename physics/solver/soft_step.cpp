@@ -321,6 +321,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         else if (jointed)
             repeat_joints.run();
         solve_biased.run();
+        add_biased(input);
         zero_locked(input);
         move_bodies.run();
         (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();

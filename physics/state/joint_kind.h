@@ -23,6 +23,8 @@ struct JointLoad {
     float twist = 0.0f;
 };
 
+using JointImpulses = decltype(JointRecord::impulses);
+
 struct JointKind {
     const char* name;
     size_t constraint_size;
@@ -38,8 +40,12 @@ struct JointKind {
                           JointRange range);
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
-    /// The impulse on the center of mass of body a in a sub-step.
-    Vec2 (*push_on_a)(const JointArray& array, size_t index);
+    /// The impulses of a joint in a sub-step, as its type defines them.
+    JointImpulses (*impulses)(const JointArray& array, size_t index);
+    /// What such impulses do with the current levers to the body of a side, 0 or 1: an impulse on
+    /// its center of mass and an angular impulse about it.
+    JointLoad (*load_on)(const JointArray& array, size_t index, const JointImpulses& impulses,
+                         size_t side);
     /// Writes the rows of all joints, at the current poses of their bodies. The conditions of
     /// `solve` and `relax` are all written at once.
     void (*write_rows)(JointArray& array, std::span<SolverBody> bodies, RowWriter& rows);

@@ -2,6 +2,7 @@
 
 #include <fettle/physics/types.h>
 #include <geometry/vector.h>
+#include <state/records.h>
 
 #include <cstdint>
 #include <vector>
@@ -16,12 +17,31 @@ struct VelocitySums {
         ShapeId own = {}, other = {};
         BodyId body = {};
         Vec2 impulse = {};
+        float twist = 0.0f;     ///< angular impulse about the center of mass
         float counted[2] = {};  ///< normal impulses of its points, in `impulse`
+        /// Of a contact of curved surfaces after the biased pass of the sub-step: its levers change
+        /// then. Impulses along the normal and the tangent, and what they did.
+        Vec2 biased = {};
+        Vec2 biased_impulse = {};
+        float biased_twist = 0.0f;
     };
     struct OfJoint {
         uint32_t slot = 0;
         JointId joint{};
         Vec2 impulse{};
+        float twist = 0.0f;
+        /// Of the sub-step so far, and the impulses of the joint that are in it: its levers change
+        /// within the sub-step.
+        decltype(JointRecord::impulses) known{};
+        Vec2 now_impulse = {};
+        float now_twist = 0.0f;
+    };
+    /// The same as for the velocity, for the angular velocity.
+    struct OfTurn {
+        float inverse_inertia = 0.0f;  ///< 0 if the rotation is locked
+        float earlier = 0.0f, before = 0.0f, after = 0.0f, last = 0.0f;
+        float torque = 0.0f, applied = 0.0f, fields = 0.0f, damping = 0.0f;
+        float size = 0.0f;  ///< sum of the sizes of the angular impulses
     };
 
     BodyId body = {};
@@ -32,6 +52,7 @@ struct VelocitySums {
     Vec2 earlier = {}, before = {}, after = {};
     Vec2 last = {};  ///< velocity at the end of the last sub-step
     Vec2 gravity = {}, force = {}, applied = {}, fields = {}, damping = {};
+    OfTurn turn = {};
     std::vector<OfContact> contacts = {};
     std::vector<OfJoint> joints = {};
 };

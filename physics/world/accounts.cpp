@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-// What changed the velocity of a body in the last step.
+// What changed the velocities of a body in the last step.
 
 namespace fettle::physics {
 
@@ -41,17 +41,29 @@ std::optional<VelocityAccount> World::account(BodyId body) const {
     account.damping = sums.damping;
     Vec2 rest = sums.after - sums.before -
                 (sums.gravity + sums.force + sums.applied + sums.fields + sums.damping);
+    const VelocitySums::OfTurn& turn = sums.turn;
+    account.turn = {turn.earlier, turn.before,  turn.after,
+                    turn.torque,  turn.applied, turn.fields,
+                    turn.damping, 0.0f,         turn.inverse_inertia * turn.size};
+    float turn_rest =
+        turn.after - turn.before - (turn.torque + turn.applied + turn.fields + turn.damping);
     for (const VelocitySums::OfContact& sum : sums.contacts) {
         const Vec2 change = change_by(sum.impulse);
+        const float turned = turn.inverse_inertia * sum.twist;
         rest = rest - change;
-        account.contacts.push_back({sum.own, sum.other, sum.body, sum.impulse, change});
+        turn_rest -= turned;
+        account.contacts.push_back(
+            {sum.own, sum.other, sum.body, sum.impulse, change, sum.twist, turned});
     }
     for (const VelocitySums::OfJoint& sum : sums.joints) {
         const Vec2 change = change_by(sum.impulse);
+        const float turned = turn.inverse_inertia * sum.twist;
         rest = rest - change;
-        account.joints.push_back({sum.joint, sum.impulse, change});
+        turn_rest -= turned;
+        account.joints.push_back({sum.joint, sum.impulse, change, sum.twist, turned});
     }
     account.rest = rest;
+    account.turn.rest = turn_rest;
     return account;
 }
 

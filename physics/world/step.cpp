@@ -135,7 +135,10 @@ void WorldData::step(float dt) {
          self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
         dt);
     for (VelocitySums& sums : self.sums)
-        if (sums.solver_body != 0) sums.after = states[sums.body.index].velocity;
+        if (sums.solver_body != 0) {
+            sums.after = states[sums.body.index].velocity;
+            sums.turn.after = states[sums.body.index].angular_velocity;
+        }
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     forget_ends(active, body_scratch);

@@ -37,6 +37,15 @@ Vec2 sum_of(const std::vector<std::string>& lines) {
     return sum;
 }
 
+/// The sum of the first numbers behind the colons.
+double turns(const std::vector<std::string>& lines) {
+    double sum = 0;
+    const std::regex number(": (\\+ )?([-+.e0-9]+) rad/s");
+    for (const std::string& line : lines)
+        if (std::smatch found; std::regex_search(line, found, number)) sum += std::stod(found[2]);
+    return sum;
+}
+
 bool has(const std::vector<std::string>& lines, const std::string& text) {
     for (const std::string& line : lines)
         if (line.find(text) != std::string::npos) return true;
@@ -156,6 +165,77 @@ TEST_CASE("many bodies are solved in several blocks and every account adds up") 
         for (int i = 0; i < 20; ++i)
             all.push_back(game.body("Box", {-18.0 + 1.2 * column, 0.5 + 1.01 * i}));
     for (const std::size_t i : {0u, 310u, 599u}) adds_up(game, all[i], 6);
+}
+
+/// Asks in each of some steps; returns the lines of the last one.
+std::vector<std::string> turns_add_up(Game& game, Handle body, int steps) {
+    lines(game, body, "angular_velocity");
+    std::vector<std::string> last;
+    for (int i = 0; i < steps; ++i) {
+        game.step();
+        last = lines(game, body, "angular_velocity");
+        std::string all;
+        for (const std::string& line : last) all += line + "\n";
+        INFO("step " << i << "\n" << all);
+        const double is = game.number(body, "angular_velocity");
+        CHECK(std::abs(turns(last) - is) < 1e-4 * (1 + std::abs(is)));
+        CHECK_FALSE(has(last, "the rest"));
+        CHECK_FALSE(has(last, "not kept"));
+    }
+    return last;
+}
+
+TEST_CASE("an angular velocity is the sum of what changed it") {
+    Game game;
+    game.floor();
+    const Handle box = game.body("Box", {0, 2});
+    game.set(box, "angle", 0.4);
+    game.set(box, "velocity", Vec2(2, 0));
+    game.set(box, "angular_damping", 0.5);
+    game.set(box, "torque", 0.7);
+    const auto told = turns_add_up(game, box, 60);
+    CHECK(has(told, ".torque: + 0.0"));
+    CHECK(has(told, "contact with world."));
+    CHECK(has(told, "angular impulse"));
+    CHECK(has(told, ".angular_damping): + "));
+    game.set(box, "angular_velocity", 3.0);
+    CHECK(has(lines(game, box, "angular_velocity"), "written since the step: + "));
+    game.set(box, "locked_rotation", true);
+    CHECK(has(lines(game, box, "angular_velocity"), "its rotation is locked"));
+}
+
+TEST_CASE("circles and eggs that roll and bounce turn by their contacts") {
+    Game game;
+    game.set(game.shape_of(game.floor()), "surface_speed", 1.5);
+    const Handle ball = game.body("Circle", {0, 1}), egg = game.body("Ellipse", {-8, 1.2});
+    game.set(game.shape_of(ball), "rolling_resistance", 0.1);
+    game.set(game.shape_of(ball), "restitution", 0.6);
+    for (const Handle body : {ball, egg}) game.set(body, "velocity", Vec2(3, -4));
+    turns_add_up(game, ball, 50);
+    game.set(egg, "angular_velocity", 2.0);
+    CHECK(has(turns_add_up(game, egg, 50), "contact with world."));
+}
+
+TEST_CASE("joints of every kind turn their bodies by what is told") {
+    for (const char* kind : {"RevoluteJoint", "WeldJoint", "DistanceJoint", "PrismaticJoint",
+                             "WheelJoint", "PulleyJoint", "MotorJoint", "GrooveJoint",
+                             "PinSlotJoint", "GearJoint", "RatchetJoint", "RotaryLimitJoint"}) {
+        INFO(kind);
+        Game game;
+        const Handle a = game.body("Box", {-1, 0}), b = game.body("Box", {1, 0.2}),
+                     post = game.body("Box", {-1, 3}, "static");
+        game.make("RevoluteJoint", game.world(),
+                  {{"body_a", post}, {"body_b", a}, {"anchor_b", Vec2(0.3, 2)}});
+        const Handle joint = game.make(kind, game.world(), {{"body_a", a}, {"body_b", b}});
+        if (game.tree.find(joint, "anchor_a") != nullptr)
+            game.set(joint, "anchor_a", Vec2(0.5, 0.4));
+        if (game.tree.find(joint, "hertz") != nullptr) game.set(joint, "hertz", 4.0);
+        game.set(a, "angular_velocity", 2.0);
+        game.set(b, "angular_velocity", -3.0);
+        game.step(2);
+        for (const Handle body : {a, b}) turns_add_up(game, body, 8);
+        CHECK(has(turns_add_up(game, a, 2), "joint world."));
+    }
 }
 
 TEST_CASE("an account changes no result") {

@@ -1,4 +1,4 @@
-// What changed the velocity and the pose of a body in the last step.
+// What changed the velocities and the pose of a body in the last step.
 
 #include <bodies/motion_account.h>
 
@@ -48,6 +48,35 @@ class Motion {
         return std::move(lines_);
     }
 
+    Lines angular_velocity() {
+        if (const std::string reason = still("angular velocity"); !reason.empty()) return {reason};
+        if (body_.locked_rotation())
+            return {"its rotation is locked (" + path_ + ".locked_rotation)"};
+        if (body_.type() == physics::BodyType::kinematic_body)
+            return {"a mover keeps the angular velocity that was written"};
+        const auto account = world_.account(body_.id());
+        if (!account) {
+            prepare();
+            return {"the sums of this step were not kept; those of the next are"};
+        }
+        const physics::TurnAccount& turn = account->turn;
+        largest_ = std::fabs(turn.before) + std::fabs(turn.after) + turn.size;
+        unit_ = " rad/s";
+        say("before the last step: ", turn.earlier);
+        add("between the steps (writes, edits of shapes): ", turn.before - turn.earlier);
+        add(path_ + ".torque: ", turn.torque);
+        add("apply_torque, and forces beside its center of mass: ", turn.applied);
+        add("fields of force: ", turn.fields);
+        for (const physics::ContactShare& share : account->contacts)
+            push(named(share), share.turn, share.twist);
+        for (const physics::JointShare& share : account->joints)
+            push(named(share.joint), share.turn, share.twist);
+        add("damping (" + path_ + ".angular_damping): ", turn.damping);
+        add("the rest (limits of speed, bounces of curved shapes, blows through joints): ", turn.rest);
+        add("written since the step: ", body_.angular_velocity() - turn.after);
+        return std::move(lines_);
+    }
+
     Lines position() {
         const physics::Pose before = world_.previous(slot_of(row_));
         const physics::Vec2 moved = body_.position() - before.position;
@@ -93,14 +122,15 @@ class Motion {
 
   private:
     /// Why nothing changes the velocity; "" if something may.
-    std::string still() const {
+    std::string still(const std::string& what = "velocity") const {
         if (!hosting_.hosted(row_).self) return "it is in no world, so nothing moves it";
         if (body_.type() == physics::BodyType::static_body) return "a static body does not move";
         if (!body_.enabled())
-            return "it is disabled (" + path_ +
-                   ".enabled): it keeps its velocity and does not move";
+            return "it is disabled (" + path_ + ".enabled): it keeps its " + what +
+                   " and does not move";
         if (body_.type() == physics::BodyType::kinematic_body)
-            return mover().slot != 0 ? "" : "a kinematic body keeps the velocity that was written";
+            return mover().slot != 0 ? ""
+                                     : "a kinematic body keeps the " + what + " that was written";
         if (std::isinf(body_.mass())) return "a body of infinite mass does not move";
         if (!body_.awake()) return "it is asleep (" + path_ + ".awake)";
         return world_.solver() == physics::Solver::soft_step
@@ -192,6 +222,18 @@ class Motion {
     void say(const std::string& what, const physics::Vec2& v) {
         lines_.push_back(what + text(v) + unit_);
     }
+    void say(const std::string& what, float number) {
+        lines_.push_back(what + text(to_value(number)) + unit_);
+    }
+    void add(const std::string& what, float change) {
+        if (std::fabs(change) > only_rounding * largest_) say(what + "+ ", change);
+    }
+    /// `twist`: angular impulse, N m s.
+    void push(const std::string& by, float change, float twist) {
+        if (std::fabs(change) > only_rounding * largest_)
+            lines_.push_back(by + ": + " + text(to_value(change)) + unit_ + ", angular impulse " +
+                             text(to_value(twist)) + " N m s");
+    }
     /// Lists a change unless it is 0.
     void add(const std::string& what, const physics::Vec2& change) {
         if (change.length() > only_rounding * largest_) say(what + "+ ", change);
@@ -238,7 +280,10 @@ void explain_motion(Hosting& hosting, const property::Class& body) {
     property::Tree& tree = hosting.tree;
     property::Explainer velocity = explained(hosting, &Motion::velocity);
     velocity.prepare = [&hosting](Handle self) { Motion(hosting, self).prepare(); };
+    property::Explainer turning = explained(hosting, &Motion::angular_velocity);
+    turning.prepare = velocity.prepare;
     property::explain_with(tree, *body.property("velocity"), std::move(velocity));
+    property::explain_with(tree, *body.property("angular_velocity"), std::move(turning));
     property::explain_with(tree, *body.property("position"), explained(hosting, &Motion::position));
     property::explain_with(tree, *body.property("angle"), explained(hosting, &Motion::angle));
 }

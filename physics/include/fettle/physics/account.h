@@ -11,18 +11,39 @@ namespace fettle::physics {
 
 /// The part of a contact of two shapes in the change of a velocity.
 struct ContactShare {
-    ShapeId own;        ///< the shape of the body
-    ShapeId other;      ///< the shape that it touches
-    BodyId body;        ///< of `other`; the border has the slot 0
-    Vec2 impulse = {};  ///< N s, on the body of `own`
-    Vec2 change = {};   ///< m/s
+    ShapeId own;         ///< the shape of the body
+    ShapeId other;       ///< the shape that it touches
+    BodyId body;         ///< of `other`; the border has the slot 0
+    Vec2 impulse = {};   ///< N s, on the body of `own`
+    Vec2 change = {};    ///< m/s
+    float twist = 0.0f;  ///< N m s, about the center of mass of that body
+    float turn = 0.0f;   ///< rad/s
 };
 
 /// The part of a joint in the change of a velocity.
 struct JointShare {
-    JointId joint;      ///< on the body
-    Vec2 impulse = {};  ///< N s, on the body
-    Vec2 change = {};   ///< m/s
+    JointId joint;       ///< on the body
+    Vec2 impulse = {};   ///< N s, on the body
+    Vec2 change = {};    ///< m/s
+    float twist = 0.0f;  ///< N m s, about its center of mass
+    float turn = 0.0f;   ///< rad/s
+};
+
+/// What changed the angular velocity of a body in a step, besides contacts and joints.
+struct TurnAccount {
+    float earlier = 0.0f;  ///< rad/s at the end of the step before; `before` if it is unknown
+    float before = 0.0f;   ///< rad/s at the start of the step
+    float after = 0.0f;    ///< rad/s at its end
+    float torque = 0.0f;   ///< rad/s, as all that follow; by `Body::torque`
+    float applied = 0.0f;  ///< by `Body::apply_torque` and by forces beside the center of mass
+    float fields = 0.0f;   ///< by fields of force
+    float damping = 0.0f;  ///< by damping
+    /// What has no other name: limits of speed, bounces of curved shapes, the answer of joints to a
+    /// blow, rounding.
+    float rest = 0.0f;
+    /// The sum of the sizes of all changes, also of those that cancel: rounding errors are small
+    /// compared with it.
+    float size = 0.0f;
 };
 
 /// What changed the velocity of a body in a step: `after` - `before` is the sum of all changes.
@@ -40,6 +61,7 @@ struct VelocityAccount {
     /// What has no other name: locked axes, limits of speed, the answer of joints to a blow,
     /// rounding.
     Vec2 rest = {};
+    TurnAccount turn = {};
 };
 
 }  // namespace fettle::physics
