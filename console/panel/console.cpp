@@ -355,6 +355,17 @@ void Console::select(Handle instance) {
     state_->choose(instance);
 }
 
+void Console::select(const std::vector<Handle>& instances) {
+    if (instances.size() == 1)
+        state_->choose(instances.front());
+    else
+        state_->choose_all(instances);
+}
+
+std::vector<Handle> Console::selection() const {
+    return state_->inspector.selection();
+}
+
 Handle Console::selected() const {
     Handle instance = state_->inspector.selected();
     return state_->tree.alive(instance) ? instance : Handle{};

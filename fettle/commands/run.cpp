@@ -281,6 +281,7 @@ int run_replay(RunOptions options) {
     const EndRequest::Scripts scripts(session.runtime());
     session.start();
     app::Replay replay(recording, session.tree(), session.runtime(), session.loop());
+    replay.on_selected([&](const std::vector<property::Handle>& all) { session.select(all); });
     app::Loudspeaker loudspeaker;
     bool closed = false;
     const auto show = [&] {

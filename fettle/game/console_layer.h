@@ -2,6 +2,7 @@
 // The console of a session; it has none in a build without the console.
 
 #include <string_view>
+#include <vector>
 
 #ifdef FETTLE_WITH_CONSOLE
 #include <fettle/console/console.h>
@@ -21,6 +22,8 @@ struct Session::ConsoleLayer {
     void output(std::string_view) {}
     void note(std::string_view) {}
     void report(const script::ScriptError&) {}
+    void select(const std::vector<property::Handle>&) {}
+    std::vector<property::Handle> selection() const { return {}; }
 };
 #endif
 

@@ -331,6 +331,13 @@ void Session::travel(int steps) {
     clock.go_to(std::clamp(clock.step + steps, clock.oldest, clock.newest));
 }
 
+void Session::select(const std::vector<property::Handle>& instances) {
+    if (console_)
+        console_->select(instances);
+    else
+        runtime_->set_it(instances.back());
+}
+
 bool Session::console_is_open() const {
 #ifdef FETTLE_WITH_CONSOLE
     return console_ && console_->is_open();
@@ -364,7 +371,10 @@ void Session::make_recorder() {
     files_.tell([this](const property::GameFiles::Finding& finding) {
         recorder_->file(recorded(finding, options_.game));
     });
-    runtime_->on_command([this](std::string_view command) { recorder_->command(command); });
+    runtime_->on_command([this](std::string_view command) {
+        if (console_) recorder_->selected(console_->selection());
+        recorder_->command(command);
+    });
 }
 
 void Session::start() {

@@ -59,6 +59,8 @@ class Session {
     /// Reports something that a person should know and that is not an error of the game.
     void note(const std::string& text);
     bool console_is_open() const;
+    /// Selects instances in the console; the last one becomes `it`.
+    void select(const std::vector<property::Handle>& instances);
     /// The test that the run is; null if it is none.
     TestDriver* test() { return test_.get(); }
     /// Receives what the game prints, and notes, in place of the terminal. Errors are then given to

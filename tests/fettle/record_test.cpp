@@ -74,6 +74,25 @@ TEST_CASE("what breaks and searches and files of commands do is replayed") {
     CHECK(hash(again.out) == hash(made.out));
 }
 
+TEST_CASE("a replay selects what was selected and its commands have the same results") {
+    const Folder folder;
+    const std::string path = folder.write("main.lua", game);
+    const std::string file = (folder / "run.rec").string();
+    const Outcome made =
+        fettle(folder, {"run", path, "--headless", "--steps", "60", "--hash", "--record", file,  //
+                        "--console", "10:selection { world.body_2, world.body_3 }",              //
+                        "--console", "20:it.mass",                                               //
+                        "--console", "25:it.mass = _ + 2",                                       //
+                        "--console", "30:for _, b in ipairs(selection()) do b.velocity.x = 3 end"});
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    CHECK(contains(read(file), "\nselected "));
+    const Outcome again = fettle(folder, {"run", "--headless", "--hash", "--replay", file});
+    INFO(again.out << again.err);
+    CHECK(again.status == 0);
+    CHECK(contains(again.out, "60 steps, each as it was recorded\n"));
+}
+
 TEST_CASE("a recording contains the commands typed into the console of a run") {
     const Folder folder;
     const std::string path = folder.write("main.lua", game);

@@ -134,6 +134,32 @@ TEST_CASE("what a console command writes is recorded as the command alone") {
     CHECK(replay(file).difference == "");
 }
 
+TEST_CASE("what is selected when a command runs is it in the replay") {
+    const File file;
+    {
+        Playing playing(game);
+        RunStart start;
+        start.game = "game";
+        Recorder recorder(file.path, start);
+        playing.runtime->on_command([&](std::string_view command) {
+            recorder.selected({playing.runtime->it()});
+            recorder.command(command);
+        });
+        recorder.begin(playing.tree, *playing.loop);
+        playing.runtime->set_it(playing.get("world.ball").reference());
+        for (const char* command : {"it.velocity", "_ + vec(1, 2)", "it.velocity = _"}) {
+            playing.console(command);
+            playing.loop->frame(0.02);
+        }
+        REQUIRE(playing.get("world.ball.velocity.x").number() == 1);
+    }
+    const std::string text = file.text();
+    const std::size_t first = text.find("\nselected ");
+    CHECK(first < text.find("\ncommand "));
+    CHECK(text.find("\nselected ", first + 1) == std::string::npos);
+    CHECK(replay(file).difference == "");
+}
+
 TEST_CASE("files that are not recordings are refused with a reason") {
     const File file;
     record(file, 5);

@@ -76,6 +76,14 @@ void Recorder::command(std::string_view command) {
     flush();
 }
 
+void Recorder::selected(const std::vector<property::Handle>& instances) {
+    if (instances.empty() || instances == selected_) return;
+    selected_ = instances;
+    std::string text = "selected";
+    for (const property::Handle each : instances) text += " " + encoded(property::Value(each));
+    line(text);
+}
+
 void Recorder::file(const RunFile& file) {
     std::string text = (file.overwritten ? "overwritten " : "file ") + in_quotes(file.name);
     if (file.overwritten && file.content)

@@ -26,13 +26,14 @@ constexpr std::uintmax_t greatest_file = std::uintmax_t{4} << 30;
 
 /// A line after the line `begin`.
 struct Recording::Item {
-    enum class Kind : std::uint8_t { event, command, write, reset, frame, turn, step };
+    enum class Kind : std::uint8_t { event, command, selected, write, reset, frame, turn, step };
     Kind kind = Kind::turn;
     InputEvent event{};
     bool taken = false;
     std::string text{};  // a command, a property
     Writer writer = Writer::inspector;
     Handle instance{};
+    std::vector<Handle> instances{};
     Value value{};
     double seconds = 0;
     std::int64_t limit = 0;
@@ -64,6 +65,13 @@ std::optional<Item> parse(const std::string& word, Words& words) {
         if (!text) return std::nullopt;
         item.kind = Kind::command;
         item.text = *text;
+    } else if (word == "selected") {
+        item.kind = Kind::selected;
+        do {
+            const auto instance = words.value();
+            if (!instance || !instance->is(property::Type::reference)) return std::nullopt;
+            item.instances.push_back(instance->reference());
+        } while (!words.at_end());
     } else if (word == "write" || word == "reset") {
         const auto writer = words.integer();
         const auto instance = words.value();
@@ -247,6 +255,12 @@ void Replay::feed(const Recording::Item& item) {
             return loop_.feed(item.event, item.taken);
         case Kind::command:
             (void)runtime_.evaluate(item.text);
+            return;
+        case Kind::selected:
+            if (select_)
+                select_(item.instances);
+            else
+                runtime_.set_it(item.instances.back());
             return;
         case Kind::step:
             difference_ =

@@ -116,8 +116,12 @@ class Console : public app::Layer {
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
     /// game.
     void select(property::Handle instance);
+    /// The same for several instances; the last one becomes `it`.
+    void select(const std::vector<property::Handle>& instances);
     /// A null handle if nothing is selected, or the selected instance is deleted.
     property::Handle selected() const;
+    /// All selected instances that are alive; `selected` is the last one.
+    std::vector<property::Handle> selection() const;
 
     /// `print`: text of the game's own `print`. `output`: what a command printed. `note`: what a
     /// person should know. `report`: an error of the game.

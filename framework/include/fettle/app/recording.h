@@ -60,6 +60,9 @@ class Recorder : public Witness, public property::Observer {
     void begin(property::Tree& tree, Loop& loop);
 
     void command(std::string_view command);
+    /// What is selected in the console when the next command runs; the last one is `it`. Nothing is
+    /// written if it is the same as before.
+    void selected(const std::vector<property::Handle>& instances);
     void file(const RunFile& file);
     void event(const InputEvent& event, bool taken) override;
     void frame_begins(double seconds, std::int64_t step_limit) override;
@@ -84,7 +87,8 @@ class Recorder : public Witness, public property::Observer {
     std::string problem_;
     property::Tree* tree_ = nullptr;
     Loop* loop_ = nullptr;
-    bool inside_ = false;  // in a frame: writes come from the game itself
+    std::vector<property::Handle> selected_;  // as it was written last
+    bool inside_ = false;                     // in a frame: writes come from the game itself
 };
 
 /// A recording read from a file. Throws RecordingError if the file is damaged, has a newer format,
@@ -116,6 +120,11 @@ class Replay : public Witness {
   public:
     Replay(const Recording& recording, property::Tree& tree, script::Runtime& runtime, Loop& loop);
     ~Replay() override;
+    /// Receives what was selected in the console when a command ran. Without this function, the
+    /// last of them becomes `it`.
+    void on_selected(std::function<void(const std::vector<property::Handle>&)> select) {
+        select_ = std::move(select);
+    }
     /// Runs to the end of the next frame. False if there is none.
     bool frame();
     /// The first difference, as a sentence; "" if there is none.
@@ -136,6 +145,7 @@ class Replay : public Witness {
     property::Tree& tree_;
     script::Runtime& runtime_;
     Loop& loop_;
+    std::function<void(const std::vector<property::Handle>&)> select_;
     std::size_t next_ = 0;
     std::uint64_t steps_ = 0;
     std::string difference_;
