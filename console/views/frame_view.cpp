@@ -95,6 +95,12 @@ std::optional<FrameTimes> worst_frame(const app::FrameLog& log) {
     return worst == all.end() ? std::nullopt : std::optional(*worst);
 }
 
+void FrameView::choose(const FrameTimes& frame, const app::FrameLog& log) {
+    chosen_ = frame;
+    step_before_ = log.frames().back().step;
+    if (go_to) go_to(frame.step);
+}
+
 float FrameView::height() {
     return 11 * ImGui::GetFontSize();
 }
@@ -130,7 +136,7 @@ void FrameView::draw_title(const app::FrameLog& log) {
         draw_text_fit(list, at, palette::text, text, std::max(1.0f, place.low.x - at.x - pad));
     }
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + side + 4));
-    if (pressed && worst && go_to) go_to(worst->step);
+    if (pressed && worst) choose(*worst, log);
     if (closed && close) close();
 }
 
@@ -145,23 +151,27 @@ std::optional<std::size_t> FrameView::draw_bars(const app::FrameLog& log, double
     highest = std::min(highest, 8 * 1000 * dt);
     const float scale = (bars_.high.y - bars_.low.y) / static_cast<float>(highest);
     const float first = bars_.high.x - each * static_cast<float>(all.size());
+    // Whole pixels, so that the gaps between bars are equal.
+    const float gap = each >= 3 ? 1 : 0;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::optional<std::size_t> under;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const float x = first + each * static_cast<float>(i);
-        if (ImGui::IsItemHovered() && mouse.x >= x && mouse.x < x + each) under = i;
+        const float x = std::floor(first + each * static_cast<float>(i));
+        const float end = std::floor(first + each * static_cast<float>(i + 1));
+        if (ImGui::IsItemHovered() && mouse.x >= x && mouse.x < end) under = i;
         float y = bars_.high.y;
         for (const Part& part : parts) {
             const float next =
                 std::max(bars_.low.y, y - scale * static_cast<float>(all[i].ms.*part.ms));
             if (y - next > 0.05f)
-                list.AddRectFilled(ImVec2(x, next), ImVec2(x + std::max(1.0f, each - 0.5f), y),
+                list.AddRectFilled(ImVec2(x, next), ImVec2(std::max(x + 1, end - gap), y),
                                    part.color);
             y = next;
         }
-        if (under == i)
-            list.AddRect(ImVec2(x - 1, bars_.low.y), ImVec2(x + each + 1, bars_.high.y),
-                         palette::text);
+        const bool chosen = chosen_ && all[i].frame == chosen_->frame;
+        if (under == i || chosen)
+            list.AddRect(ImVec2(x - 1, bars_.low.y), ImVec2(end - gap + 1, bars_.high.y),
+                         under == i ? palette::text : palette::accent);
     }
     const float line = bars_.high.y - scale * static_cast<float>(1000 * dt);
     list.AddLine(ImVec2(bars_.low.x, line), ImVec2(bars_.high.x, line),
@@ -213,19 +223,23 @@ void FrameView::draw(ImVec2 corner, ImVec2 size, const property::Tree& tree,
     ImGui::InvisibleButton(
         "bars", ImVec2(std::max(1.0f, bars_.high.x - bars_.low.x), bars_.high.y - bars_.low.y));
     const bool clicked = ImGui::IsItemClicked();
-    const auto under = draw_bars(log, dt);
     const auto& all = log.frames();
+    if (chosen_ && !all.empty() && all.back().step != chosen_->step &&
+        all.back().step != step_before_)
+        chosen_.reset();  // the game has gone on
+    const auto under = draw_bars(log, dt);
     shown_.reset();
     if (!all.empty()) {
-        shown_ = under ? all[*under] : all.back();
+        shown_ = under ? all[*under] : chosen_ ? *chosen_ : all.back();
         // The newest frame is not complete yet.
-        if (!under && all.size() > 1 && shown_->ms.frame == 0) shown_ = all[all.size() - 2];
+        if (!under && !chosen_ && all.size() > 1 && shown_->ms.frame == 0)
+            shown_ = all[all.size() - 2];
         draw_flame(
             {ImVec2(bars_.low.x, bars_.high.y + 6), ImVec2(bars_.high.x, rect_.high.y - pad)}, tree,
-            !under);
+            !under && !chosen_);
     }
     if (under) tell(all[*under]);
-    if (under && clicked && go_to) go_to(all[*under].step);
+    if (under && clicked) choose(all[*under], log);
     ImGui::End();
 }
 

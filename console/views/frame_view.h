@@ -37,12 +37,17 @@ class FrameView {
     const std::optional<app::FrameTimes>& shown() const { return shown_; }
 
   private:
+    void choose(const app::FrameTimes& frame, const app::FrameLog& log);
     void draw_title(const app::FrameLog& log);
     std::optional<std::size_t> draw_bars(const app::FrameLog& log, double dt);
     void draw_flame(const Rect& place, const property::Tree& tree, bool newest);
 
     Rect rect_, bars_, worst_, close_;
     std::optional<app::FrameTimes> shown_;
+    /// The frame that was clicked. It is shown while the game stands at its step, also when the log
+    /// has lost it.
+    std::optional<app::FrameTimes> chosen_;
+    std::int64_t step_before_ = 0;  // the step at which it was clicked
 };
 
 /// The frame that worked longest; waiting does not count. Nothing if there is none.

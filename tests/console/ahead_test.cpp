@@ -300,15 +300,21 @@ TEST_CASE_METHOD(AheadRig, "the times of frames are shown and lead to the worst 
     click(worst.x, worst.y);
     draw(2);
     CHECK(went == 1120);
+    // It is shown until the game goes on.
+    CHECK(view.shown()->frame == 120);
+    log.add({.ms = {.scripts = 2}, .frame = 201, .step = 1121});
+    (void)log.complete(16.7);
+    draw(2);
+    CHECK(view.shown()->frame == 201);
     // The newest frame is at the right end.
     const console::Rect bars = view.bars();
     const float each = (bars.high.x - bars.low.x) / 300;
     move(bars.high.x - 9.5f * each, bars.middle().y);
     draw(2);
-    CHECK(view.shown()->frame == 191);
+    CHECK(view.shown()->frame == 192);
     click(bars.high.x - 9.5f * each, bars.middle().y);
     draw(2);
-    CHECK(went == 1191);
+    CHECK(went == 1192);
     const ImVec2 close = view.close_button().middle();
     click(close.x, close.y);
     draw(2);
