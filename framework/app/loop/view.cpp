@@ -128,7 +128,8 @@ std::vector<Property> where(View& view) {
                  v.height = height;
              }),
          .transient = true,
-         .simulated = true},
+         .simulated = true,
+         .derives_from = {"height", "screen", "fit", "design"}},
         derived({.name = "lower",
                  .type = Type::vec2,
                  .unit = "m",

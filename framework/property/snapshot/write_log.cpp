@@ -134,11 +134,38 @@ void WriteLog::note(Did what, Handle instance, const Property& property) {
     to.put(property.symbol.id());
 }
 
+namespace {
+
+/// What is not saved is not written again. But a write of it may have changed the properties that
+/// it is computed from, and these are state: the zoom of a view changes its height. Visits them.
+template <class Visit>
+void each_source(const Tree& tree, Handle instance, const Property& property, Visit visit) {
+    if (!property.transient || property.derives_from.empty() || !tree.alive(instance)) return;
+    const Class& of = tree.class_of(instance);
+    if (!belongs_to_the_present(of, property)) return;
+    for (const std::string& name : property.derives_from) {
+        const Property* const source = of.property(name);
+        if (source != nullptr && !source->read_only && source->binding.kind != BindingKind::node)
+            visit(*source);
+    }
+}
+
+}  // namespace
+
 void WriteLog::wrote_plain(const PlainWrites& writes) {
     if (!notes()) return;
-    if (writes.list.size() < worth_keeping) return put_plain(bytes_, writes.list);
-    kept_.push_back({bytes_.size(), writes});
-    kept_count_ += writes.list.size();
+    if (writes.list.size() < worth_keeping) {
+        put_plain(bytes_, writes.list);
+    } else {
+        kept_.push_back({bytes_.size(), writes});
+        kept_count_ += writes.list.size();
+    }
+    for (const PlainWrite& write : writes.list)
+        if (write.instance)
+            each_source(tree_, write.instance, *write.property, [&](const Property& source) {
+                note(Did::value, write.instance, source);
+                ByteWriter(bytes_).put(tree_.peek(write.instance, source));
+            });
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
@@ -147,6 +174,10 @@ void WriteLog::wrote(Handle instance, const Property& property, const Value& now
     const bool computed = tree_.state().changes.author.writer == Writer::formula;
     note(computed ? Did::computed : Did::value, instance, property);
     ByteWriter(bytes_).put(now);
+    each_source(tree_, instance, property, [&](const Property& source) {
+        note(Did::value, instance, source);
+        ByteWriter(bytes_).put(tree_.peek(instance, source));
+    });
 }
 
 void WriteLog::was_reset(Handle instance, const Property& property) {
