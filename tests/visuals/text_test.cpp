@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "gallery.h"
@@ -74,6 +75,24 @@ TEST_CASE_METHOD(Written, "what is drawn has the measured size at any zoom") {
                   Approx(pixels).epsilon(0.04));
     }
     CHECK(width() == measured);
+}
+
+TEST_CASE_METHOD(Written, "texts of many sizes share letters") {
+    tree.set(text, "text", Value("H"));
+    std::set<const Picture*> letters;
+    for (int i = 0; i < 500; ++i) {
+        Sheet sheet;
+        sheet.zoom = 8 + 0.2 * i;
+        const auto drawn = draw(sheet);
+        REQUIRE(drawn.size() == 1);
+        letters.insert(drawn[0].picture);
+        // An enlarged letter is not visibly blurred.
+        const auto pixels = static_cast<double>(drawn[0].picture->height());
+        CHECK((drawn[0].upper_left.y - drawn[0].lower_left.y) * sheet.zoom ==
+              Approx(pixels).epsilon(0.025));
+    }
+    CHECK(letters.size() > 50);
+    CHECK(letters.size() <= 120);
 }
 
 TEST_CASE_METHOD(Written, "the size scales the measure") {
