@@ -128,6 +128,11 @@ TEST_CASE_METHOD(Game, "invalid arguments are refused by name") {
     CHECK_THROWS_WITH(tree.call(crate, "apply_impulse", {Vec2(1e300, 0)}),
                       contains("expected a vec2 from -3.4"));
     CHECK_THROWS_AS(tree.call(world(), "raycast", {Vec2(0, 0)}), property::Error);
+    CHECK_THROWS_WITH(tree.call(world(), "explode_surfaces", {Vec2(0, 0), 1, 1e300, 1}),
+                      contains("falloff: "));
+    CHECK_THROWS_WITH(tree.call(world(), "explode_surfaces", {Vec2(0, 0), 1, 1, 1e300}),
+                      contains("impulse_per_length: "));
+    CHECK_THROWS_WITH(tree.call(world(), "explode", {Vec2(0, 0), 1e300, 1}), contains("radius: "));
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e200, 0)}), property::Error);
     CHECK_THROWS_AS(tree.call(world(), "at", {Vec2(1e30, 0)}), property::Error);
 }

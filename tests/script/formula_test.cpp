@@ -56,6 +56,16 @@ TEST_CASE("reading a formula in error raises and the formula recovers") {
     CHECK(s.errors.empty());
 }
 
+TEST_CASE("further arguments of formula are refused and not ignored") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    CHECK_THAT(s.fails("world.ball:formula('mass', '3 + 4')"),
+               contains("takes only the name of a property"));
+    CHECK_THAT(s.fails("world.ball.mass = formula(function() return 1 end, 'walk')"),
+               contains("takes one function and nothing else"));
+    CHECK(s.prints("print(world.ball.mass)") == "2.0");
+}
+
 TEST_CASE("a formula may compute and do nothing else") {
     Stage s;
     s.run("world.ball = Body {}");

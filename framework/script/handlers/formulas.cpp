@@ -79,7 +79,9 @@ class ScriptFormula {
 int formula(lua_State* L) {
     if (lua_type(L, 1) != LUA_TFUNCTION)
         refuse_type(L, 1, "formula: needs a function that returns the value");
-    lua_settop(L, 1);
+    if (lua_gettop(L) > 1)
+        throw Error(ErrorKind::wrong_type,
+                    "formula: takes one function and nothing else; what it needs, it names");
     Machine& machine = machine_of(L);
     FunctionSource source = function_source(L, machine, 1);
     if (machine.recording.active && mentions_it(source.text)) {

@@ -79,6 +79,10 @@ int problem(lua_State* L) {
 
 int formula_of(lua_State* L) {
     const Handle self = check_instance(L, 1, "formula");
+    if (lua_gettop(L) > 2)
+        throw Error(ErrorKind::wrong_type,
+                    "formula: takes only the name of a property, whose formula it returns; to give "
+                    "it one, assign formula(function() return ... end) to the property");
     Machine& machine = machine_of(L);
     push_formula_function(L, machine.tree, self, property_at(L, machine, self, "formula"));
     return 1;

@@ -1,6 +1,8 @@
 // Methods of World: queries.
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include <fettle/property/acceptance.h>
 #include <fettle/property/spelling.h>
@@ -212,17 +214,26 @@ Result distance(Hosting& hosting, HostedWorld&, Arguments a) {
                    to_value(nearest->point_b), to_value(nearest->normal)}};
 }
 
+/// The arguments of an explosion after its point, which are numbers. Their errors name them.
+float number_argument(Arguments a, std::size_t index, const char* name) {
+    try {
+        return float_argument(a[index]);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(std::string(name) + ": " + error.what());
+    }
+}
+
 Result explode(Hosting&, HostedWorld& hosted, Arguments a) {
-    hosted.world.explode(vec2_argument(a[0]), float_argument(a[1]), float_argument(a[2]),
-                         filter(a[3], Value(), a[4]));
+    hosted.world.explode(vec2_argument(a[0]), number_argument(a, 1, "radius"),
+                         number_argument(a, 2, "impulse"), filter(a[3], Value(), a[4]));
     return Value();
 }
 
 Result explode_surfaces(Hosting&, HostedWorld& hosted, Arguments a) {
     hosted.world.explode({.point = vec2_argument(a[0]),
-                          .radius = float_argument(a[1]),
-                          .falloff = float_argument(a[2]),
-                          .impulse_per_length = float_argument(a[3])},
+                          .radius = number_argument(a, 1, "radius"),
+                          .falloff = number_argument(a, 2, "falloff"),
+                          .impulse_per_length = number_argument(a, 3, "impulse_per_length")},
                          filter(a[4], Value(), a[5]));
     return Value();
 }
