@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <utility>
 
+#include <calls/function_ref.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
+#include <lua/environment.h>
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -69,30 +72,47 @@ Connections::~Connections() {
 }
 
 void Connections::clear() {
-    for (auto& [id, connection] : connections_) connection.stop();
+    for (auto& [id, entry] : connections_) entry.connection.stop();
     connections_.clear();
     noted_.clear();
+    retired_.clear();
+    changes_ = {.all = recording_};
 }
 
-std::uint64_t Connections::insert(Connection connection) {
+std::uint64_t Connections::insert(Entry entry) {
     if (connections_.size() >= prune_at_) {
-        std::erase_if(connections_, [](const auto& entry) { return !entry.second.active(); });
+        std::erase_if(connections_,
+                      [](const auto& each) { return !each.second.connection.active(); });
         prune_at_ = std::max<std::size_t>(256, 2 * connections_.size());
     }
-    connections_.emplace(next_id_, std::move(connection));
+    connections_.emplace(next_id_, std::move(entry));
     return next_id_++;
 }
 
-void Connections::push(lua_State* L, Connection connection) {
-    const std::uint64_t id = insert(std::move(connection));
-    note({.id = id, .instance = {}});
-    push_connection(L, Source::tree, id);
+namespace {
+
+/// Whether a person connects it, now: then it belongs to no moment of the game.
+bool by_person(const Machine& machine) {
+    const property::Writer writer = machine.tree.cause().writer;
+    return writer == property::Writer::console || writer == property::Writer::inspector ||
+           writer == property::Writer::remote;
 }
 
-void Connections::push(lua_State* L, property::Handle instance,
-                       const std::function<Connection(property::Handle)>& connect) {
-    const std::uint64_t id = insert(connect(instance));
-    note({.id = id, .instance = instance, .connect = connect});
+}  // namespace
+
+void Connections::push(lua_State* L, property::Handle instance, Subscription subscription) {
+    Entry entry{.connection = subscription.connect(instance, subscription.function),
+                .instance = instance,
+                .scene = machine_.globals.entering,
+                .function = subscription.function,
+                .always = noting_};
+    if (!by_person(machine_))
+        entry.connect =
+            std::make_shared<const Subscription::Connect>(std::move(subscription.connect));
+    const std::uint64_t id = insert(std::move(entry));
+    if (noting_) noted_.push_back({.id = id, .instance = instance});
+    const Entry& made = connections_.at(id);
+    if (made.connect != nullptr) note({.id = id, .added = made_of(id, made)});
     push_connection(L, Source::tree, id);
 }
 
@@ -104,24 +124,145 @@ std::vector<Connections::Noted> Connections::end_noting() {
 void Connections::connect_again(const Noted& noted, property::Handle instance) {
     const auto found = connections_.find(noted.id);
     if (found == connections_.end()) return;  // the script has stopped it
-    found->second.stop();
-    found->second = noted.connect(instance);
+    Entry& entry = found->second;
+    const auto function = entry.function.lock();
+    if (function == nullptr || entry.connect == nullptr) return;
+    entry.connection.stop();
+    entry.connection = (*entry.connect)(instance, function);
+    entry.instance = instance;
+    note({.id = noted.id, .added = made_of(noted.id, entry)});
 }
 
 void Connections::keep(Connection connection) {
-    insert(std::move(connection));
+    insert({.connection = std::move(connection)});
 }
 
 void Connections::stop(std::uint64_t id) {
     const auto found = connections_.find(id);
     if (found == connections_.end()) return;
-    found->second.stop();
+    found->second.connection.stop();
     connections_.erase(found);
+    note({.id = id});
+}
+
+void Connections::retire(std::uint64_t id) {
+    stop(id);
+    retired_.insert(id);
 }
 
 bool Connections::active(std::uint64_t id) const {
     const auto found = connections_.find(id);
-    return found != connections_.end() && found->second.active();
+    return found != connections_.end() && found->second.connection.active();
+}
+
+void Connections::end_with_scenes() {
+    std::vector<std::uint64_t> over;
+    for (const auto& [id, entry] : connections_)
+        if (entry.scene && !machine_.tree.alive(entry.scene)) over.push_back(id);
+    for (const std::uint64_t id : over) stop(id);
+}
+
+// --- Snapshots
+
+Connections::Made Connections::made_of(std::uint64_t id, const Entry& entry) {
+    return {.id = id,
+            .instance = entry.instance,
+            .scene = entry.scene,
+            .function = entry.function.lock(),
+            .connect = entry.connect};
+}
+
+void Connections::note(Change change) {
+    if (!recording_ || changes_.all) return;
+    changes_.list.push_back(std::move(change));
+    if (changes_.list.size() > 64 + 2 * connections_.size()) changes_ = {.all = true};
+}
+
+Connections::Image Connections::image() const {
+    Image image;
+    for (const auto& [id, entry] : connections_) {
+        if (entry.connect == nullptr || !entry.connection.active()) continue;
+        Made made = made_of(id, entry);
+        if (made.function != nullptr) image.push_back(std::move(made));
+    }
+    std::ranges::sort(image, {}, &Made::id);
+    return image;
+}
+
+bool Connections::can_connect(const Made& made) const {
+    return made.function != nullptr && !retired_.contains(made.id) &&
+           (!made.instance || machine_.tree.alive(made.instance)) &&
+           (!made.scene || machine_.tree.alive(made.scene));
+}
+
+/// Must not throw: a property that is watched may be missing in another state.
+void Connections::connect(const Made& made) {
+    Entry& entry = connections_[made.id];
+    entry.connection.stop();
+    entry.instance = made.instance;
+    entry.scene = made.scene;
+    entry.function = made.function;
+    entry.connect = made.connect;
+    try {
+        entry.connection = (*made.connect)(made.instance, made.function);
+    } catch (const std::exception&) {
+        connections_.erase(made.id);
+    }
+}
+
+void Connections::restore(const Image& image) {
+    std::unordered_set<std::uint64_t> wanted;
+    for (const Made& made : image) wanted.insert(made.id);
+    for (auto each = connections_.begin(); each != connections_.end();) {
+        Entry& entry = each->second;
+        if (entry.connect == nullptr || entry.always || wanted.contains(each->first)) {
+            ++each;
+            continue;
+        }
+        entry.connection.stop();
+        each = connections_.erase(each);
+    }
+    // Handlers are called in the order in which they were connected, so where one is missing, all
+    // of that instance are connected again.
+    std::unordered_set<std::uint64_t> incomplete;
+    const auto key = [](property::Handle of) {
+        return std::uint64_t{of.generation} << 32 | of.index;
+    };
+    for (const Made& made : image)
+        if (!active(made.id) && can_connect(made)) incomplete.insert(key(made.instance));
+    if (!incomplete.empty())
+        for (const Made& made : image)
+            if (incomplete.contains(key(made.instance)) && can_connect(made)) connect(made);
+    changes_ = {.all = recording_};
+}
+
+Connections::Changes Connections::take_changes() {
+    Changes taken = std::exchange(changes_, {});
+    if (taken.all || !recording_) taken = {.all = true, .image = image()};
+    recording_ = true;
+    return taken;
+}
+
+void Connections::redo(const Changes& changes) {
+    if (changes.all) return restore(changes.image);
+    for (const Change& change : changes.list) {
+        if (!change.added)
+            stop(change.id);
+        else if (!active(change.id) && can_connect(*change.added))
+            connect(*change.added);
+    }
+}
+
+std::size_t Connections::bytes_of(const Image& image) {
+    return image.capacity() * sizeof(Made);
+}
+
+std::size_t Connections::bytes_of(const Changes& changes) {
+    std::size_t sum = bytes_of(changes.image) + changes.list.capacity() * sizeof(Change);
+    for (const Change& change : changes.list)
+        if (change.added && change.added->function)
+            sum += change.added->function->holds() + sizeof(Subscription::Connect) + 128;
+    return sum;
 }
 
 void open_connections(lua_State* L, Machine& machine) {

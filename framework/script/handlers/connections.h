@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <unordered_map>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 #include <fettle/property/tree.h>
@@ -15,24 +17,33 @@
 namespace fettle::script {
 
 struct Machine;
+class FunctionRef;
 
+/// A function of a script, and how it becomes the handler of an instance; the instance does not
+/// matter for the handler of a class or of a pattern.
+struct Subscription {
+    using Function = std::shared_ptr<FunctionRef>;
+    using Connect = std::function<property::Connection(property::Handle instance, const Function&)>;
+    Function function;
+    Connect connect;
+};
+
+/// Which handlers there are is state, as timers are: after a rewind, those of that moment are
+/// connected. What a person connects in the console belongs to the present.
 class Connections {
   public:
-    Connections() = default;
+    explicit Connections(Machine& machine) : machine_(machine) {}
     ~Connections();
 
-    /// Stores the connection and pushes a script object for it.
-    void push(lua_State* L, property::Connection connection);
-    /// Connects and does the same. While a game is loaded again, the instance may only stand for
-    /// another one: see `connect_again`.
-    void push(lua_State* L, property::Handle instance,
-              const std::function<property::Connection(property::Handle)>& connect);
-    /// Stores a connection that no script can stop.
+    /// Connects and pushes a script object for it. While a game is loaded again, the instance may
+    /// only stand for another one: see `connect_again`. It ends with the scene whose `enter` runs.
+    void push(lua_State* L, property::Handle instance, Subscription subscription);
+    /// Stores a connection that no script can stop, and that no moment has of its own.
     void keep(property::Connection connection);
     void stop(std::uint64_t id);
     bool active(std::uint64_t id) const;
-    /// The number of the next connection.
-    std::uint64_t next_number() const { return next_id_; }
+    /// Ends those that `enter` of deleted scenes made.
+    void end_with_scenes();
     /// Ends all connections, before a game is loaded.
     void clear();
 
@@ -41,23 +52,65 @@ class Connections {
     struct Noted {
         std::uint64_t id = 0;
         property::Handle instance;  // null: of a class, or of a pattern
-        std::function<property::Connection(property::Handle)> connect{};
     };
     std::vector<Noted> end_noting();
     /// Moves a connection to another instance; its number stays.
     void connect_again(const Noted& noted, property::Handle instance);
+    /// Ends a connection of code that is no longer there: no rewind brings it back.
+    void retire(std::uint64_t id);
+
+    // Snapshots.
+    struct Made {
+        std::uint64_t id = 0;
+        property::Handle instance{}, scene{};
+        Subscription::Function function{};
+        std::shared_ptr<const Subscription::Connect> connect{};
+    };
+    using Image = std::vector<Made>;  // in the order in which they were made
+    struct Change {
+        std::uint64_t id = 0;
+        std::optional<Made> added{};  // nullopt: removed
+    };
+    /// As `Timers::Changes`.
+    struct Changes {
+        bool all = false;
+        Image image{};
+        std::vector<Change> list{};
+    };
+    /// Whether changes are recorded, so that functions may be kept longer than the game keeps them.
+    bool recorded() const { return recording_; }
+    Image image() const;
+    void restore(const Image& image);
+    Changes take_changes();
+    void redo(const Changes& changes);
+    /// Estimated bytes, without the functions; these are counted where they were added.
+    static std::size_t bytes_of(const Image& image);
+    static std::size_t bytes_of(const Changes& changes);
 
   private:
-    std::uint64_t insert(property::Connection connection);
-    void note(Noted noted) {
-        if (noting_) noted_.push_back(std::move(noted));
-    }
+    /// The tree owns the function, so that it ends with the instance.
+    struct Entry {
+        property::Connection connection{};
+        property::Handle instance{}, scene{};
+        std::weak_ptr<FunctionRef> function{};
+        std::shared_ptr<const Subscription::Connect> connect{};  // null: of no moment
+        bool always = false;  // of the top level: there from the beginning of the game
+    };
+    std::uint64_t insert(Entry entry);
+    void connect(const Made& made);
+    bool can_connect(const Made& made) const;
+    void note(Change change);
+    static Made made_of(std::uint64_t id, const Entry& entry);
 
-    std::unordered_map<std::uint64_t, property::Connection> connections_;
+    Machine& machine_;
+    std::unordered_map<std::uint64_t, Entry> connections_;
     std::uint64_t next_id_ = 1;
     bool noting_ = false;
     std::vector<Noted> noted_;
     std::size_t prune_at_ = 256;
+    bool recording_ = false;
+    Changes changes_;
+    std::unordered_set<std::uint64_t> retired_;
 };
 
 /// Pushes a connection for a timer.

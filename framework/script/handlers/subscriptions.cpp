@@ -4,6 +4,7 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/function_ref.h>
+#include <calls/held_memory.h>
 #include <calls/protected.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
@@ -23,6 +24,7 @@ using property::Event;
 using property::Existence;
 using property::Occurrence;
 using property::WatchOptions;
+using Function = Subscription::Function;
 
 // --- Arguments of handlers
 
@@ -69,6 +71,10 @@ void take_answer(lua_State* L, property::Question& question) {
     }
 }
 
+bool came_with_moment(const Existence& existence) {
+    return existence.cause.writer == property::Writer::restore;
+}
+
 void push_existence(lua_State* L, const Existence& existence) {
     lua_createtable(L, 0, 5);
     push_instance(L, existence.instance);
@@ -92,9 +98,13 @@ namespace {
 
 // Keeps the function at `index`. Raises an error for another type.
 std::shared_ptr<FunctionRef> function_at(lua_State* L, int index, const char* what) {
+    Machine& machine = machine_of(L);
     check_function(L, index, what);
     lua_pushvalue(L, index);
-    return std::make_shared<FunctionRef>(L, machine_of(L));
+    const std::size_t holds = machine.connections.recorded() ? held_memory(L, machine, -1) : 0;
+    auto function = std::make_shared<FunctionRef>(L, machine);
+    function->set_holds(holds);
+    return function;
 }
 
 WatchOptions options_here(lua_State* L) {
@@ -110,8 +120,8 @@ bool gone(const Machine& machine, Handle scene) {
     return scene && !machine.tree.alive(scene);
 }
 
-property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<FunctionRef> function) {
-    return [&machine, function, scene = machine.globals.entering](const Change& change) {
+property::ChangeHandler change_handler(Machine& machine, const Function& function, Handle scene) {
+    return [&machine, function, scene](const Change& change) {
         if (gone(machine, scene)) return;
         protected_run(machine, Context("watcher", change.instance, change.property),
                       [&](lua_State* L) {
@@ -125,50 +135,21 @@ property::ChangeHandler change_handler(Machine& machine, std::shared_ptr<Functio
 }
 
 property::ExistenceHandler existence_handler(Machine& machine, const char* name,
-                                             std::shared_ptr<FunctionRef> function) {
-    return
-        [&machine, function, name, scene = machine.globals.entering](const Existence& existence) {
-            if (gone(machine, scene)) return;
-            protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
-                          [&](lua_State* L) {
-                              function->push(L);
-                              push_existence(L, existence);
-                              lua_call(L, 1, 0);
-                          });
-        };
+                                             const Function& function, Handle scene) {
+    return [&machine, function, name, scene](const Existence& existence) {
+        if (gone(machine, scene) || came_with_moment(existence)) return;
+        protected_run(machine, std::string("handler of ") + name + " of " + existence.path,
+                      [&](lua_State* L) {
+                          function->push(L);
+                          push_existence(L, existence);
+                          lua_call(L, 1, 0);
+                      });
+    };
 }
 
-const Event& event_of(const Class& of, const std::string& name) {
-    if (const Event* event = of.event(name)) return *event;
-    std::vector<std::string> names = {"created"};
-    for (const Event* event : of.events()) names.push_back(event->name);
-    throw Error(ErrorKind::unknown_name,
-                of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
-}
-
-}  // namespace
-
-Connector event_connector(lua_State* L, Machine& machine, const Class& of, const std::string& name,
-                          bool whole_class) {
-    const WatchOptions options = options_here(L);
-    const auto function = function_at(L, lua_gettop(L), "on");
-    property::Tree& tree = machine.tree;
-    if (name == "deleted") {
-        auto handler = existence_handler(machine, "deleted", function);
-        return [&tree, &of, handler, options, whole_class](Handle instance) {
-            return whole_class ? tree.watch_deleted(of, handler, options)
-                               : tree.watch_deleted(instance, handler, options);
-        };
-    }
-    if (name == "created" && whole_class) {
-        auto handler = existence_handler(machine, "created", function);
-        return [&tree, &of, handler, options](Handle) {
-            return tree.watch_created(of, handler, options);
-        };
-    }
-    const Event& event = event_of(of, name);
-    auto handler = [&machine, function, &event,
-                    scene = machine.globals.entering](const Occurrence& occurrence) {
+property::EventHandler event_handler(Machine& machine, const Event& event, const Function& function,
+                                     Handle scene) {
+    return [&machine, function, &event, scene](const Occurrence& occurrence) {
         if (gone(machine, scene)) return;
         const Context context("handler of " + event.name, occurrence.instance);
         protected_run(machine, context, [&](lua_State* M) {
@@ -188,21 +169,68 @@ Connector event_connector(lua_State* L, Machine& machine, const Class& of, const
             }
         });
     };
-    return [&tree, &of, &event, handler, options, whole_class](Handle instance) {
-        return whole_class ? tree.on(of, event, handler, options)
-                           : tree.on(instance, event, handler, options);
-    };
+}
+
+const Event& event_of(const Class& of, const std::string& name) {
+    if (const Event* event = of.event(name)) return *event;
+    std::vector<std::string> names = {"created"};
+    for (const Event* event : of.events()) names.push_back(event->name);
+    throw Error(ErrorKind::unknown_name,
+                of.name() + ": no event \"" + name + "\"" + property::suggestion(name, names));
+}
+
+}  // namespace
+
+Subscription event_subscription(lua_State* L, Machine& machine, const Class& of,
+                                const std::string& name, bool whole_class) {
+    const WatchOptions options = options_here(L);
+    const Handle scene = machine.globals.entering;
+    Function function = function_at(L, lua_gettop(L), "on");
+    property::Tree& tree = machine.tree;
+    if (name == "deleted")
+        return {function, [&machine, &tree, &of, options, whole_class, scene](
+                              Handle instance, const Function& called) {
+                    auto handler = existence_handler(machine, "deleted", called, scene);
+                    return whole_class ? tree.watch_deleted(of, handler, options)
+                                       : tree.watch_deleted(instance, handler, options);
+                }};
+    if (name == "created" && whole_class)
+        return {function, [&machine, &tree, &of, options, scene](Handle, const Function& called) {
+                    return tree.watch_created(
+                        of, existence_handler(machine, "created", called, scene), options);
+                }};
+    const Event& event = event_of(of, name);
+    return {function, [&machine, &tree, &of, &event, options, whole_class, scene](
+                          Handle instance, const Function& called) {
+                auto handler = event_handler(machine, event, called, scene);
+                return whole_class ? tree.on(of, event, handler, options)
+                                   : tree.on(instance, event, handler, options);
+            }};
 }
 
 namespace {
 
-Connector property_connector(Machine& machine, const property::ChangeHandler& handler,
-                             const WatchOptions& options, std::string name) {
-    property::Tree& tree = machine.tree;
-    return [&tree, handler, options, name](Handle instance) {
-        return name.empty() ? tree.watch(instance, handler, options)
-                            : tree.watch(instance, name, handler, options);
-    };
+/// `name`: of a property; empty: all of the instance.
+Subscription property_subscription(lua_State* L, Machine& machine, int function,
+                                   const std::string& name) {
+    return {function_at(L, function, "watch"),
+            [&machine, options = options_here(L), scene = machine.globals.entering, name](
+                Handle instance, const Function& called) {
+                const auto handler = change_handler(machine, called, scene);
+                return name.empty() ? machine.tree.watch(instance, handler, options)
+                                    : machine.tree.watch(instance, name, handler, options);
+            }};
+}
+
+/// `property`: null for all of the class.
+Subscription class_subscription(lua_State* L, Machine& machine, int function, const Class& of,
+                                const Property* property) {
+    return {function_at(L, function, "watch"),
+            [&machine, &of, property, options = options_here(L), scene = machine.globals.entering](
+                Handle, const Function& called) {
+                return machine.tree.watch(of, property, change_handler(machine, called, scene),
+                                          options);
+            }};
 }
 
 }  // namespace
@@ -214,7 +242,7 @@ int subscribe_event(lua_State* L) {
     const Handle self = whole ? Handle{} : check_instance(L, 1, "on");
     const std::string name = check_text(L, 2, "on: needs the name of an event");
     const Class& of = whole ? *whole : machine.tree.class_of(self);
-    machine.connections.push(L, self, event_connector(L, machine, of, name, whole != nullptr));
+    machine.connections.push(L, self, event_subscription(L, machine, of, name, whole != nullptr));
     return 1;
 }
 
@@ -223,26 +251,25 @@ int subscribe_property(lua_State* L) {
     const Class* whole = class_object_at(L, 1);
     const Handle self = whole ? Handle{} : check_instance(L, 1, "watch");
     const int last = lua_gettop(L) >= 3 ? 3 : 2;
-    const WatchOptions options = options_here(L);
-    auto handler = change_handler(machine, function_at(L, last, "watch"));
     if (last == 2) {
         if (whole)
-            machine.connections.push(L, machine.tree.watch(*whole, nullptr, handler, options));
+            machine.connections.push(L, {}, class_subscription(L, machine, last, *whole, nullptr));
         else
-            machine.connections.push(L, self, property_connector(machine, handler, options, {}));
+            machine.connections.push(L, self, property_subscription(L, machine, last, {}));
         return 1;
     }
+    check_function(L, last, "watch");
     const std::string name = check_text(L, 2, "watch: needs the name of a property");
     if (!whole) {
         machine.tree.property(self, name);  // must exist
-        machine.connections.push(L, self, property_connector(machine, handler, options, name));
+        machine.connections.push(L, self, property_subscription(L, machine, last, name));
         return 1;
     }
     const Property* property = whole->property(name);
     if (!property)
         throw Error(ErrorKind::unknown_name, whole->name() + "." + name + ": no such property" +
                                                  property::suggestion(name, whole->member_names()));
-    machine.connections.push(L, machine.tree.watch(*whole, property, handler, options));
+    machine.connections.push(L, {}, class_subscription(L, machine, last, *whole, property));
     return 1;
 }
 
@@ -264,16 +291,19 @@ int watch_pattern(lua_State* L) {
     if (pattern.find('*') == std::string::npos) {
         // Without a wildcard, the path must exist, so that a spelling error is reported.
         const property::Place place = place_of_path(machine, pattern);
-        auto handler = change_handler(machine, function_at(L, 2, "watch"));
         machine.connections.push(
             L, place.instance,
-            property_connector(machine, handler, options_here(L),
-                               place.property ? place.property->name : std::string()));
+            property_subscription(L, machine, 2,
+                                  place.property ? place.property->name : std::string()));
         return 1;
     }
-    machine.connections.push(
-        L, machine.tree.watch_pattern(pattern, change_handler(machine, function_at(L, 2, "watch")),
-                                      options_here(L)));
+    Subscription subscription{function_at(L, 2, "watch"),
+                              [&machine, pattern, options = options_here(L),
+                               scene = machine.globals.entering](Handle, const Function& called) {
+                                  return machine.tree.watch_pattern(
+                                      pattern, change_handler(machine, called, scene), options);
+                              }};
+    machine.connections.push(L, {}, std::move(subscription));
     return 1;
 }
 

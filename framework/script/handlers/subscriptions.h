@@ -10,6 +10,7 @@
 #include <fettle/property/question.h>
 #include <fettle/property/tree.h>
 
+#include <handlers/connections.h>
 #include <lua/lua_api.h>
 
 namespace fettle::script {
@@ -24,14 +25,15 @@ int subscribe_event(lua_State* L);
 void push_occurrence(lua_State* L, const property::Occurrence& occurrence);
 /// Reads the answers of a handler to a question from the record at the top of the Lua stack.
 void take_answer(lua_State* L, property::Question& question);
+/// Whether time has jumped to a moment without the instance, or with it. Scripts are not told:
+/// their handlers would change the state of that moment, such as by an explosion for each enemy
+/// that has not come yet.
+bool came_with_moment(const property::Existence& existence);
 void push_existence(lua_State* L, const property::Existence& existence);
-/// Makes the connection of a handler to an instance; the instance does not matter if the handler is
-/// that of a class.
-using Connector = std::function<property::Connection(property::Handle instance)>;
-/// Connects the handler at the top of the Lua stack to an event of an instance, or of all instances
-/// of a class.
-Connector event_connector(lua_State* L, Machine& machine, const property::Class& of,
-                          const std::string& name, bool whole_class);
+/// The handler at the top of the Lua stack, for an event of an instance, or of all instances of a
+/// class.
+Subscription event_subscription(lua_State* L, Machine& machine, const property::Class& of,
+                                const std::string& name, bool whole_class);
 
 /// Adds `watch` to the table of globals at the top of the Lua stack.
 void open_watch(lua_State* L);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,7 +63,8 @@ std::uint64_t Timers::add(lua_State* L, double due, double interval, Handle owne
                        .function = function,
                        .thread = LUA_NOREF,
                        .owner = owner,
-                       .scene = machine_.globals.entering});
+                       .scene = machine_.globals.entering,
+                       .top = noting_top_});
     if (noting_top_) noted_.push_back({.id = id, .delay = due - now, .interval = interval});
     return id;
 }
@@ -72,12 +74,13 @@ void Timers::wait(lua_State* L, double due) {
     const std::uint64_t id = next_id_++;
     // A coroutine that is no timer's and no instance's is the scene's whose `enter` made it wait.
     const Lifetime lifetime =
-        lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering}).first->second;
+        lifetimes_.try_emplace(L, Lifetime{{}, machine_.globals.entering, id}).first->second;
     insert({due, id}, {.interval = -1,
                        .function = {},
                        .thread = luaL_ref(L, LUA_REGISTRYINDEX),
                        .owner = lifetime.owner,
-                       .scene = lifetime.scene});
+                       .scene = lifetime.scene,
+                       .begun = lifetime.begun});
     waiting_[L] = id;
     if (!noting_top_) return;
     lua_pushthread(L);
@@ -98,6 +101,12 @@ void Timers::end(const Noted& noted) {
     luaL_unref(L, LUA_REGISTRYINDEX, noted.thread);
     const auto found = waiting_.find(thread);
     if (found == waiting_.end()) return;
+    const auto parked = std::ranges::find(parked_, found->second, &Parked::id);
+    if (parked != parked_.end()) {
+        const Timer timer = parked->timer;
+        parked_.erase(parked);
+        return forget(timer);
+    }
     const auto entry = queue_.find(Key{due_.at(found->second), found->second});
     const Timer timer = entry->second;
     erase(entry);
@@ -120,6 +129,9 @@ void Timers::take_place(const Noted& old, const Noted& by) {
 void Timers::give_owner(Handle from, Handle to) {
     for (auto& [key, timer] : queue_)
         for (Handle* const each : {&timer.owner, &timer.scene})
+            if (*each == from) *each = to;
+    for (Parked& parked : parked_)
+        for (Handle* const each : {&parked.timer.owner, &parked.timer.scene})
             if (*each == from) *each = to;
     for (auto& [thread, lifetime] : lifetimes_)
         for (Handle* const each : {&lifetime.owner, &lifetime.scene})
@@ -149,7 +161,11 @@ void Timers::clear() {
     for (const auto& [key, timer] : queue_)
         if (!timer.function) luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, timer.thread);
     if (!machine_.life.tree.expired())
-        machine_.tree.add_weight(-weight_of_timer * static_cast<std::int64_t>(queue_.size()));
+        machine_.tree.add_weight(-weight_of_timer *
+                                 static_cast<std::int64_t>(queue_.size() + parked_.size()));
+    for (const Parked& parked : parked_)
+        luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, parked.timer.thread);
+    parked_.clear();
     queue_.clear();
     due_.clear();
     waiting_.clear();
@@ -158,6 +174,7 @@ void Timers::clear() {
 }
 
 bool Timers::run() {
+    unpark();
     bool ok = true;
     const double end = now;
     // A new timer that is already due waits for the next step; otherwise this loop might never end.
@@ -198,15 +215,44 @@ Timers::Queue Timers::image() const {
     return functions;
 }
 
-void Timers::restore(const Queue& image, double later) {
-    Queue threads;
-    for (const auto& [key, timer] : queue_)
-        if (!timer.function) threads.emplace(Key{key.first + later, key.second}, timer);
+void Timers::restore(const Queue& image, double to, std::uint64_t next) {
+    park();
     queue_ = image;
-    queue_.merge(threads);
     due_.clear();
     for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
     changes_ = {.all = noting_, .queue = {}, .list = {}};
+    now = parked_until_ = to;
+    parked_from_ = next;
+}
+
+void Timers::restore_from_file(double to) {
+    Queue image;
+    for (const auto& [key, timer] : queue_)
+        if (timer.function && timer.top && !ended(timer))
+            image.emplace(Key{key.first - now + to, key.second}, timer);
+    restore(image, to, next_id_);
+}
+
+void Timers::park() {
+    for (auto entry = queue_.begin(); entry != queue_.end();) {
+        const auto here = entry++;
+        if (here->second.function) continue;
+        parked_.push_back({here->first.first - now, here->first.second, here->second});
+        queue_.erase(here);
+    }
+}
+
+void Timers::unpark() {
+    for (Parked& parked : std::exchange(parked_, {})) {
+        if (parked.timer.begun < parked_from_) {
+            const Key key{parked_until_ + parked.rest, parked.id};
+            due_[key.second] = key.first;
+            queue_.emplace(key, std::move(parked.timer));
+        } else {
+            machine_.tree.add_weight(-weight_of_timer);
+            forget(parked.timer);
+        }
+    }
 }
 
 namespace {
@@ -232,11 +278,14 @@ Timers::Changes Timers::take_changes() {
         taken.queue = image();
     }
     noting_ = true;
+    taken.next = next_id_;
     return taken;
 }
 
-void Timers::redo(const Changes& changes) {
-    if (changes.all) return restore(changes.queue, 0);
+void Timers::redo(const Changes& changes, double to) {
+    if (changes.all) return restore(changes.queue, to, changes.next);
+    now = parked_until_ = to;
+    parked_from_ = changes.next;
     for (const Change& change : changes.list) {
         if (change.added)
             insert(change.key, *change.added);
@@ -286,7 +335,7 @@ void Timers::start(lua_State* L, Handle owner) {
     lua_insert(L, -2);
     push_instance(L, owner);
     lua_xmove(L, thread, 2);
-    resume(L, thread, 1, {owner, machine_.globals.entering});
+    resume(L, thread, 1, {owner, machine_.globals.entering, next_id_});
 }
 
 // Runs a function as a coroutine, so that it can wait.
@@ -298,7 +347,7 @@ bool Timers::fire(const Timer& timer) {
             lua_State* thread = lua_tothread(L, -1);
             luaL_unref(L, LUA_REGISTRYINDEX, timer.thread);
             waiting_.erase(thread);
-            resume(L, thread, 0, {timer.owner, timer.scene});
+            resume(L, thread, 0, {timer.owner, timer.scene, timer.begun});
             return;
         }
         const int reference = take_thread();
@@ -310,7 +359,7 @@ bool Timers::fire(const Timer& timer) {
         lua_xmove(L, thread, 1 + arguments);
         // A thread that waits or failed is left to the garbage collector; a finished one is reused.
         try {
-            resume(L, thread, arguments, {timer.owner, timer.scene});
+            resume(L, thread, arguments, {timer.owner, timer.scene, next_id_});
         } catch (...) {
             luaL_unref(L, LUA_REGISTRYINDEX, reference);
             throw;

@@ -41,7 +41,7 @@ class Timers {
     /// raised an error.
     bool run();
     void clear();
-    std::size_t size() const { return queue_.size(); }
+    std::size_t size() const { return queue_.size() + parked_.size(); }
 
     // Those that the top level of a game starts: a reload replaces them.
     void begin_noting() { noting_top_ = true; }
@@ -61,13 +61,15 @@ class Timers {
     void give_owner(property::Handle from, property::Handle to);
 
     // Snapshots. Functions are restored. A waiting coroutine keeps its current state and its
-    // remaining time.
+    // remaining time; one that began later than the moment is not continued from there.
     struct Timer {
         double interval = -1;
         std::shared_ptr<FunctionRef> function;  // null: a waiting thread
         int thread = LUA_NOREF;
         property::Handle owner{};  // empty: the game
         property::Handle scene{};  // whose `enter` began it
+        bool top = false;          // of the top level of the game
+        std::uint64_t begun = 0;   // of a thread: the next number of a timer when it began
     };
     using Key = std::pair<double, std::uint64_t>;  // time at which it is due, number
     using Queue = std::map<Key, Timer>;
@@ -81,22 +83,38 @@ class Timers {
         bool all = false;
         Queue queue;
         std::vector<Change> list;
+        std::uint64_t next = 0;  // the number of the next timer
         bool empty() const { return !all && list.empty(); }
     };
     Queue image() const;
-    /// `later`: difference of simulation time, s.
-    void restore(const Queue& image, double later);
+    std::uint64_t next_number() const { return next_id_; }
+    /// Goes to the simulation time `to`. `next`: the number of the next timer at that moment; if it
+    /// is unknown, the largest.
+    void restore(const Queue& image, double to, std::uint64_t next);
+    /// The same for a moment from a file, which holds no functions: what the top level of the game
+    /// began, and coroutines, go on for the rest of their time, and other timers end.
+    void restore_from_file(double to);
     Changes take_changes();
     /// Estimated bytes, without the functions; these are counted where they were added.
     static std::size_t bytes_of(const Queue& image);
     static std::size_t bytes_of(const Changes& changes);
-    void redo(const Changes& changes);
+    void redo(const Changes& changes, double to);
 
   private:
+    /// A coroutine that waits while time is gone back in. The next step continues it, if it had
+    /// begun at that moment, and ends it otherwise; until then one may return to a later moment.
+    struct Parked {
+        double rest = 0;  // s
+        std::uint64_t id = 0;
+        Timer timer;
+    };
+    void park();
+    void unpark();
     /// A timer or a coroutine ends when one of these is deleted; a null handle never is.
     struct Lifetime {
         property::Handle owner{};
         property::Handle scene{};
+        std::uint64_t begun = 0;
     };
 
     bool fire(const Timer& timer);
@@ -117,7 +135,10 @@ class Timers {
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
     std::unordered_map<lua_State*, Lifetime> lifetimes_;  // of threads that run or wait
-    std::vector<int> idle_;                               // finished threads, for reuse
+    std::vector<Parked> parked_;
+    double parked_until_ = 0;        // s, the time of the moment that was gone to
+    std::uint64_t parked_from_ = 0;  // the number of the next timer at that moment
+    std::vector<int> idle_;          // finished threads, for reuse
     std::uint64_t next_id_ = 1;
     bool noting_top_ = false;
     std::vector<Noted> noted_;

@@ -145,15 +145,6 @@ bool call_of_scene(Machine& machine, Handle scene, const char* name, const Argum
     });
 }
 
-/// Ends the watchers and handlers that `enter` of deleted scenes made. Timers notice it themselves.
-void end_what_they_made(Machine& machine) {
-    std::erase_if(machine.globals.entered, [&](const Environment::Entered& made) {
-        if (machine.tree.alive(made.scene)) return false;
-        for (std::uint64_t id = made.first; id < made.end; ++id) machine.connections.stop(id);
-        return true;
-    });
-}
-
 void change_scene(Machine& machine, const std::string& name, const Arguments& arguments) {
     property::Tree& tree = machine.tree;
     Handle next{};
@@ -167,7 +158,7 @@ void change_scene(Machine& machine, const std::string& name, const Arguments& ar
         call_of_scene(machine, old, "leave", nullptr);
         if (tree.alive(old)) tree.destroy(old);
     }
-    end_what_they_made(machine);
+    machine.connections.end_with_scenes();  // timers notice it themselves
     if (!tree.alive(next)) return;
     const bool placed = protected_run(machine, "go_to_scene", [&](lua_State*) {
         if (const Handle other = tree.child(tree.root(), scene_name)) tree.destroy(other);
@@ -176,11 +167,9 @@ void change_scene(Machine& machine, const std::string& name, const Arguments& ar
     if (!placed) return;
     machine.classes.deliver_ready();
     if (!tree.alive(next)) return;
-    const std::uint64_t first = machine.connections.next_number();
     machine.globals.entering = next;
     call_of_scene(machine, next, "enter", &arguments);
     machine.globals.entering = {};
-    machine.globals.entered.push_back({next, first, machine.connections.next_number()});
 }
 
 /// At the next barrier between steps.

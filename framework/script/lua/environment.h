@@ -18,12 +18,6 @@ struct Environment {
     int last_result = 0;
     std::vector<std::string> assigned;  // globals assigned by the game and the console
     std::vector<std::string> stated;    // variables that are properties of `game`
-    /// Numbers of the connections that `enter` of a scene made, from `first` to before `end`.
-    struct Entered {
-        property::Handle scene{};
-        std::uint64_t first = 0, end = 0;
-    };
-    std::vector<Entered> entered;
     /// While `enter` runs: what it begins ends with this scene.
     property::Handle entering{};
     property::Handle it;  // the selected instance

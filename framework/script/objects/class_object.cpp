@@ -202,7 +202,7 @@ void fill(lua_State* L, Machine& machine, Construction& now) {
         }
         // pressed = function() ... end: a handler of the event.
         if (of.event(key) != nullptr && lua_isfunction(L, 3)) {
-            machine.connections.push(L, now.made, event_connector(L, machine, of, key, false));
+            machine.connections.push(L, now.made, event_subscription(L, machine, of, key, false));
             lua_pop(L, 1);
             continue;
         }

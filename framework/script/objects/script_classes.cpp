@@ -143,6 +143,7 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
     if (name == "deleted") {
         machine_.connections.keep(
             machine_.tree.watch_deleted(of, [run](const property::Existence& existence) {
+                if (came_with_moment(existence)) return;
                 run(*existence.instance_class, existence.instance,
                     [&](lua_State* L) { push_existence(L, existence); });
             }));

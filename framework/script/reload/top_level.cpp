@@ -193,7 +193,7 @@ void TopLevel::take(Noted made, Reloaded& result) {
     const std::vector<ScriptClasses::NewDefault> defaults = machine_.classes.new_defaults();
     Merge merge(machine_, machine_.declarations.end(), result.notes);
     merge.run(defaults);
-    for (const Connections::Noted& each : noted_.connections) machine_.connections.stop(each.id);
+    for (const Connections::Noted& each : noted_.connections) machine_.connections.retire(each.id);
     for (const Connections::Noted& each : made.connections) {
         const Handle now = merge.result_of(each.instance);
         if (now == each.instance) continue;

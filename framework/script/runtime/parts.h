@@ -61,7 +61,7 @@ struct Parts {
     CountedMemory counted;
     Timers timers{machine};
     Tweens tweens{machine};
-    Connections connections;
+    Connections connections{machine};
     ScriptClasses classes{machine};
     Hints hints{machine};
     Unplaced unplaced;

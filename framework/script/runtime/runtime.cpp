@@ -137,7 +137,6 @@ void forget_game(Machine& machine) {
     lua_pop(L, 1);
     machine.globals.assigned.clear();
     machine.globals.stated.clear();
-    machine.globals.entered.clear();
 }
 
 bool run_chunk(Machine& machine, const std::string& text, const std::string& name,

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -20,12 +21,15 @@ struct Held {
 
 struct Image : Held {
     Timers::Queue timers;
+    std::uint64_t next_timer = 0;
+    Connections::Image connections;
 };
 
 struct Changes : Held {
     Random::State random;
     double now = 0;
     Timers::Changes timers;
+    Connections::Changes connections;
     ScriptClasses::Changes classes;
     Unplaced::Changes unplaced;
 };
@@ -40,7 +44,10 @@ property::Memory RuntimePart::save(property::ByteWriter& to) const {
     machine_.classes.save(to);
     auto image = std::make_shared<Image>();
     image->timers = machine_.timers.image();
-    image->bytes = sizeof *image + Timers::bytes_of(image->timers);
+    image->next_timer = machine_.timers.next_number();
+    image->connections = machine_.connections.image();
+    image->bytes =
+        sizeof *image + Timers::bytes_of(image->timers) + Connections::bytes_of(image->connections);
     return std::shared_ptr<const Held>(std::move(image));
 }
 
@@ -63,8 +70,12 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         const Image& image =
             memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
         machine_.random.restore(random);
-        machine_.timers.restore(image.timers, now - machine_.timers.now);
-        machine_.timers.now = now;
+        if (memory)
+            machine_.timers.restore(image.timers, now, image.next_timer);
+        else
+            machine_.timers.restore_from_file(now);
+        // A file knows no handlers: those of instances that go on stay.
+        if (memory) machine_.connections.restore(image.connections);
         machine_.unplaced.restore(unplaced,
                                   std::clamp<std::size_t>(limit, 64, 2 * unplaced.size() + 64));
         put_classes();
@@ -77,10 +88,11 @@ property::Memory RuntimePart::changes() {
     changes->random = machine_.random.state();
     changes->now = machine_.timers.now;
     changes->timers = machine_.timers.take_changes();
+    changes->connections = machine_.connections.take_changes();
     changes->classes = machine_.classes.take_changes();
     changes->unplaced = machine_.unplaced.take_changes();
     changes->bytes = sizeof *changes + Timers::bytes_of(changes->timers) +
-                     changes->classes.bytes() +
+                     Connections::bytes_of(changes->connections) + changes->classes.bytes() +
                      changes->unplaced.handles.capacity() * sizeof(Handle);
     return std::shared_ptr<const Held>(std::move(changes));
 }
@@ -92,8 +104,8 @@ std::size_t RuntimePart::size_of(const property::Memory& memory) const {
 void RuntimePart::redo(const property::Memory& memory) {
     const auto& changes = *static_cast<const Changes*>(static_cast<const Held*>(memory.get()));
     machine_.random.restore(changes.random);
-    machine_.timers.now = changes.now;
-    machine_.timers.redo(changes.timers);
+    machine_.timers.redo(changes.timers, changes.now);
+    machine_.connections.redo(changes.connections);
     machine_.classes.redo(changes.classes);
     machine_.unplaced.redo(changes.unplaced);
 }

@@ -1,0 +1,240 @@
+// Handlers of single instances are those of the moment to which the game goes.
+
+#include <catch.h>
+
+#include <fettle/property/snapshot.h>
+
+#include "playing.h"
+
+namespace handlers_test {
+
+using fettle::app::Playing;
+
+namespace {
+
+/// The printed lines since the last call, joined by blanks.
+std::string heard(Playing& game) {
+    std::string all;
+    for (const std::string& line : game.printed) all += (all.empty() ? "" : " ") + line;
+    game.printed.clear();
+    return all;
+}
+
+std::string run(Playing& game, const std::string& chunk) {
+    INFO(chunk);
+    CHECK(game.runtime->run(chunk, "later"));
+    game.loop->turn();
+    return heard(game);
+}
+
+void go_to(Playing& game, std::int64_t step) {
+    game.loop->timeline().go_to(step);
+    (void)heard(game);
+}
+
+const char* const levels = R"(
+    class("Level", Object) { number = 0, alarm = 0 }
+    function Level:enter(args)
+        self.number = args
+        local lamp = Object { props = { lit = 0 } }
+        self:add(lamp, "lamp")
+        lamp:watch("lit", function(new) print("lit", self.number, new) end)
+        lamp:on("deleted", function() print("gone", self.number) end)
+        self:watch("alarm", function() print("first") end)
+        self:watch("alarm", function() print("second") end)
+        watch("game.scene.alarm", function() print("global") end)
+    end
+    go_to_scene("Level", { args = 1 })
+    function step() if time.step == 20 then go_to_scene("Level", { args = 2 }) end end
+)";
+
+}  // namespace
+
+TEST_CASE("the handlers of a scene come back with it and go with it") {
+    Playing game(levels);
+    game.play(40);
+    (void)heard(game);
+    go_to(game, 10);
+    CHECK(run(game, "game.scene.lamp.lit = 5") == "lit\t1\t5");
+    CHECK(run(game, "game.scene.alarm = 1") == "first second global");
+    CHECK(run(game, "game.scene.lamp:delete()") == "gone\t1");
+    // It leaves the scene again, and the next one has its own.
+    while (game.services.clock.step < 30) game.loop->turn();
+    (void)heard(game);
+    CHECK(run(game, "game.scene.lamp.lit = 6") == "lit\t2\t6");
+    CHECK(run(game, "game.scene.alarm = 1") == "first second global");
+    go_to(game, 15);
+    CHECK(run(game, "game.scene.alarm = 2") == "first second global");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("going to and fro connects each handler once") {
+    Playing game(levels);
+    game.play(40);
+    for (const std::int64_t step : {10, 40, 5, 25, 12, 40, 21, 19}) game.check(step);
+    go_to(game, 40);
+    CHECK(run(game, "game.scene.alarm = 1 game.scene.lamp.lit = 2") ==
+          "first second global lit\t2\t2");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("what was connected or stopped later is as it was") {
+    Playing game(R"(
+        game.ball = Object { x = 0 }
+        first = ball:watch("x", function() print("first") end)
+        second = ball:watch("x", function() print("second") end)
+        function step()
+            if time.step == 10 then first:stop() end
+            if time.step == 15 then ball:watch("x", function() print("third") end) end
+            if time.step == 20 then ball:delete() end
+        end
+    )");
+    game.play(30);
+    go_to(game, 17);
+    CHECK(run(game, "ball.x = 1") == "second third");
+    go_to(game, 5);
+    CHECK(game.runtime->evaluate("first:active(), second:active()").ok);
+    CHECK(run(game, "ball.x = 2") == "first second");
+    game.play(1);
+    while (game.services.clock.step < 17) game.loop->turn();
+    (void)heard(game);
+    CHECK(run(game, "ball.x = 3") == "second third");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("handlers of a snapshot are those of its moment") {
+    Playing game(R"(
+        game.ball = Object { x = 0 }
+        ball:watch("x", function() print("early") end)
+    )");
+    game.play(3);
+    const auto then = game.tree.snapshot();
+    game.runtime->run("ball:watch('x', function() print('late') end)  ball:delete()", "later");
+    game.play(3);
+    game.tree.restore(then);
+    CHECK(run(game, "ball.x = 1") == "early");
+    // Through a file there are no functions: those of instances that go on stay.
+    const auto file = fettle::property::Snapshot::from_bytes(game.tree.snapshot().to_bytes());
+    game.runtime->run("ball:watch('x', function() print('late') end)", "later");
+    game.tree.restore(file);
+    CHECK(run(game, "ball.x = 2") == "early late");
+}
+
+TEST_CASE("what a person watches in the console stays") {
+    Playing game("game.ball = Object { x = 0 }");
+    game.play(20);
+    CHECK(game.runtime->evaluate("ball:watch('x', function() print('seen') end)").ok);
+    go_to(game, 5);
+    CHECK(run(game, "ball.x = 1") == "seen");
+}
+
+TEST_CASE("handlers that physics asks are those of each repeated step") {
+    Playing game(R"(
+        world.gravity = vec(0, -10)
+        class("Level", Object) { }
+        function Level:enter()
+            world:on("filter_pair", function(event) if game.hollow then event.collide = false end end)
+        end
+        world.floor = Body { type = "static", position = vec(0, -1), Box { width = 60, height = 2 } }
+        for i = 1, 6 do world:add(Body { position = vec(i, 1 + i / 3), Circle { radius = 0.4 } }) end
+        game.hollow = false
+        go_to_scene("Level")
+        function step()
+            if time.step == 40 then game.hollow = true end
+            if time.step == 50 then go_to_scene("Level") end
+            if time.step == 70 then game.hollow = false game.scene:delete() end
+        end
+    )");
+    game.play(120);
+    for (const std::int64_t step : {110, 45, 65, 30, 90, 55, 120}) game.check(step);
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("handlers of a constructor come back with the instance") {
+    Playing game(R"(
+        class("Crate", Object) { }
+        game.crate = Crate { deleted = function() print("deleted") end }
+        function step() if time.step == 10 then game.crate:delete() end end
+    )");
+    game.play(20);
+    CHECK(heard(game) == "deleted");
+    go_to(game, 5);
+    while (game.services.clock.step < 15) game.loop->turn();
+    CHECK(heard(game) == "deleted");
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("a coroutine that began later ends with the first step from an earlier moment") {
+    Playing game(R"(
+        game.a = Object { x = 0 }
+        function step()
+            if time.step == 30 then a:run(function(o) while true do wait(0.05) o.x = o.x + 1 end end) end
+        end
+    )");
+    game.play(50);
+    const auto x = game.get("a.x");
+    go_to(game, 10);
+    // Returning finds it as it was.
+    go_to(game, 50);
+    CHECK(game.get("a.x") == x);
+    game.play(30);
+    const auto later = game.get("a.x");
+    CHECK(later.integer() > x.integer());
+    go_to(game, 10);
+    while (game.services.clock.step < 29) game.loop->turn();
+    CHECK(game.get("a.x").integer() == 0);
+    while (game.services.clock.step < 80) game.loop->turn();
+    CHECK(game.get("a.x") == later);
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("a coroutine waits for the rest of its time after a rewind") {
+    Playing game(R"(
+        game.a = Object { x = 0 }
+        after(0, function() wait(1) a.x = time.step end)
+    )");
+    game.play(40);
+    go_to(game, 35);  // it waits for 21 steps more
+    const auto from = game.services.clock.step;
+    while (game.get("a.x").integer() == 0 && game.services.clock.step < 100) game.loop->turn();
+    CHECK(game.get("a.x").integer() - from >= 20);
+    CHECK(game.get("a.x").integer() - from <= 22);
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("no handler of an end is called for what a rewind takes away") {
+    Playing game(R"(
+        game.killed = 0
+        class("Enemy", Object) { }
+        function Enemy:deleted() game.killed = game.killed + 1 end
+        Enemy:on("created", function() game.killed = game.killed + 100 end)
+        game.first = Enemy { }
+        game.first:on("deleted", function() game.killed = game.killed + 10 end)
+        function step()
+            if time.step == 20 then game.second = Enemy { } end
+            if time.step == 30 then game.first:delete() end
+        end
+    )");
+    game.play(40);
+    game.services.clock.paused = true;
+    for (const std::int64_t step : {35, 10, 25, 40, 10}) {
+        game.check(step);
+        game.loop->turn();
+        CHECK(game.get("game.killed").integer() == (step < 20 ? 100 : step < 30 ? 200 : 211));
+        game.check(step);
+    }
+    CHECK(game.errors.empty());
+}
+
+TEST_CASE("a view whose zoom was set has it after going back") {
+    Playing game(
+        "function step() if time.step == 30 then view.zoom = 2 elseif time.step == 36 then "
+        "view.zoom = 4.5 end end");
+    game.play(40);
+    for (const std::int64_t step : {10, 35, 29, 40, 36}) {
+        game.check(step);
+        CHECK(game.get("view.zoom").number() == Approx(step < 30 ? 40 : step < 36 ? 2 : 4.5));
+    }
+}
+
+}  // namespace handlers_test
