@@ -26,7 +26,11 @@ ContactCallback contact_callback(const fettle_world* world, fettle_contact_callb
                                  edit.restitution,
                                  edit.surface_speed,
                                  edit.enabled,
-                                 edit.ignored};
+                                 edit.ignored,
+                                 edit.part_a,
+                                 edit.part_b,
+                                 edit.material_a,
+                                 edit.material_b};
         function(user, world, &told);
         edit.friction = told.friction;
         edit.restitution = told.restitution;
@@ -51,6 +55,30 @@ RefreshCallback refresh_callback(const fettle_world* world, fettle_refresh_callb
     };
 }
 
+VelocityFunction velocity_function(const fettle_world* world, fettle_velocity_function function,
+                                   void* user) {
+    if (function == nullptr) return {};
+    return [world, function, user](VelocityEdit& edit) {
+        fettle_velocity_edit told{converted(edit.body),     edit.dt,
+                                  converted(edit.before),   edit.angular_before,
+                                  converted(edit.velocity), edit.angular_velocity};
+        function(user, world, &told);
+        edit.velocity = vector_of(told.velocity);
+        edit.angular_velocity = told.angular_velocity;
+    };
+}
+
+PositionFunction position_function(const fettle_world* world, fettle_position_function function,
+                                   void* user) {
+    if (function == nullptr) return {};
+    return [world, function, user](PositionEdit& edit) {
+        fettle_position_edit told{converted(edit.body), edit.dt, converted(edit.before),
+                                  converted(edit.pose)};
+        function(user, world, &told);
+        edit.pose = pose_of(&told.pose);
+    };
+}
+
 }  // namespace
 }  // namespace fettle::physics_c
 
@@ -69,6 +97,20 @@ fettle_code fettle_world_set_mixing(fettle_world* world, fettle_contact_callback
 fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_callback function,
                                           void* user) {
     return edit<&World::set_before_solve>(__func__, world, contact_callback(world, function, user));
+}
+
+fettle_code fettle_body_set_velocity_function(fettle_world* world, fettle_id body,
+                                              fettle_velocity_function function, void* user) {
+    return on<fettle::physics::Body>(__func__, world, body, [&](fettle::physics::Body it) {
+        it.set_velocity_function(velocity_function(world, function, user));
+    });
+}
+
+fettle_code fettle_body_set_position_function(fettle_world* world, fettle_id body,
+                                              fettle_position_function function, void* user) {
+    return on<fettle::physics::Body>(__func__, world, body, [&](fettle::physics::Body it) {
+        it.set_position_function(position_function(world, function, user));
+    });
 }
 
 fettle_code fettle_world_on_refresh(fettle_world* world, fettle_refresh_callback function,

@@ -77,6 +77,10 @@ fettle_contact converted(const Contact& contact) {
     told.restitution = contact.restitution;
     told.normal_force = contact.normal_force;
     told.point_count = contact.point_count;
+    told.part_a = contact.part_a;
+    told.part_b = contact.part_b;
+    told.material_a = contact.material_a;
+    told.material_b = contact.material_b;
     for (size_t i = 0; i < contact.points.size(); ++i) {
         const ContactPoint& point = contact.points[i];
         told.points[i] = {converted(point.point), point.separation, point.normal_impulse,

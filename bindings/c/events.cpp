@@ -19,7 +19,11 @@ fettle_contact_event told_of_contact(const Event& e) {
             e.speed,
             e.impulse,
             e.friction,
-            e.restitution};
+            e.restitution,
+            e.part_a,
+            e.part_b,
+            e.material_a,
+            e.material_b};
 }
 fettle_contact_event told_of(const ContactBeginEvent& event) {
     return told_of_contact(event);

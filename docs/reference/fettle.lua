@@ -857,7 +857,7 @@ World = {}
 ---@field locked_x boolean True if it cannot move along x. · true or false · default false
 ---@field locked_y boolean True if it cannot move along y. · true or false · default false
 ---@field mass number Mass: area times density of its shapes, unless it is set; nil computes it again. With infinite mass nothing moves it. A dynamic body without shapes has 1 kg. · kg · 1e-30 to inf · default computed · simulated, may be infinite
----@field max_speed number Limit of the speed of a dynamic body. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
+---@field max_speed number Limit of the speed. World.substeps says how often it is applied in a step. · m/s · 1e-30 to inf · default inf · may be infinite
 ---@field position vec Position of its origin in the world. A write moves it at once. · m · -100000000 to 100000000 · default vec(0, 0) · simulated
 ---@field sleep_speed number It rests below this speed; that of the world unless it is set; nil uses that of the world again. · m/s · at least 0 · default 0.05 · simulated
 ---@field torque number Torque in every step until it is changed. · N m · any finite number · default 0
@@ -1032,7 +1032,7 @@ Body = {}
 ---@field mask integer Categories with which it collides, as bits; -1 is all. · any integer · default -1
 ---@field material integer A number for the game, for example to choose the sound of an impact. It has no effect on the simulation. · 0 to 65535 · default 0
 ---@field restitution number Share of the speed of approach with which shapes separate. Two shapes in contact use the greater of their values, or the world's restitution_mix. · 0 to 1 · default 0
----@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius. · at least 0 · default 0
+---@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius, of the other shape if this one has no round side. · at least 0 · default 0
 ---@field sensor boolean True if it reports overlapping shapes and does not push them. · true or false · default false
 ---@field sensor_events boolean True if sensor_begin and sensor_end about it are reported, from the next touch on. Both shapes must agree. · true or false · default true
 ---@field surface_speed number Speed of the surface, as of a conveyor belt, counter-clockwise around the shape. · m/s · any finite number · default 0

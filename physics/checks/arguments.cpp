@@ -165,6 +165,13 @@ void check(const ShapeDef& def) {
     check_finite("surface_speed", def.surface_speed);
 }
 
+void check(const SegmentSurface& surface) {
+    check_not_negative("friction", surface.friction);
+    check_range("restitution", surface.restitution, 0.0f, 1.0f);
+    check_not_negative("rolling_resistance", surface.rolling_resistance);
+    check_finite("surface_speed", surface.surface_speed);
+}
+
 namespace {
 
 /// A shape stores the number of its vertices in 24 bits.

@@ -69,6 +69,7 @@ const Aabb& check_box(const char* what, const Aabb& value);
 void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
+void check(const SegmentSurface& surface);
 void check(const FieldDef& def);
 /// The outline of a concave polygon.
 void check_outline(std::span<const Vec2> points);

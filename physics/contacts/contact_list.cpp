@@ -30,9 +30,13 @@ void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& 
     // infinite.
     c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
     c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
-    c.rolling_resistance = bounded(max(a.rolling_resistance * objects.forms[c.shape_a].radius,
-                                       b.rolling_resistance * objects.forms[c.shape_b].radius),
-                                   greatest_grip);
+    // On a flat shape, the other one rolls.
+    const float radius_a = objects.forms[c.shape_a].radius,
+                radius_b = objects.forms[c.shape_b].radius;
+    c.rolling_resistance =
+        bounded(max(a.rolling_resistance * (radius_a > 0.0f ? radius_a : radius_b),
+                    b.rolling_resistance * (radius_b > 0.0f ? radius_b : radius_a)),
+                greatest_grip);
     c.surface_speed = bounded(a.surface_speed + b.surface_speed, greatest_speed);
     c.hit_events = a.hit_events || b.hit_events;
     c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;

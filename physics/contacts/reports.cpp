@@ -44,7 +44,11 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
                            speed,
                            impulse,
                            record.friction,
-                           record.restitution};
+                           record.restitution,
+                           objects.part_number(record.shape_a),
+                           objects.part_number(record.shape_b),
+                           objects.shapes[record.shape_a].surface.material,
+                           objects.shapes[record.shape_b].surface.material};
 }
 
 void report_wide_hits(const ObjectState& objects, const Columns& columns, float threshold,
@@ -86,7 +90,10 @@ void report_persisting(const ObjectState& objects, const Columns& columns,
         events.contact_persist.push_back(
             {shape_id(objects, columns, c.shape_a), shape_id(objects, columns, c.shape_b),
              body_id(columns, c.body_a), body_id(columns, c.body_b), point, c.manifold.normal,
-             approach_speed(objects, columns, c, point), impulse, c.friction, c.restitution});
+             approach_speed(objects, columns, c, point), impulse, c.friction, c.restitution,
+             objects.part_number(c.shape_a), objects.part_number(c.shape_b),
+             objects.shapes[c.shape_a].surface.material,
+             objects.shapes[c.shape_b].surface.material});
     }
 }
 
@@ -101,6 +108,10 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     contact.point_count = c.manifold.count;
     contact.friction = c.friction;
     contact.restitution = c.restitution;
+    contact.part_a = objects.part_number(c.shape_a);
+    contact.part_b = objects.part_number(c.shape_b);
+    contact.material_a = objects.shapes[c.shape_a].surface.material;
+    contact.material_b = objects.shapes[c.shape_b].surface.material;
     // The velocity of the contact point on each body: on the ground, the point stays behind when a
     // body slides.
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];

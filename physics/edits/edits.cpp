@@ -261,7 +261,7 @@ void refresh_shape(const Editing& e, uint32_t shape) {
             break;
         default:
             // Its vertices are already in `objects.pool`. A piece has no rounding.
-            form.radius = record.figure.as<PolygonFigure>().rounding;
+            form.radius = record.owner == none ? record.figure.as<PolygonFigure>().rounding : 0.0f;
             break;
     }
     write_normals({local, form.count}, objects.pool.normals.data() + form.begin);

@@ -96,8 +96,21 @@ void write_outline(ObjectState& objects, ActiveLists& active, uint32_t shape,
 void rebuild_parts(const Editing& editing, uint32_t shape);
 /// Destroys the parts after `last`; none: all.
 void drop_parts(const Editing& editing, uint32_t shape, uint32_t last);
-/// Copies the surface of an outline to its parts.
+/// Copies the surface of an outline to its parts, except what segments have of their own.
 void share_surface(ObjectState& objects, uint32_t shape);
+
+// segment_surfaces.cpp: surfaces of single segments of a chain
+
+/// Those of a chain, in the order of the segments.
+std::span<const SegmentRecord> segment_surfaces_of(const ObjectState& objects, uint32_t shape);
+/// The own surface of a segment; null: it has none.
+const SegmentSurface* own_surface(const ObjectState& objects, uint32_t shape, uint32_t segment);
+/// None: it gets that of the shape. `share_surface` must be called after.
+void set_own_surface(ObjectState& objects, uint32_t shape, uint32_t segment,
+                     const std::optional<SegmentSurface>& surface);
+void forget_segment_surfaces(ObjectState& objects, uint32_t shape);
+/// The surface of the shape with what the segment has of its own.
+ShapeDef with_own(const ShapeDef& of_shape, const SegmentSurface& own);
 
 // joints.cpp, break_joints.cpp
 

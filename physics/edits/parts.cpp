@@ -29,12 +29,17 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
               : concave_parts(objects.outline_of(shape));
     uint32_t last = none, part = objects.shapes[shape].first_part;
     const Vec2* values = parts.values.data();
+    uint32_t number = 0;
     for (const uint32_t count : parts.counts) {
         if (part == none) {
             part = new_shape(e);
             --objects.shape_slots.count;  // parts are not counted
             objects.shapes[part].type = objects.shapes[shape].type;
-            objects.shapes[part].surface = objects.shapes[shape].surface;
+            const SegmentSurface* own = own_surface(objects, shape, number);
+            objects.shapes[part].surface = own != nullptr
+                                               ? with_own(objects.shapes[shape].surface, *own)
+                                               : objects.shapes[shape].surface;
+            objects.shapes[part].figure.become(PartFigure{number});
             objects.shapes[part].owner = shape;
             objects.forms[part].kind = FormKind::piece;
             (last == none ? objects.shapes[shape].first_part : objects.shapes[last].next_part) =
@@ -51,6 +56,7 @@ void rebuild_parts(const Editing& e, uint32_t shape) {
             mark_geometry(objects, e.active, part);
         }
         values += 3 * count;
+        ++number;
         last = part;
         part = objects.shapes[part].next_part;
     }
@@ -93,8 +99,14 @@ void drop_parts(const Editing& e, uint32_t shape, uint32_t last) {
 
 void share_surface(ObjectState& objects, uint32_t shape) {
     if (objects.is_solid(shape)) return;
+    const ShapeDef& surface = objects.shapes[shape].surface;
+    objects.for_each_solid(shape, [&](uint32_t part) { objects.shapes[part].surface = surface; });
+    std::span<const SegmentRecord> own = segment_surfaces_of(objects, shape);
+    if (own.empty()) return;
     objects.for_each_solid(shape, [&](uint32_t part) {
-        objects.shapes[part].surface = objects.shapes[shape].surface;
+        if (own.empty() || own.front().segment != objects.part_number(part)) return;
+        objects.shapes[part].surface = with_own(surface, own.front().surface);
+        own = own.subspan(1);
     });
 }
 

@@ -27,9 +27,9 @@ constexpr uint32_t layout() {
     const auto add = [&](size_t size) { mixed = (mixed ^ uint32_t(size)) * 0x01000193u; };
     for (const size_t size :
          {sizeof(BodyState), sizeof(Pose), sizeof(BodyRecord), sizeof(BodyTraits),
-          sizeof(IgnoredPair), sizeof(ShapeRecord), sizeof(ShapeForm), sizeof(ContactRecord),
-          sizeof(ContactLinks), sizeof(ManifoldPose), sizeof(Island), sizeof(JointRecord),
-          sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
+          sizeof(IgnoredPair), sizeof(SegmentRecord), sizeof(ShapeRecord), sizeof(ShapeForm),
+          sizeof(ContactRecord), sizeof(ContactLinks), sizeof(ManifoldPose), sizeof(Island),
+          sizeof(JointRecord), sizeof(WorldDef), sizeof(StepStatistics), sizeof(ContactBeginEvent),
           sizeof(ContactPersistEvent), sizeof(ContactHitEvent)})
         add(size);
     return mixed;

@@ -130,6 +130,21 @@ void check_shape(const WorldState& w, size_t shape) {
                 "the vertices of shape", shape);
 }
 
+void check_segment_surfaces(const WorldState& w) {
+    const SegmentRecord* last = nullptr;
+    for (const SegmentRecord& record : w.segment_surfaces) {
+        const bool after = last == nullptr || last->shape < record.shape ||
+                           (last->shape == record.shape && last->segment < record.segment);
+        require(after && record.segment != none && record.shape < w.shapes.size() &&
+                    w.shape_generations[record.shape] != 0 &&
+                    w.shapes[record.shape].type == ShapeType::chain &&
+                    w.shapes[record.shape].owner == none,
+                "the surfaces of the segments of shape", record.shape);
+        check(record.surface);
+        last = &record;
+    }
+}
+
 // --- Contacts
 
 void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) {
@@ -180,6 +195,7 @@ void check_all(const WorldState& w) {
     }
     for (size_t i = 0; i < w.shapes.size(); ++i)
         if (w.shape_generations[i] != 0) check_shape(w, i);
+    check_segment_surfaces(w);
     for (size_t i = 0; i < w.contacts.size(); ++i)
         if (w.contacts[i].shape_a != none) check(w.contacts[i], w.manifold_poses[i], i);
     for (size_t i = 0; i < w.joints.size(); ++i)

@@ -179,6 +179,11 @@ struct PolygonFigure {
     float rounding = 0.0f;
 };
 
+/// Data of a part of an outline.
+struct PartFigure {
+    uint32_t number = 0;  ///< place among the parts
+};
+
 struct ShapeRecord {
     ShapeDef surface;
     Figure figure;
@@ -301,6 +306,13 @@ struct FieldRecord {
     uint32_t next = none;     ///< for a free slot: the next free slot
 
     uint32_t& next_free() { return next; }
+};
+
+/// The surface of a segment of a chain that is not that of the chain.
+struct SegmentRecord {
+    uint32_t shape = none;    ///< the chain
+    uint32_t segment = none;  ///< number of the part
+    SegmentSurface surface;
 };
 
 /// Two shapes that have no contact until they have separated.

@@ -58,6 +58,7 @@ struct ObjectState {
     std::vector<ShapeRecord> shapes;
     std::vector<ShapeForm> forms;  ///< of the shapes
     VertexPool pool;
+    std::vector<SegmentRecord> segment_surfaces;  ///< sorted by shape, then by segment
     std::vector<ContactRecord> contacts;
     std::vector<ContactLinks> contact_links;   ///< of the contacts
     std::vector<ManifoldPose> manifold_poses;  ///< of the contacts
@@ -73,6 +74,11 @@ struct ObjectState {
     /// The shape that the user sees: the owner of a part, otherwise the shape itself.
     uint32_t named_shape(uint32_t slot) const {
         return shapes[slot].owner == none ? slot : shapes[slot].owner;
+    }
+    /// Place of a part among the parts of its outline; 0 for other shapes.
+    uint32_t part_number(uint32_t slot) const {
+        const ShapeRecord& shape = shapes[slot];
+        return shape.owner == none ? 0 : shape.figure.as<PartFigure>().number;
     }
     /// False for an outline: only its parts collide.
     bool is_solid(uint32_t shape) const { return forms[shape].kind != FormKind::outline; }
@@ -166,7 +172,8 @@ struct ObjectState {
             io,
             named("bodies", s.bodies, s.rest_poses, s.traits, s.islands, s.body_slots,
                   s.trait_slots, s.island_slots, s.kinematic_bodies, s.bullets),
-            named("shapes", s.shapes, s.forms, s.shape_slots, s.sensors, s.crowded_shapes),
+            named("shapes", s.shapes, s.forms, s.segment_surfaces, s.shape_slots, s.sensors,
+                  s.crowded_shapes),
             named("vertices", s.pool),
             named("contacts", s.contacts, s.contact_links, s.manifold_poses, s.contact_slots),
             named("joints", s.joints, s.joint_slots, s.dormant_joints),

@@ -19,9 +19,19 @@ Rotation rotation(const BodyState& state) {
     return {state.cosine, state.sine};
 }
 
-/// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
-/// outdated, and nothing is drawn in between.
-void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
+/// Applies an impulse at the center of mass and an angular impulse. No effect on a body that does
+/// not move.
+void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angular_impulse) {
+    if (record.mobility != Mobility::dynamic) return;
+    const Vec2 velocity = state.velocity + record.inverse_mass * impulse;
+    const float angular = state.angular_velocity + record.inverse_inertia * angular_impulse;
+    state.velocity = bounded(velocity, 1e30f);
+    state.angular_velocity = bounded(angular, 1e30f);
+}
+
+}  // namespace
+
+void detail::teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
     wake_for_edit(data.activity(), body);
     wake_touching(data.activity(), body);
     BodyState& state = data.states[body];
@@ -37,18 +47,6 @@ void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle)
     data.bodies[body].center = position + rotate(rotation(state), data.bodies[body].local_center);
     mark_placement(data, data, body);
 }
-
-/// Applies an impulse at the center of mass and an angular impulse. No effect on a body that does
-/// not move.
-void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angular_impulse) {
-    if (record.mobility != Mobility::dynamic) return;
-    const Vec2 velocity = state.velocity + record.inverse_mass * impulse;
-    const float angular = state.angular_velocity + record.inverse_inertia * angular_impulse;
-    state.velocity = bounded(velocity, 1e30f);
-    state.angular_velocity = bounded(angular, 1e30f);
-}
-
-}  // namespace
 
 void detail::refuse_border_body(const char* function) {
     throw std::invalid_argument(std::string("Body::") + function +

@@ -25,6 +25,11 @@ bool WorldData::callback_agrees(uint32_t a, uint32_t b) const {
         World* const world = self.link->world;
         agrees = self.filter({world, shape_id(std::min(a, b))}, {world, shape_id(std::max(a, b))});
     });
+    if (stepping)
+        self.tell([&] {
+            return Answer{key_of(shape_id(std::min(a, b))), key_of(shape_id(std::max(a, b))),
+                          Answer::To::filter, answered, agrees};
+        });
     return agrees || !answered;
 }
 
@@ -76,8 +81,9 @@ class ContactCallbacks {
             remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
             if (!world_.self.mix) continue;
             ContactEdit edit = edit_of(c);
-            if (world_.self.ask(in_mixing, [&] { world_.self.mix(edit); }))
-                accept(c, edit, nullptr);
+            const bool answered = world_.self.ask(in_mixing, [&] { world_.self.mix(edit); });
+            tell(edit, Answer::To::mixing, answered);
+            if (answered) accept(c, edit, nullptr);
         }
     }
 
@@ -198,6 +204,10 @@ class ContactCallbacks {
         edit.friction = c.friction;
         edit.restitution = c.restitution;
         edit.surface_speed = c.surface_speed;
+        edit.part_a = world_.part_number(c.shape_a);
+        edit.part_b = world_.part_number(c.shape_b);
+        edit.material_a = world_.shapes[c.shape_a].surface.material;
+        edit.material_b = world_.shapes[c.shape_b].surface.material;
         return edit;
     }
 
@@ -229,13 +239,24 @@ class ContactCallbacks {
         }
         edit.impulse = impulse;
         const ContactEdit before = edit;
-        if (!world_.self.ask(in_before_solve, [&] { world_.self.before_solve(edit); })) return;
+        const bool answered =
+            world_.self.ask(in_before_solve, [&] { world_.self.before_solve(edit); });
+        tell(edit, Answer::To::before_solve, answered);
+        if (!answered) return;
         if (edit.ignored) world_.ignored_pairs.push_back({edit.shape_a.id(), edit.shape_b.id()});
         for (const Part& part : parts) {
             ContactRecord& c = record(part);
             accept(c, edit, &before);
             if (!edit.enabled || edit.ignored) disable(c, world_.awake_contacts[part.at]);
         }
+    }
+
+    void tell(const ContactEdit& edit, Answer::To to, bool answered) const {
+        world_.self.tell([&] {
+            Answer answer = answer_of(edit, to);
+            answer.given = answered;
+            return answer;
+        });
     }
 
     void disable(ContactRecord& c, uint32_t slot) {

@@ -15,6 +15,13 @@ WorldData& live(WorldLink* link, Id id, const char* kind) {
     return *link->data;
 }
 
+/// Moves a body to another pose. Bodies that rested on it wake, derived data are marked as
+/// outdated, and nothing is drawn in between.
+void teleport(WorldData& data, uint32_t body, const Vec2& position, float angle);
+
+/// To be called after an edit of the surface of a shape or of its segments.
+void surface_changed(WorldData& data, uint32_t shape);
+
 /// Throws: the body that carries the bounds of a world cannot be edited.
 [[noreturn]] void refuse_border_body(const char* function);
 

@@ -30,13 +30,6 @@ void refuse_border_any(const ShapeRecord& record, const char* what) {
                                     "set its bounds_friction or bounds_restitution");
 }
 
-void surface_changed(WorldData& data, uint32_t shape) {
-    share_surface(data, shape);
-    if (data.forms[shape].body == none) return;
-    remix_shape(data, data.settings, shape);
-    wake_for_edit(data.activity(), data.forms[shape].body);
-}
-
 /// A user's filter may read the world, so no data may be out of date when it is called. The refresh
 /// callback may throw, so it comes before the edit.
 template <class T>
@@ -50,6 +43,13 @@ void set_filtering(WorldData& data, uint32_t shape, T ShapeDef::*what, T value) 
 }
 
 }  // namespace
+
+void detail::surface_changed(WorldData& data, uint32_t shape) {
+    share_surface(data, shape);
+    if (data.forms[shape].body == none) return;
+    remix_shape(data, data.settings, shape);
+    wake_for_edit(data.activity(), data.forms[shape].body);
+}
 
 bool Shape::is_valid() const {
     return link_ != nullptr && link_->data != nullptr && link_->data->is_valid(id_);

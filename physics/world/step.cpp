@@ -102,6 +102,7 @@ void WorldData::step(float dt) {
     cut_into_strips(objects, active, groups, steps, strips);
     gather_bodies(objects, columns, active, settings, strips, h, body_scratch, hubs, threads);
     apply_fields(objects, columns, boxes, awake_bodies, settings.gravity, h, dt, solver_forces);
+    if (!self.functions.empty()) ask_velocity_functions(dt, of_step.substeps);
     const JointStep joint_step =
         prepare_joints(objects, columns, active, body_scratch, joint_scratch, h, ratio, threads);
     find_acting(objects, active, body_scratch, settings, schedule, contact_scratch, dt, threads);
@@ -157,6 +158,19 @@ void WorldData::begin_step() {
     event_members(clear, pending);
     stepping = true;
     statistics.moved_proxies = 0;
+}
+
+/// A recording that fails ends, and the step goes on; the exception is thrown after it.
+void WorldData::tell_step_begins(float dt) {
+    const Callbacks callbacks = {bool(self.filter), bool(self.mix), bool(self.before_solve)};
+    if (!self.ask(in_recording,
+                  [&] { self.witness()->step_begins(*this, callbacks, self.functions, dt); }))
+        self.set_witness(nullptr);
+}
+
+void WorldData::tell_step_ends() {
+    if (!self.ask(in_recording, [&] { self.witness()->step_ends(*this, hash_of(*this)); }))
+        self.set_witness(nullptr);
 }
 
 void WorldData::end_step() {

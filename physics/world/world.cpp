@@ -124,17 +124,21 @@ WorldData& World::edit(const char* function) const {
 
 WorldData& World::populate(const char* function) const {
     data_->self.may_populate("World", function);
-    return *data_;
+    return edit(function);
 }
 
 void World::step(float dt) {
-    WorldData& data = edit(__func__);
+    WorldData& data = *data_;
+    data.self.may_step();
     if (!(dt > 0.0f) || !(dt < infinity)) return;
     WorldLock lock(data.self, WorldLock::During::change, in_step);
+    if (data.self.witness() != nullptr) data.tell_step_begins(dt);
     {
         const ThreadPool::Helping helping(data.threads);
         data.step(dt);
     }
+    if (!data.self.functions.empty()) data.ask_position_functions(dt);
+    if (data.self.witness() != nullptr) data.tell_step_ends();
     if (data.self.after_step.empty() || data.self.orphaned()) return lock.finish();
     call_after_step(std::exchange(data.self.after_step, {}), lock);
 }
@@ -266,6 +270,13 @@ void World::wake_all() {
     detail::wake_all(edit(__func__).activity());
 }
 
+bool World::is_recorded() const {
+    return data_->self.witness() != nullptr;
+}
+void World::stop_recording() {
+    edit(__func__).self.set_witness(nullptr);
+}
+
 Body World::create_body(const BodyDef& def) {
     WorldData& data = populate(__func__);
     check(def);
@@ -377,7 +388,7 @@ const StepStatistics& World::statistics() const {
     return data_->statistics;
 }
 
-uint64_t World::hash() const {
+uint64_t detail::hash_of(const Columns& columns) {
     // FNV-1a over whole words, each mixed before. It is cheap, and every bit influences the result.
     uint64_t hash = 0xcbf29ce484222325u;
     auto add = [&hash](float a, float b) {
@@ -388,14 +399,18 @@ uint64_t World::hash() const {
         word *= 0x9e3779b97f4a7c15u;
         hash = (hash ^ word ^ (word >> 31)) * 0x100000001b3u;
     };
-    for (uint32_t i = 1; i < data_->states.size(); ++i) {
-        if (data_->body_generations[i] == 0) continue;
-        const BodyState& s = data_->states[i];
+    for (uint32_t i = 1; i < columns.states.size(); ++i) {
+        if (columns.body_generations[i] == 0) continue;
+        const BodyState& s = columns.states[i];
         add(s.position.x, s.position.y);
         add(s.angle, s.angular_velocity);
         add(s.velocity.x, s.velocity.y);
     }
     return hash;
+}
+
+uint64_t World::hash() const {
+    return hash_of(*data_);
 }
 
 }  // namespace fettle::physics

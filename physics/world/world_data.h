@@ -56,16 +56,26 @@ struct WorldData : WorldState, StepScratch {
     }
     Activity activity() { return {*this, *this, *this, event_sink()}; }
 
+    // body_functions.cpp
+    void ask_velocity_functions(float dt, int substeps);
+    /// To be called when a step is over.
+    void ask_position_functions(float dt);
+
     // step.cpp
     void step(float dt);
     void begin_step();
     void end_step();
+    void tell_step_begins(float dt);
+    void tell_step_ends();
     // memory.cpp
     void trim();
 
     // archive.cpp
     void replace_state(WorldState&& other);
 };
+
+/// world.cpp: hash of the poses and velocities of all bodies.
+uint64_t hash_of(const Columns& columns);
 
 /// callbacks.cpp: mixes the surfaces of all contacts, as if no callback had changed them.
 void remix_all(WorldData& data);

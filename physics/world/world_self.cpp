@@ -9,6 +9,8 @@
 
 namespace fettle::physics::detail {
 
+Witness::~Witness() = default;
+
 WorldSelf::WorldSelf() = default;
 
 WorldSelf::~WorldSelf() {
@@ -19,6 +21,19 @@ void WorldSelf::refuse_edit(const char* of, const char* function) const {
     throw Locked(std::string(of) + "::" + function + " is not allowed inside " + place() +
                  ": it may only read the world that calls it. Note what is to be changed, and "
                  "change it when that call has returned");
+}
+
+void WorldSelf::refuse_or_tell(const char* of, const char* function) const {
+    if (locked()) refuse_edit(of, function);
+    witness_->edit_called(of, function);
+}
+
+void WorldSelf::set_witness(std::unique_ptr<Witness> witness) {
+    witness_ = std::move(witness);
+    if (witness_ != nullptr)
+        work_.fetch_or(watched, std::memory_order_relaxed);
+    else
+        work_.fetch_and(~watched, std::memory_order_relaxed);
 }
 
 void WorldSelf::refuse_stranger(const char* of, const char* function) const {
@@ -55,7 +70,8 @@ void WorldLock::unlock() {
     if (self_ == nullptr) return;
     const WorldSelf& self = *std::exchange(self_, nullptr);
     self.leave_to(outer_);
-    if (self.work_.fetch_sub(weight_, std::memory_order_acq_rel) != weight_) return;
+    const uint32_t before = self.work_.fetch_sub(weight_, std::memory_order_acq_rel);
+    if ((before & ~WorldSelf::watched) != weight_) return;
     if (!self.orphaned()) {
         if (self.owner != nullptr) self.owner->tell_unlocked();
         return;

@@ -4,6 +4,7 @@
 #include <fettle/physics/owner.h>
 #include <state/velocity_sums.h>
 #include <threads/pool.h>
+#include <world/witness.h>
 #include <world/world_link.h>
 
 #include <atomic>
@@ -22,6 +23,12 @@ inline constexpr const char in_before_solve[] =
 inline constexpr const char in_accept[] = "QueryFilter::accept";
 inline constexpr const char in_refresh[] = "the refresh callback (World::on_refresh)";
 inline constexpr const char in_draw[] = "a function of the DebugDraw (World::draw)";
+inline constexpr const char in_velocity[] =
+    "the velocity function of a body (Body::set_velocity_function)";
+inline constexpr const char in_position[] =
+    "the position function of a body (Body::set_position_function)";
+inline constexpr const char in_recording[] =
+    "the function that takes a recording (World::start_recording)";
 inline constexpr const char in_step[] = "a step";
 inline constexpr const char in_edit[] = "an edit";
 
@@ -35,7 +42,8 @@ struct WorldSelf {
     std::vector<std::function<void()>> after_step;  ///< to be called once, after a step
     const Owner* owner = nullptr;  ///< only it may populate the world; null: all may
     std::unique_ptr<ThreadPool> pool;
-    std::vector<VelocitySums> sums;  ///< of the bodies of `World::keep_account`
+    std::vector<VelocitySums> sums;        ///< of the bodies of `World::keep_account`
+    std::vector<BodyFunctions> functions;  ///< of bodies, by slot: at most one for a slot
 
     WorldSelf();
     ~WorldSelf();
@@ -45,26 +53,44 @@ struct WorldSelf {
     bool see_contacts() const { return mix || before_solve; }
 
     /// While user functions may be called, editing is forbidden.
-    bool locked() const { return work_.load(std::memory_order_relaxed) != 0; }
+    bool locked() const { return (work_.load(std::memory_order_relaxed) & ~watched) != 0; }
     /// In the middle of a step or an edit, copying the state is forbidden as well.
-    bool in_the_middle() const { return work_.load(std::memory_order_relaxed) >= middle; }
+    bool in_the_middle() const {
+        return (work_.load(std::memory_order_relaxed) & ~watched) >= middle;
+    }
     /// True if a function that the World was calling destroyed it.
     bool orphaned() const { return orphan_ != nullptr; }
 
     /// Throws Locked if editing is forbidden. `of` and `function`: the called type and method.
     void may_edit(const char* of, const char* function) const {
+        if (work_.load(std::memory_order_relaxed) != 0) [[unlikely]]
+            refuse_or_tell(of, function);
+    }
+    /// Like `may_edit`, for a step, which is recorded in another way.
+    void may_step() const {
+        if (locked()) [[unlikely]]
+            refuse_edit("World", "step");
+    }
+    /// Like `may_edit`, for creating, destroying or attaching objects. Does not tell a recording of
+    /// the call.
+    void may_populate(const char* of, const char* function) const {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
-    }
-    /// Like `may_edit`, for creating, destroying or attaching objects.
-    void may_populate(const char* of, const char* function) const {
-        may_edit(of, function);
         if (owner != nullptr && !owner->acts()) [[unlikely]]
             refuse_stranger(of, function);
     }
     void may_copy(const char* what) const {
         if (in_the_middle()) [[unlikely]]
             refuse_copy(what);
+    }
+
+    /// Lets `witness` see what changes the world; null: nobody.
+    void set_witness(std::unique_ptr<Witness> witness);
+    Witness* witness() const { return witness_.get(); }
+    /// Tells a recording what a function of the user answered in a step.
+    void tell(auto&& answer) const {
+        if (witness_ != nullptr) [[unlikely]]
+            witness_->answered(answer());
     }
 
     /// Calls a user function in a step or an edit, which an exception must not interrupt: the first
@@ -91,6 +117,9 @@ struct WorldSelf {
   private:
     friend class WorldLock;
     static constexpr uint32_t middle = 1u << 16;
+    /// Is set in `work_` while there is a witness, so that one test finds both.
+    static constexpr uint32_t watched = 1u << 31;
+    void refuse_or_tell(const char* of, const char* function) const;
     [[noreturn]] void refuse_edit(const char* of, const char* function) const;
     [[noreturn]] void refuse_stranger(const char* of, const char* function) const;
     [[noreturn]] void refuse_copy(const char* what) const;
@@ -108,6 +137,7 @@ struct WorldSelf {
     mutable std::atomic<const char*> inside_ = in_step;  ///< the running operation, for messages
     mutable std::exception_ptr thrown_;                  ///< first one of a user function
     mutable std::unique_ptr<WorldData> orphan_;
+    std::unique_ptr<Witness> witness_;
     const char* destroyed_inside_ = nullptr;
 };
 

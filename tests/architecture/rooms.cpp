@@ -73,6 +73,7 @@ const std::vector<DividedPart>& divided_parts() {
               {"geometry", "collision", "distance", "contacts", "state", "checks", "world",
                "queries"}},
              {"saving", {"collision", "state", "checks", "world"}},
+             {"recording", {"state", "world", "saving"}},
              {"joints", {"constraints", "state", "checks", "solver", "world"}},
              {"standalone", {"geometry", "collision", "forms", "distance", "checks"}},
          }},

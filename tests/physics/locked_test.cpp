@@ -83,6 +83,33 @@ const std::vector<Way>& every_way() {
              world.set_before_solve([act](ContactEdit&) { act(); });
              world.step(frame);
          }},
+        {"set_velocity_function", true,
+         [](World& world, Things& things, const Act& act) {
+             things.body.set_velocity_function([act](VelocityEdit&) { act(); });
+             world.step(frame);
+             things.body.set_velocity_function({});
+         }},
+        {"set_position_function", true,
+         [](World& world, Things& things, const Act& act) {
+             things.body.set_position_function([act](PositionEdit&) { act(); });
+             world.step(frame);
+             things.body.set_position_function({});
+         }},
+        {"start_recording", false,
+         [](World& world, Things&, const Act& act) {
+             world.start_recording([act](std::span<const std::byte>) { act(); });
+             world.stop_recording();
+         }},
+        {"start_recording", true,
+         [](World& world, Things&, const Act& act) {
+             bool now = false;
+             world.start_recording([act, &now](std::span<const std::byte>) {
+                 if (std::exchange(now, false)) act();
+             });
+             now = true;
+             world.step(frame);
+             world.stop_recording();
+         }},
         {"on_refresh", false,
          [](World& world, Things& things, const Act& act) {
              world.on_refresh([act](const Refresh&) { act(); });
@@ -323,6 +350,10 @@ TEST_CASE("a function that throws leaves a whole world and its exception arrives
             world.set_filter({});
             world.set_mixing({});
             world.set_before_solve({});
+            for (Body body : {things.body, same.body}) {
+                body.set_velocity_function({});
+                body.set_position_function({});
+            }
             REQUIRE_FALSE(world.validate());
             // As if no callback had been set.
             if (way.in_the_middle) {

@@ -70,6 +70,40 @@ TEST_CASE("a maximum speed holds for what is pushed") {
     }
 }
 
+TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {
+    for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct}) {
+        World world({.solver = solver});
+        Body lift = world.create_body({.type = BodyType::kinematic_body,
+                                       .velocity = {3, 4},
+                                       .angular_velocity = 2,
+                                       .locked_rotation = true});
+        lift.add(Box{});
+        world.step(frame);
+        REQUIRE(lift.angular_velocity() == 0.0f);
+        REQUIRE(lift.angle() == 0.0f);
+        REQUIRE(lift.velocity() == Vec2{3, 4});
+        lift.set_max_speed(2.5f);
+        world.step(frame);
+        REQUIRE(lift.velocity().x == Approx(1.5));
+        REQUIRE(lift.velocity().y == Approx(2));
+        lift.set_locked_x(true);
+        lift.set_velocity({9, 1});
+        const Vec2 before = lift.position();
+        world.step(frame);
+        REQUIRE(lift.velocity() == Vec2{0, 1});
+        REQUIRE(lift.position().x == before.x);
+        REQUIRE(lift.position().y == Approx(before.y + frame));
+        lift.set_locked_y(true);
+        run(world, 1.0f);
+        REQUIRE(lift.position().y == Approx(before.y + frame));
+        REQUIRE_FALSE(lift.awake());
+        lift.set_locked_x(false);
+        lift.set_velocity_function([](VelocityEdit& edit) { edit.velocity = {1, 1}; });
+        world.step(frame);
+        REQUIRE(lift.velocity() == Vec2{1, 0});
+    }
+}
+
 TEST_CASE("a speed that is no limit is refused") {
     World world;
     Body body = world.create_body();

@@ -257,7 +257,142 @@ static const char* a_world_is_drawn_by_functions(void) {
     return NULL;
 }
 
+static void rise(void* user, const fettle_world* world, fettle_velocity_edit* edit) {
+    struct scene* scene = user;
+    try_edits(scene);
+    edit->velocity.y = edit->body == scene->box && world == scene->world ? 2 : -9;
+}
+
+static void stay(void* user, const fettle_world* world, fettle_position_edit* edit) {
+    (void)world;
+    try_edits(user);
+    edit->pose.position.x = 3;
+}
+
+static const char* functions_move_a_body(void) {
+    struct scene scene = new_scene();
+    fettle_pose pose;
+    fettle_vec2 velocity;
+    DONE_C(fettle_body_set_velocity_function(scene.world, scene.box, rise, &scene));
+    DONE_C(fettle_body_set_position_function(scene.world, scene.box, stay, &scene));
+    for (int i = 0; i < 60; ++i) DONE_C(fettle_world_step(scene.world, 1.0f / 60));
+    CHECK_C(all_refused(&scene) && scene.calls == 120);
+    DONE_C(fettle_body_velocity(scene.world, scene.box, &velocity));
+    CHECK_C(fabsf(velocity.y - 2) < 1e-4f);
+    DONE_C(fettle_body_interpolated(scene.world, scene.box, 1, &pose));
+    CHECK_C(pose.position.x == 3 && pose.position.y > 2);
+    DONE_C(fettle_body_set_velocity_function(scene.world, scene.box, NULL, NULL));
+    DONE_C(fettle_body_set_position_function(scene.world, scene.box, NULL, NULL));
+    DONE_C(fettle_world_step(scene.world, 1.0f / 60));
+    CHECK_C(scene.calls == 120);
+    CHECK_C(fettle_body_set_velocity_function(scene.world, 0, rise, NULL) == FETTLE_STALE);
+    CHECK_C(fettle_body_set_position_function(NULL, scene.box, stay, NULL) == FETTLE_INVALID);
+    DONE_C(fettle_world_destroy(scene.world));
+    return NULL;
+}
+
+static const char* segments_have_surfaces(void) {
+    const fettle_vec2 points[] = {{-20, 0}, {0, 0}, {20, 0}};
+    const fettle_segment_surface ice = {0, 0, 0, 0, 12};
+    struct scene scene = new_scene();
+    fettle_segment_surface told;
+    fettle_geometry chain;
+    fettle_id ground;
+    uint32_t count;
+    bool is_set;
+    DONE_C(fettle_geometry_init(&chain, sizeof chain, FETTLE_SHAPE_CHAIN));
+    chain.points = points;
+    chain.point_count = 3;
+    DONE_C(fettle_body_add(scene.world, scene.ground, &chain, NULL, &ground));
+    DONE_C(fettle_shape_segment_count(scene.world, ground, &count));
+    CHECK_C(count == 2);
+    DONE_C(fettle_shape_set_segment_surface(scene.world, ground, 1, &ice));
+    DONE_C(fettle_shape_segment_surface_override(scene.world, ground, 0, &is_set, &told));
+    CHECK_C(!is_set);
+    DONE_C(fettle_shape_segment_surface_override(scene.world, ground, 1, &is_set, &told));
+    CHECK_C(is_set && told.friction == 0 && told.material == 12);
+    DONE_C(fettle_shape_segment_surface(scene.world, ground, 0, &told));
+    CHECK_C(told.friction > 0.5f);
+    CHECK_C(fettle_shape_set_segment_surface(scene.world, ground, 2, &ice) == FETTLE_INVALID);
+    CHECK_C(fettle_shape_set_segment_surfaces(scene.world, ground, &ice, 1) == FETTLE_INVALID);
+    CHECK_C(fettle_shape_set_segment_surfaces(scene.world, ground, NULL, 2) == FETTLE_INVALID);
+    CHECK_C(strstr(fettle_last_error(), "surfaces") != NULL);
+    DONE_C(fettle_shape_set_segment_surface(scene.world, ground, 1, NULL));
+    DONE_C(fettle_shape_segment_surface_override(scene.world, ground, 1, &is_set, &told));
+    CHECK_C(!is_set);
+    DONE_C(fettle_shape_set_segment_surfaces(scene.world, ground, NULL, 0));
+    CHECK_C(fettle_shape_segment_count(scene.world, scene.box_shape, &count) == FETTLE_INVALID);
+    DONE_C(fettle_world_destroy(scene.world));
+    return NULL;
+}
+
+struct recorded {
+    struct scene scene;
+    size_t size;
+    unsigned char bytes[1 << 18];
+};
+
+static void append(void* user, const fettle_world* world, const void* bytes, size_t size) {
+    struct recorded* recorded = user;
+    (void)world;
+    try_edits(&recorded->scene);
+    if (recorded->size + size > sizeof recorded->bytes) return;
+    memcpy(recorded->bytes + recorded->size, bytes, size);
+    recorded->size += size;
+}
+
+static const char* a_recording_is_repeated(void) {
+    static struct recorded recorded;
+    fettle_replay* replay = NULL;
+    fettle_replayed_step step;
+    fettle_world* copy = NULL;
+    uint64_t hash, repeated_hash, steps;
+    bool repeated, is_recorded;
+    int count = 0, edits = 0;
+    memset(&recorded, 0, sizeof recorded);
+    recorded.scene = new_scene();
+    fettle_world* const world = recorded.scene.world;
+    CHECK_C(fettle_world_start_recording(world, NULL, NULL) == FETTLE_INVALID);
+    DONE_C(fettle_world_start_recording(world, append, &recorded));
+    CHECK_C(fettle_world_start_recording(world, append, &recorded) == FETTLE_INVALID);
+    DONE_C(fettle_world_is_recorded(world, &is_recorded));
+    CHECK_C(is_recorded);
+    for (int i = 0; i < 20; ++i) {
+        if (i % 5 == 0) DONE_C(fettle_body_set_velocity(world, recorded.scene.box, 1, 3));
+        DONE_C(fettle_world_step(world, 1.0f / 60));
+    }
+    DONE_C(fettle_world_stop_recording(world));
+    CHECK_C(all_refused(&recorded.scene) && recorded.scene.calls == 41);
+    DONE_C(fettle_world_hash(world, &hash));
+    DONE_C(fettle_replay_create(recorded.bytes, recorded.size, &replay));
+    DONE_C(fettle_replay_steps(replay, &steps));
+    CHECK_C(steps == 20);
+    for (;;) {
+        DONE_C(fettle_replay_step(replay, &step, &repeated));
+        if (!repeated) break;
+        CHECK_C(step.same && step.has_recorded_hash && step.number == (uint64_t)count++);
+        edits += strstr(step.calls, "Body::set_velocity") != NULL;
+    }
+    CHECK_C(count == 20 && edits == 4);
+    DONE_C(fettle_replay_world(replay, &copy));
+    DONE_C(fettle_replay_destroy(replay));
+    DONE_C(fettle_world_hash(copy, &repeated_hash));
+    CHECK_C(repeated_hash == hash);
+    recorded.bytes[recorded.size - 9] ^= 1;
+    CHECK_C(fettle_replay_create(recorded.bytes, recorded.size, &replay) == FETTLE_INVALID);
+    CHECK_C(strstr(fettle_last_error(), "checksum") != NULL);
+    CHECK_C(fettle_replay_create(NULL, 0, &replay) == FETTLE_INVALID);
+    CHECK_C(fettle_replay_step(NULL, &step, &repeated) == FETTLE_INVALID);
+    DONE_C(fettle_replay_destroy(NULL));
+    DONE_C(fettle_world_destroy(copy));
+    DONE_C(fettle_world_destroy(world));
+    return NULL;
+}
+
 const struct named_c_test callbacks_in_c[] = {
+    {"functions move a body", functions_move_a_body},
+    {"segments have surfaces", segments_have_surfaces},
+    {"a recording is repeated", a_recording_is_repeated},
     {"a filter lets a box fall through", a_filter_lets_a_box_fall_through},
     {"contacts are mixed and switched off", contacts_are_mixed_and_switched_off},
     {"a read tells that it updates", a_read_tells_that_it_updates},

@@ -15,9 +15,9 @@ using namespace fettle::physics;
 
 namespace {
 
-const char* const headers[] = {"body.h",  "shape.h",          "joint.h",
-                               "field.h", "sliding_joints.h", "coupling_joints.h",
-                               "owner.h", "world.h",          "mover.h"};
+const char* const headers[] = {"body.h",           "shape.h",           "joint.h", "field.h",
+                               "sliding_joints.h", "coupling_joints.h", "owner.h", "world.h",
+                               "mover.h",          "recording.h"};
 
 /// What stands for a method that has no function with its name, or for its overloads.
 const std::map<std::string, std::vector<std::string>> other_names = {
@@ -111,7 +111,7 @@ std::string members_of(const std::string& text, const std::string& begin) {
 
 std::set<std::string> names_in(const std::string& structure) {
     const std::string members =
-        std::regex_replace(structure, std::regex("<[^<>]*>|friend [^}]*\\}"), "");
+        std::regex_replace(structure, std::regex("<[^<>]*>|friend [^;{}]*(;|\\{[^{}]*\\})"), "");
     std::set<std::string> names;
     const std::regex member("(\\w+)\\s*(=[^;]*)?;|(\\w+)\\s*(?=,)");
     for (std::sregex_iterator m(members.begin(), members.end(), member), none; m != none; ++m)
@@ -210,6 +210,10 @@ TEST_CASE("every member of a structure of the library is one in C") {
         {"contact.h", "ContactPoint", "contact_point"},
         {"contact.h", "Contact", "contact"},
         {"callbacks.h", "ContactEdit", "contact_edit"},
+        {"callbacks.h", "VelocityEdit", "velocity_edit"},
+        {"callbacks.h", "PositionEdit", "position_edit"},
+        {"definitions.h", "SegmentSurface", "segment_surface"},
+        {"recording.h", "ReplayedStep", "replayed_step"},
         {"events.h", "ContactBeginEvent", "contact_event"},
         {"events.h", "ContactPersistEvent", "contact_event"},
         {"events.h", "ContactHitEvent", "contact_event"},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -21,6 +22,10 @@ class Arguments {
         for (auto& world : worlds_) fettle_world_create(nullptr, &world);
         fettle_world_destroy(worlds_[3]);  // a stale pointer
         fettle_owner_create("ask the owner", &owner_);
+        fettle_world_start_recording(worlds_[0], record, &recording_);
+        for (int i = 0; i < 9; ++i) fettle_world_step(worlds_[0], 0.02f);
+        fettle_world_stop_recording(worlds_[0]);
+        fettle_replay_create(recording_.data(), recording_.size(), &replay_);
         scratch_.resize(1 << 16);
     }
     ~Arguments() {
@@ -28,6 +33,7 @@ class Arguments {
         while (fettle_owner_end(owner_) == FETTLE_DONE) {
         }
         fettle_owner_destroy(owner_);
+        fettle_replay_destroy(replay_);
     }
     Arguments(const Arguments&) = delete;
     Arguments& operator=(const Arguments&) = delete;
@@ -39,8 +45,10 @@ class Arguments {
     void call(Result (*function)(Parameters...)) {
         new_world_ = nullptr;
         new_owner_ = nullptr;
+        new_replay_ = nullptr;
         [[maybe_unused]] const Result result = function(make<Parameters>()...);
         if (new_owner_ != nullptr) fettle_owner_destroy(new_owner_);
+        fettle_replay_destroy(new_replay_);
         if (new_world_ != nullptr) {
             fettle_world*& place = worlds_[below(3)];
             fettle_world_destroy(place);
@@ -75,6 +83,9 @@ class Arguments {
         else if constexpr (std::is_same_v<T, fettle_owner*> ||
                            std::is_same_v<T, const fettle_owner*>)
             return below(4) == 0 ? owner_ : nullptr;
+        else if constexpr (std::is_same_v<T, fettle_replay*> ||
+                           std::is_same_v<T, const fettle_replay*>)
+            return below(4) == 0 ? nullptr : replay_;
         else if constexpr (std::is_function_v<std::remove_pointer_t<T>>)
             return callback(T());
         else if constexpr (std::is_pointer_v<T>)
@@ -112,6 +123,15 @@ class Arguments {
         return fettle_world_step(const_cast<fettle_world*>(world), 1) == FETTLE_LOCKED &&
                fettle_shape_is_valid(world, shape);
     }
+    /// A step inside a function that the world calls.
+    static void refuse_step(const fettle_world* world) {
+        if (fettle_world_step(const_cast<fettle_world*>(world), 1) != FETTLE_LOCKED) std::abort();
+    }
+    static void record(void* to, const fettle_world*, const void* bytes, size_t size) {
+        const auto* begin = static_cast<const std::byte*>(bytes);
+        auto& all = *static_cast<std::vector<std::byte>*>(to);
+        all.insert(all.end(), begin, begin + size);
+    }
     fettle_pair_filter callback(fettle_pair_filter) { return below(2) == 0 ? pass : nullptr; }
     fettle_contact_callback callback(fettle_contact_callback) {
         if (below(2) == 0) return nullptr;
@@ -119,6 +139,25 @@ class Arguments {
             contact->friction = std::numeric_limits<float>::quiet_NaN();
             contact->restitution = 7;
         };
+    }
+    fettle_velocity_function callback(fettle_velocity_function) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, const fettle_world* world, fettle_velocity_edit* edit) {
+            refuse_step(world);
+            edit->velocity = {std::numeric_limits<float>::quiet_NaN(), 1e30f};
+        };
+    }
+    fettle_position_function callback(fettle_position_function) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, const fettle_world* world, fettle_position_edit* edit) {
+            refuse_step(world);
+            edit->pose.position.x += 1;
+            edit->pose.angle = std::numeric_limits<float>::infinity();
+        };
+    }
+    fettle_recording_sink callback(fettle_recording_sink) {
+        if (below(4) == 0) return nullptr;
+        return [](void*, const fettle_world* world, const void*, size_t) { refuse_step(world); };
     }
     fettle_refresh_callback callback(fettle_refresh_callback) {
         if (below(2) == 0) return nullptr;
@@ -165,6 +204,10 @@ class Arguments {
     }
     const fettle_aabb* pointer(const fettle_aabb*) {
         return store(fettle_aabb{{number(), number()}, {number(), number()}});
+    }
+    const fettle_segment_surface* pointer(const fettle_segment_surface*) {
+        for (auto& one : surfaces_) one = {number(), number(), number(), number(), below(70000)};
+        return surfaces_;
     }
     const fettle_pose* pointer(const fettle_pose*) {
         return store(fettle_pose{{number(), number()}, number()});
@@ -253,6 +296,7 @@ class Arguments {
     // Pointers to results.
     fettle_world** pointer(fettle_world**) { return &new_world_; }
     fettle_owner** pointer(fettle_owner**) { return &new_owner_; }
+    fettle_replay** pointer(fettle_replay**) { return &new_replay_; }
     template <class Out>
     requires(!std::is_const_v<Out> && !std::is_void_v<Out>) Out* pointer(Out*) {
         if constexpr (requires(Out out) { out.size; }) begin(*reinterpret_cast<Out*>(scratch()));
@@ -289,6 +333,10 @@ class Arguments {
     fettle_world* new_world_ = nullptr;
     fettle_owner* owner_ = nullptr;
     fettle_owner* new_owner_ = nullptr;
+    fettle_replay* replay_ = nullptr;
+    fettle_replay* new_replay_ = nullptr;
+    std::vector<std::byte> recording_;
+    fettle_segment_surface surfaces_[16] = {};
     std::vector<fettle_id> ids_;
     std::vector<std::byte> scratch_;
     fettle_vec2 points_[64] = {};

@@ -26,6 +26,13 @@ constexpr Call every_call[] = {
     CALL(fettle_body_set_position), CALL(fettle_body_angle), CALL(fettle_body_set_angle),
     CALL(fettle_body_set_pose), CALL(fettle_body_velocity), CALL(fettle_body_set_velocity),
     CALL(fettle_body_angular_velocity), CALL(fettle_body_set_angular_velocity),
+    CALL(fettle_body_set_velocity_function), CALL(fettle_body_set_position_function),
+    CALL(fettle_shape_segment_count), CALL(fettle_shape_segment_surface),
+    CALL(fettle_shape_set_segment_surface), CALL(fettle_shape_segment_surface_override),
+    CALL(fettle_shape_set_segment_surfaces), CALL(fettle_world_start_recording),
+    CALL(fettle_world_stop_recording), CALL(fettle_world_is_recorded),
+    CALL(fettle_replay_create), CALL(fettle_replay_steps), CALL(fettle_replay_step),
+    CALL(fettle_replay_world),
     CALL(fettle_body_set_target), CALL(fettle_world_after_step), CALL(fettle_world_reserve),
     CALL(fettle_world_moved_bodies),
     CALL(fettle_body_enabled), CALL(fettle_world_set_scheduler), CALL(fettle_body_set_enabled), CALL(fettle_body_name),
@@ -273,7 +280,8 @@ constexpr Call every_call[] = {
 TEST_CASE("the list of calls has every function of the headers") {
     std::set<std::string> listed = {
         // Without arguments, or the pointer must not be used afterwards.
-        "fettle_last_error", "fettle_physics_version", "fettle_owner_destroy"};
+        "fettle_last_error", "fettle_physics_version", "fettle_owner_destroy",
+        "fettle_replay_destroy"};
     for (const Call& call : every_call) listed.insert(call.name);
     REQUIRE(listed == header_text::functions_in_c());
 }

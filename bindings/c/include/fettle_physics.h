@@ -35,4 +35,5 @@
 #include <fettle/physics_c/mover.h>
 #include <fettle/physics_c/columns.h>
 #include <fettle/physics_c/drawing.h>
+#include <fettle/physics_c/recording.h>
 /* clang-format on */

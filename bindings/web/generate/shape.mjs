@@ -35,8 +35,9 @@ export function handleOf(name, inFunction = "") {
   return kinds[plain] ?? "Body";
 }
 
-// What a program in JavaScript does not need, or gets by hand in runtime.js (memory, sizes, threads of the host).
-const byHand = /_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
+// What a program in JavaScript does not need, or gets by hand in runtime.js (memory, sizes, threads of the host), and what it does not have
+// yet: recordings, which a function of the host takes.
+const byHand = /^fettle_replay_|_recording$|_is_recorded$|_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
 
 /** The functions with their plans; `without` are those that have none, because C would call a function of JavaScript. */
 export function plansOf(headers) {

@@ -255,11 +255,10 @@ Property sleep_speed(Hosting& hosting) {
 }
 
 Property max_speed(Hosting& hosting) {
-    Property property =
-        limit_number("max_speed", std::numeric_limits<double>::infinity(), "m/s",
-                     "Limit of the speed of a dynamic body. World.substeps says how often it is "
-                     "applied in a step.",
-                     bound<&Body::max_speed, &Body::set_max_speed>(hosting));
+    Property property = limit_number("max_speed", std::numeric_limits<double>::infinity(), "m/s",
+                                     "Limit of the speed. World.substeps says how often it is "
+                                     "applied in a step.",
+                                     bound<&Body::max_speed, &Body::set_max_speed>(hosting));
     property.range = inertial;
     return property;
 }

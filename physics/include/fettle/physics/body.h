@@ -4,6 +4,7 @@
 #include <fettle/physics/definitions.h>
 #include <fettle/physics/export.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,12 @@ namespace fettle::physics {
 class Joint;
 class Shape;
 class World;
+struct VelocityEdit;
+struct PositionEdit;
+
+/// Functions of the user that move a body: callbacks.h.
+using VelocityFunction = std::function<void(VelocityEdit&)>;
+using PositionFunction = std::function<void(PositionEdit&)>;
 
 namespace detail {
 struct FETTLE_PHYSICS_PRIVATE WorldLink;
@@ -100,6 +107,15 @@ class Body {
     /// one part.
     float max_speed() const;
     void set_max_speed(float speed);
+    /// Called once in every step in which it is awake, after gravity, forces, fields and damping
+    /// and before contacts and joints: it may set the velocity that they act on. An empty function:
+    /// none. Like callbacks, the function belongs to the world and not to its state: a copy has
+    /// none. It stays when the body is destroyed, since restoring a state may bring the body back,
+    /// until a later body in the same slot gets one; an empty function releases it.
+    void set_velocity_function(VelocityFunction function);
+    /// Called at the end of every step at whose beginning it was awake: it may set the pose that it
+    /// has after the step. Otherwise as `set_velocity_function`.
+    void set_position_function(PositionFunction function);
 
     bool awake() const;          ///< whether steps move it
     void set_awake(bool awake);  ///< with its whole island

@@ -3,13 +3,17 @@
 #include <fettle/physics/export.h>
 #include <fettle/physics/shape.h>
 
+#include <cstddef>
 #include <functional>
+#include <span>
 
 // User functions that the library calls. `PairFilter` and `ContactCallback` are called inside a
 // step, between the narrow phase and the solver, in the order of the contacts; a filter is also
-// called inside an edit that requires it. `QueryFilter::accept` (query.h) is called inside a query,
-// `RefreshCallback` inside a read. All run on the caller's thread, one after the other. One of the
-// shapes that they get may belong to the world's border.
+// called inside an edit that requires it. `VelocityFunction` is called after them, and
+// `PositionFunction` at the end of the step, for one body after the other in slot order.
+// `QueryFilter::accept` (query.h) is called inside a query, `RefreshCallback` inside a read. All
+// run on the caller's thread, one after the other. One of the shapes that they get may belong to
+// the world's border.
 //
 // **What such a function may do with the world that calls it:** call all `const` methods (read
 // bodies, shapes, joints and contacts, make queries) and write the members of the `ContactEdit`
@@ -24,8 +28,8 @@
 // while another calls.
 //
 // **A function that throws** leaves a valid world. A query ends at once and has changed nothing. A
-// step or an edit continues to its end as if the function did not exist for that pair or that
-// contact (a filter that throws counts as true), calls the function for the others, and then throws
+// step or an edit continues to its end as if the function did not exist for that pair, contact or
+// body (a filter that throws counts as true), calls the function for the others, and then throws
 // the first exception; the step is complete.
 //
 // **A function that destroys the World that calls it:** the call continues to its end, calls no
@@ -49,6 +53,35 @@ struct ContactEdit {
     float surface_speed = 0.0f;  ///< mixed; may be set, m/s
     bool enabled = true;         ///< false: no contact in this step
     bool ignored = false;        ///< true: no contact until the shapes have separated
+    // Which segment of a chain or piece of a concave polygon, and the material there: as in
+    // `Contact`.
+    uint32_t part_a = 0, part_b = 0;
+    uint32_t material_a = 0, material_b = 0;
+};
+
+/// The motion of a body in a step, before contacts and joints act: for
+/// `Body::set_velocity_function`.
+struct VelocityEdit {
+    Body body = {};
+    float dt = 0.0f;              ///< s, length of the step
+    Vec2 before = {};             ///< m/s, before the step
+    float angular_before = 0.0f;  ///< rad/s
+    /// m/s at the end of the step by gravity, forces, fields and damping; may be set. The change
+    /// is spread evenly over the sub-steps, so that the body rests on others as under a force.
+    /// Locked axes and the maximum speed hold after it. NaN changes nothing.
+    Vec2 velocity = {};
+    float angular_velocity = 0.0f;  ///< rad/s, the same
+};
+
+/// The pose of a body at the end of a step: for `Body::set_position_function`.
+struct PositionEdit {
+    Body body = {};
+    float dt = 0.0f;   ///< s, length of the step
+    Pose before = {};  ///< before the step
+    /// After the step; may be set. It is limited like all poses; NaN changes nothing. Setting it
+    /// wakes what touches the body, as `Body::set_pose` does, and leaves `Body::previous_pose` as
+    /// it is. Velocities do not change.
+    Pose pose = {};
 };
 
 /// True if two shapes whose filters agree may collide.
@@ -71,6 +104,9 @@ struct Refresh {
 };
 /// Called before a read updates edited data: `World::on_refresh`.
 using RefreshCallback = std::function<void(const Refresh&)>;
+
+/// Takes the next bytes of a recording: `World::start_recording`. The bytes live for the call.
+using RecordingSink = std::function<void(std::span<const std::byte>)>;
 
 }  // namespace fettle::physics
 

@@ -32,6 +32,10 @@ struct Contact {
     float friction = 0.0f;               ///< mixed
     float restitution = 0.0f;            ///< mixed
     float normal_force = 0.0f;           ///< N, mean over the last sub-step, sum of both points
+    /// Which segment of a chain, or which piece of a concave polygon: its place in `Shape::pieces`.
+    /// 0 for other shapes.
+    uint32_t part_a = 0, part_b = 0;
+    uint32_t material_a = 0, material_b = 0;  ///< of the shapes, or of the segments of chains
 
     ContactId id() const noexcept {
         return ContactId::of(shape_a, shape_b);

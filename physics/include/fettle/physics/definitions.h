@@ -103,6 +103,17 @@ struct ShapeDef {
     uint64_t user_data = 0;    ///< a number of the host, without effect
 };
 
+/// Surface of one segment of a chain, in place of that of the shape. The members mean what they
+/// mean in `ShapeDef`.
+struct SegmentSurface {
+    float friction = 0.6f;
+    float restitution = 0.0f;
+    float rolling_resistance = 0.0f;
+    float surface_speed = 0.0f;  ///< m/s, against the order of the points
+    uint16_t material = 0;
+    friend bool operator==(const SegmentSurface&, const SegmentSurface&) = default;
+};
+
 // Geometry, in body coordinates.
 
 /// A disc.

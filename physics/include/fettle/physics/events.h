@@ -24,6 +24,8 @@ struct ContactBeginEvent {
     float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
+    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
+    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
 
     ContactId id() const noexcept {
         return ContactId::of(shape_a, shape_b);
@@ -44,16 +46,18 @@ struct ContactEndEvent {
 
 /// A continuing touch; only with `WorldDef::persist_events`.
 struct ContactPersistEvent {
-    ShapeId shape_a;           ///< the normal points away from it
-    ShapeId shape_b;           ///< the other shape
-    BodyId body_a;             ///< of `shape_a`
-    BodyId body_b;             ///< of `shape_b`
-    Vec2 point = {};           ///< world, m: middle of the manifold
-    Vec2 normal = {};          ///< from a to b
-    float speed = 0.0f;        ///< m/s, approach speed along the normal
-    float impulse = 0.0f;      ///< N s, normal impulse of the last step
-    float friction = 0.0f;     ///< mixed
-    float restitution = 0.0f;  ///< mixed
+    ShapeId shape_a;                          ///< the normal points away from it
+    ShapeId shape_b;                          ///< the other shape
+    BodyId body_a;                            ///< of `shape_a`
+    BodyId body_b;                            ///< of `shape_b`
+    Vec2 point = {};                          ///< world, m: middle of the manifold
+    Vec2 normal = {};                         ///< from a to b
+    float speed = 0.0f;                       ///< m/s, approach speed along the normal
+    float impulse = 0.0f;                     ///< N s, normal impulse of the last step
+    float friction = 0.0f;                    ///< mixed
+    float restitution = 0.0f;                 ///< mixed
+    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
+    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
 
     ContactId id() const noexcept {
         return ContactId::of(shape_a, shape_b);
@@ -62,16 +66,18 @@ struct ContactPersistEvent {
 
 /// An impact, for shapes with `hit_events`.
 struct ContactHitEvent {
-    ShapeId shape_a;           ///< the normal points away from it
-    ShapeId shape_b;           ///< the other shape
-    BodyId body_a;             ///< of `shape_a`
-    BodyId body_b;             ///< of `shape_b`
-    Vec2 point = {};           ///< world, m: middle of the manifold
-    Vec2 normal = {};          ///< from a to b
-    float speed = 0.0f;        ///< m/s, approach speed along the normal
-    float impulse = 0.0f;      ///< N s, the impulse that stopped the approach
-    float friction = 0.0f;     ///< mixed
-    float restitution = 0.0f;  ///< mixed
+    ShapeId shape_a;                          ///< the normal points away from it
+    ShapeId shape_b;                          ///< the other shape
+    BodyId body_a;                            ///< of `shape_a`
+    BodyId body_b;                            ///< of `shape_b`
+    Vec2 point = {};                          ///< world, m: middle of the manifold
+    Vec2 normal = {};                         ///< from a to b
+    float speed = 0.0f;                       ///< m/s, approach speed along the normal
+    float impulse = 0.0f;                     ///< N s, the impulse that stopped the approach
+    float friction = 0.0f;                    ///< mixed
+    float restitution = 0.0f;                 ///< mixed
+    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
+    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
 
     ContactId id() const noexcept {
         return ContactId::of(shape_a, shape_b);

@@ -78,6 +78,22 @@ class Shape {
     /// coordinates. Chain: its segments. Other types: empty.
     std::vector<std::vector<Vec2>> pieces() const;
 
+    // Surfaces by segment; other types of shape throw std::invalid_argument. Segments are numbered
+    // as in `pieces`: from 0, in the order of the points. A surface stays with its number when the
+    // points change, and ends when the shape becomes one of another type.
+
+    uint32_t segment_count() const;  ///< chain
+    /// Surface of a segment: its own, or that of the shape. Throws std::invalid_argument for a
+    /// number that is not below `segment_count`, as do the next two.
+    SegmentSurface segment_surface(uint32_t segment) const;
+    /// None: that of the shape. Takes effect in the next step, and wakes the body.
+    void set_segment_surface(uint32_t segment, const std::optional<SegmentSurface>& surface);
+    /// None when the segment has that of the shape.
+    std::optional<SegmentSurface> segment_surface_override(uint32_t segment) const;
+    /// Sets those of all segments, in order; no surface at all: each has that of the shape. Throws
+    /// std::invalid_argument for another number of surfaces than segments.
+    void set_segment_surfaces(std::span<const SegmentSurface> surfaces);
+
     float density() const;  ///< kg/m², at least 0
     void set_density(float density);
     float friction() const;  ///< Coulomb coefficient, at least 0

@@ -209,6 +209,18 @@ class World {
     /// of the state.
     void set_scheduler(TaskScheduler* scheduler, int threads);
 
+    /// Records what happens to the world, for a bug report: `sink` gets its state now, and then in
+    /// every step what was edited since the last one, the answers of callbacks, and the hash.
+    /// `Replay` (recording.h) repeats the recording. Bytes come in order and are to be appended to
+    /// a file or to memory; if the program ends unexpectedly, what was recorded can be replayed up
+    /// to there. A recorded step takes as long as saving the world twice. Throws
+    /// std::invalid_argument if the world is recorded already. The recording belongs to the world,
+    /// and not to its state. `sink` is called as callbacks are (callbacks.h): if it throws, the
+    /// recording ends, and the step throws the exception when it is complete.
+    void start_recording(RecordingSink sink);
+    void stop_recording();  ///< does nothing if there is no recording
+    bool is_recorded() const;
+
     // Callbacks; an empty one is not called and costs nothing. They are not part of a snapshot:
     // copying, saving and restoring do not change the callbacks of the world, and a new copy has
     // none. callbacks.h describes what they may do.
@@ -416,6 +428,7 @@ class World {
     friend class Shape;
     friend class Joint;
     friend class Field;
+    friend class Replay;
     friend struct detail::WorldInside;
     friend struct detail::MoverWorld;
     World(const World& other);

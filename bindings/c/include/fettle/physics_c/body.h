@@ -114,7 +114,8 @@ fettle_code fettle_body_set_enabled(fettle_world* world, fettle_id body, bool en
 fettle_code fettle_body_name(fettle_world* world, fettle_id body, const char** name);
 fettle_code fettle_body_set_name(fettle_world* world, fettle_id body, const char* name);
 
-/** Limit of the speed of a dynamic body, m/s, above 0; infinity: only that of all bodies. */
+/** Limit of the speed, m/s, above 0; infinity: only that of all bodies. As locked axes, it also
+    holds for the velocity that a kinematic body was given. */
 fettle_code fettle_body_max_speed(const fettle_world* world, fettle_id body, float* max_speed);
 fettle_code fettle_body_set_max_speed(fettle_world* world, fettle_id body, float max_speed);
 

@@ -16,8 +16,8 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
-/** A contact about to be solved. The last five members may be set; the first four of
-    them are valid for the step. */
+/** A contact about to be solved. The members from `friction` to `ignored` may be set; the first
+    four of them are valid for the step. */
 typedef struct fettle_contact_edit {
     fettle_id shape_a, shape_b; /* the normal points from a to b */
     fettle_vec2 point;          /* world, m: middle of the manifold of the deepest part */
@@ -30,6 +30,10 @@ typedef struct fettle_contact_edit {
     float surface_speed;        /* mixed; m/s */
     bool enabled;               /* false: no contact in this step */
     bool ignored;               /* true: no contact until the shapes have separated */
+    /* Segment of a chain or piece of a concave polygon, from 0, as in fettle_shape_pieces; and
+       the material of the shapes or of the segments. */
+    uint32_t part_a, part_b;
+    uint32_t material_a, material_b;
 } fettle_contact_edit;
 
 /** What a refresh updates. */
@@ -61,6 +65,43 @@ fettle_code fettle_world_set_mixing(fettle_world* world, fettle_contact_callback
 /** Called for every contact before it is solved, once for two shapes. A null function: none. */
 fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_callback function,
                                           void* user);
+
+/** The motion of a body in a step, before contacts and joints act. The last two members may be
+    set; they are limited, and NaN changes nothing. */
+typedef struct fettle_velocity_edit {
+    fettle_id body;
+    float dt;           /* s, length of the step */
+    fettle_vec2 before; /* m/s, before the step */
+    float angular_before;
+    fettle_vec2 velocity;   /* m/s, at the end of the step by gravity, forces, fields and damping */
+    float angular_velocity; /* rad/s, the same */
+} fettle_velocity_edit;
+
+/** The pose of a body at the end of a step. The last member may be set; it is limited, and NaN
+    changes nothing. */
+typedef struct fettle_position_edit {
+    fettle_id body;
+    float dt;           /* s, length of the step */
+    fettle_pose before; /* before the step */
+    fettle_pose pose;   /* after the step */
+} fettle_position_edit;
+
+typedef void (*fettle_velocity_function)(void* user, const fettle_world* world,
+                                         fettle_velocity_edit* edit);
+typedef void (*fettle_position_function)(void* user, const fettle_world* world,
+                                         fettle_position_edit* edit);
+
+/** Called once in every step in which the body is awake, before contacts and joints: it may set the
+    velocity that they act on. The change is spread evenly over the sub-steps, so that the body
+   rests on others as under a force. It stays when the body is destroyed, since restoring a state
+   may bring the body back. A null function: none. */
+fettle_code fettle_body_set_velocity_function(fettle_world* world, fettle_id body,
+                                              fettle_velocity_function function, void* user);
+
+/** Called at the end of every step at whose beginning the body was awake: it may set its pose. A
+    null function: none. */
+fettle_code fettle_body_set_position_function(fettle_world* world, fettle_id body,
+                                              fettle_position_function function, void* user);
 
 /** Called before a read updates edited data. A null function: none. */
 fettle_code fettle_world_on_refresh(fettle_world* world, fettle_refresh_callback function,

@@ -25,6 +25,10 @@ typedef struct fettle_contact {
     float normal_force;             /* N, mean over the last sub-step, sum of both points */
     int32_t point_count;            /* 1 or 2 */
     fettle_contact_point points[2]; /* the first point_count of them */
+    /* Segment of a chain or piece of a concave polygon, from 0, as in fettle_shape_pieces; and
+       the material of the shapes or of the segments. */
+    uint32_t part_a, part_b;
+    uint32_t material_a, material_b;
 } fettle_contact;
 
 FETTLE_PHYSICS_C_END

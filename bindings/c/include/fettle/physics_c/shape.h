@@ -35,6 +35,40 @@ fettle_code fettle_shape_geometry(const fettle_world* world, fettle_id shape,
 fettle_code fettle_shape_set_geometry(fettle_world* world, fettle_id shape,
                                       const fettle_geometry* geometry);
 
+/** Surface of one segment of a chain. The members mean what they mean in fettle_shape_def;
+    `surface_speed` is against the order of the points. `material`: from 0 to 65535. */
+typedef struct fettle_segment_surface {
+    float friction;
+    float restitution;
+    float rolling_resistance;
+    float surface_speed; /* m/s */
+    uint32_t material;
+} fettle_segment_surface;
+
+/** Chain: number of its segments. They count from 0, in the order of the points. A surface stays
+    with its number when the points change, and ends when the shape becomes one of another type. */
+fettle_code fettle_shape_segment_count(const fettle_world* world, fettle_id shape,
+                                       uint32_t* segment_count);
+
+/** Chain: the surface of a segment, its own or that of the shape. */
+fettle_code fettle_shape_segment_surface(const fettle_world* world, fettle_id shape,
+                                         uint32_t segment, fettle_segment_surface* surface);
+
+/** Chain: gives a segment a surface of its own; null: that of the shape. Wakes the body. */
+fettle_code fettle_shape_set_segment_surface(fettle_world* world, fettle_id shape, uint32_t segment,
+                                             const fettle_segment_surface* surface);
+
+/** Chain: the own surface of a segment; `is_set` is false if it has that of the shape. */
+fettle_code fettle_shape_segment_surface_override(const fettle_world* world, fettle_id shape,
+                                                  uint32_t segment, bool* is_set,
+                                                  fettle_segment_surface* surface);
+
+/** Chain: sets the surfaces of all segments, in order; `count` is their number, or 0: each has that
+    of the shape. */
+fettle_code fettle_shape_set_segment_surfaces(fettle_world* world, fettle_id shape,
+                                              const fettle_segment_surface* surfaces,
+                                              uint32_t count);
+
 /** Circle: m, from 1e-5 to 1e6. */
 fettle_code fettle_shape_radius(const fettle_world* world, fettle_id shape, float* radius);
 fettle_code fettle_shape_set_radius(fettle_world* world, fettle_id shape, float radius);

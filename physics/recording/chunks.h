@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+// The format of a recording: a header, and then chunks, each with a checksum that also depends on
+// its kind and its place. The first chunk is a saved world. For each step follow the edits before
+// it, if there were any, the step, and its result. A recording may end after any chunk.
+
+namespace fettle::physics::detail {
+
+enum class ChunkKind : uint32_t { state = 1, edits = 2, step = 3, result = 4 };
+
+struct RecordingHeader {
+    uint32_t magic;
+    uint32_t version;
+    uint32_t byte_order;  ///< has a different value on a machine with another byte order
+    uint32_t answer_size;
+};
+static_assert(sizeof(RecordingHeader) == 16);
+
+RecordingHeader recording_header();
+
+struct ChunkHeader {
+    ChunkKind kind;
+    uint32_t unused;  ///< 0
+    uint64_t size;    ///< bytes after this header
+    uint64_t checksum;
+};
+static_assert(sizeof(ChunkHeader) == 24);
+
+struct Chunk {
+    ChunkKind kind;
+    std::span<const std::byte> content;
+};
+
+/// The checksum in the header of the chunk with this number.
+uint64_t chunk_checksum(ChunkKind kind, uint64_t number, std::span<const std::byte> content);
+
+/// The chunks of a recording. Throws std::invalid_argument if it is damaged.
+std::vector<Chunk> chunks_of(std::span<const std::byte> recording);
+
+/// Appends values of plain types to bytes.
+class ByteWriter {
+  public:
+    explicit ByteWriter(std::vector<std::byte>& out) : out_(out) {}
+    void bytes(const void* from, size_t size) {
+        const auto* begin = static_cast<const std::byte*>(from);
+        out_.insert(out_.end(), begin, begin + size);
+    }
+    template <class T>
+    void value(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes(&value, sizeof value);
+    }
+
+  private:
+    std::vector<std::byte>& out_;
+};
+
+/// Throws std::invalid_argument if the bytes end too early.
+class ByteReader {
+  public:
+    explicit ByteReader(std::span<const std::byte> in) : in_(in) {}
+    std::span<const std::byte> bytes(uint64_t size) {
+        if (size > in_.size())
+            throw std::invalid_argument("the recording is damaged: a part of it ends too early");
+        const auto taken = in_.first(size_t(size));
+        in_ = in_.subspan(size_t(size));
+        return taken;
+    }
+    template <class T>
+    T value() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value;
+        std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
+        return value;
+    }
+    /// The number of elements of a list that follows.
+    uint32_t count(size_t least_size) {
+        const auto count = value<uint32_t>();
+        if (count > in_.size() / least_size)
+            throw std::invalid_argument("the recording is damaged: a part of it ends too early");
+        return count;
+    }
+    bool at_end() const { return in_.empty(); }
+
+  private:
+    std::span<const std::byte> in_;
+};
+
+}  // namespace fettle::physics::detail

@@ -1,0 +1,213 @@
+#include <fettle/physics/recording.h>
+#include <recording/difference.h>
+#include <saving/seal.h>
+#include <world/world_data.h>
+
+#include <cmath>
+#include <utility>
+
+namespace fettle::physics {
+
+using namespace detail;
+
+namespace {
+
+/// A function of the user threw at this place of the recording.
+struct Unanswered {};
+
+/// The recorded answers of the functions of the user in one step.
+class Answers {
+  public:
+    void begin(std::vector<Answer> answers) {
+        answers_ = std::move(answers);
+        next_ = 0;
+        same_ = true;
+    }
+    /// Whether all questions were those of the recording.
+    bool same() const { return same_ && next_ == answers_.size(); }
+
+    /// The next answer; null if it answers another question. Throws if the function threw.
+    const Answer* take(Answer::To to, uint64_t about_a, uint64_t about_b) {
+        if (next_ >= answers_.size()) return refuse();
+        const Answer& answer = answers_[next_];
+        if (answer.to != to || answer.about_a != about_a || answer.about_b != about_b)
+            return refuse();
+        ++next_;
+        if (!answer.given) throw Unanswered{};
+        return &answer;
+    }
+
+  private:
+    const Answer* refuse() {
+        same_ = false;
+        return nullptr;
+    }
+    std::vector<Answer> answers_;
+    size_t next_ = 0;
+    bool same_ = true;
+};
+
+void answer_contact(Answers& answers, Answer::To to, ContactEdit& edit) {
+    const Answer* answer = answers.take(to, key_of(edit.shape_a.id()), key_of(edit.shape_b.id()));
+    if (answer == nullptr) return;
+    edit.friction = answer->values[0];
+    edit.restitution = answer->values[1];
+    edit.surface_speed = answer->values[2];
+    if (to == Answer::To::mixing) return;
+    edit.enabled = answer->first;
+    edit.ignored = answer->second;
+}
+
+/// A flag of a recording; other bytes than 0 and 1 must not be read as a bool.
+bool flag_of(ByteReader& in) {
+    return in.value<uint8_t>() != 0;
+}
+
+std::vector<Answer> read_answers(ByteReader& in) {
+    std::vector<Answer> answers(in.count(sizeof(Answer)));
+    for (Answer& answer : answers) {
+        answer.about_a = in.value<uint64_t>();
+        answer.about_b = in.value<uint64_t>();
+        const auto to = in.value<uint8_t>();
+        if (to > uint8_t(Answer::To::position))
+            throw std::invalid_argument("the recording is damaged: an answer to no question");
+        answer.to = Answer::To(to);
+        answer.given = flag_of(in);
+        answer.first = flag_of(in);
+        answer.second = flag_of(in);
+        answer.unused = in.value<uint32_t>();
+        for (float& value : answer.values) value = in.value<float>();
+    }
+    return answers;
+}
+
+}  // namespace
+
+struct Replay::Data {
+    std::vector<std::byte> bytes;
+    std::vector<Chunk> chunks;
+    size_t next = 1;  ///< chunk
+    uint64_t steps = 0, repeated = 0;
+    bool over = false;
+    World world;
+    Answers answers;
+    StateBlocks blocks;
+
+    /// The callbacks that a step had, which give the recorded answers.
+    void set_callbacks(WorldSelf& self, ByteReader& in) {
+        const bool filter = flag_of(in), mixing = flag_of(in), before_solve = flag_of(in);
+        self.filter = nullptr;
+        self.mix = self.before_solve = nullptr;
+        if (filter)
+            self.filter = [this](const Shape& a, const Shape& b) {
+                const Answer* answer =
+                    answers.take(Answer::To::filter, key_of(a.id()), key_of(b.id()));
+                return answer == nullptr || answer->first;
+            };
+        if (mixing)
+            self.mix = [this](ContactEdit& edit) {
+                answer_contact(answers, Answer::To::mixing, edit);
+            };
+        if (before_solve)
+            self.before_solve = [this](ContactEdit& edit) {
+                answer_contact(answers, Answer::To::before_solve, edit);
+            };
+        self.functions.clear();
+        for (uint32_t left = in.count(10); left > 0; --left) {
+            const auto key = in.value<uint64_t>();
+            const BodyId body = {uint32_t(key), uint32_t(key >> 32)};
+            const bool velocity = flag_of(in), position = flag_of(in);
+            self.functions.push_back({.body = body});
+            if (velocity) self.functions.back().velocity = velocity_function(key);
+            if (position) self.functions.back().position = position_function(key);
+        }
+    }
+
+    VelocityFunction velocity_function(uint64_t key) {
+        return [this, key](VelocityEdit& edit) {
+            const Answer* answer = answers.take(Answer::To::velocity, key, 0);
+            if (answer == nullptr) return;
+            edit.velocity = {answer->values[0], answer->values[1]};
+            edit.angular_velocity = answer->values[2];
+        };
+    }
+    PositionFunction position_function(uint64_t key) {
+        return [this, key](PositionEdit& edit) {
+            const Answer* answer = answers.take(Answer::To::position, key, 0);
+            if (answer == nullptr) return;
+            edit.pose = {{answer->values[0], answer->values[1]}, answer->values[2]};
+        };
+    }
+
+    /// Makes the edits before a step; the names of the methods that made them.
+    std::string make_edits(const WorldState& state, ByteReader in) {
+        const auto text = in.bytes(in.value<uint32_t>());
+        std::string calls(reinterpret_cast<const char*>(text.data()), text.size());
+        blocks.read(state);
+        std::vector<std::byte> saved;
+        world.save(saved);
+        const std::vector<std::byte> edited = apply_difference(blocks, in);
+        saved.resize(sizeof(SavedHeader));
+        saved.insert(saved.end(), edited.begin(), edited.end());
+        seal(saved);
+        world.restore(saved);
+        return calls;
+    }
+};
+
+Replay::Replay(std::span<const std::byte> recording) : data_(std::make_unique<Data>()) {
+    Data& data = *data_;
+    data.chunks = chunks_of(recording);
+    data.bytes.assign(recording.begin(), recording.end());
+    for (Chunk& chunk : data.chunks) {
+        const auto at = size_t(chunk.content.data() - recording.data());
+        chunk.content = std::span(data.bytes).subspan(at, chunk.content.size());
+        data.steps += chunk.kind == ChunkKind::step;
+    }
+    data.world.restore(data.chunks.front().content);
+}
+
+Replay::~Replay() = default;
+Replay::Replay(Replay&& other) noexcept = default;
+Replay& Replay::operator=(Replay&& other) noexcept = default;
+
+uint64_t Replay::steps() const {
+    return data_->steps;
+}
+
+const World& Replay::world() const {
+    return data_->world;
+}
+
+std::optional<ReplayedStep> Replay::step() {
+    Data& data = *data_;
+    if (data.over || data.repeated == data.steps) return {};
+    data.over = true;  // if this throws
+    WorldData& of_world = *data.world.data_;
+    ReplayedStep step = {.number = data.repeated};
+    if (data.chunks[data.next].kind == ChunkKind::edits)
+        step.calls = data.make_edits(of_world, ByteReader(data.chunks[data.next++].content));
+    ByteReader in(data.chunks[data.next++].content);
+    step.dt = in.value<float>();
+    data.set_callbacks(of_world.self, in);
+    const bool has_result =
+        data.next < data.chunks.size() && data.chunks[data.next].kind == ChunkKind::result;
+    std::vector<Answer> answers;
+    if (has_result) {
+        ByteReader result(data.chunks[data.next++].content);
+        step.recorded_hash = result.value<uint64_t>();
+        answers = read_answers(result);
+    }
+    data.answers.begin(std::move(answers));
+    try {
+        data.world.step(step.dt);
+    } catch (const Unanswered&) {  // thrown in the recording, too; the step is complete
+    }
+    ++data.repeated;
+    step.hash = data.world.hash();
+    step.same = !has_result || (data.answers.same() && step.hash == step.recorded_hash);
+    data.over = !step.same;
+    return step;
+}
+
+}  // namespace fettle::physics
