@@ -3,7 +3,7 @@
 #
 #   C    The first comment describes the file. A comment behind a member describes it. Functions without an empty line between them share the comment before the
 #        first one. A member `size` is described here. Members that are declared together share the comment behind them.
-#   C++  A setter directly behind its getter shares the getter's comment, and so does an overload directly behind a function
+#   C++  A comment behind a member describes it. A setter directly behind its getter shares the getter's comment, and so does an overload directly behind a function
 #        of the same name. Defaulted comparisons, and the protected members, from which only the library derives, need no
 #        comment.
 #
@@ -88,6 +88,7 @@ sub cpp_header {
         if (/^  (?:private|public):|^\};/ && $hidden) { $hidden = 0; $_ = "/** \\endcond */ $_" }
         if (/^  protected:/) { $hidden = 1; s{$}{ /** \\cond */} }
         s{^( *)(.*operator(?:==|<=>)\(.*= default;)}{$1/** Compares all members. */ $2};
+        s!^(\s*[^\s/#}].*[;,}]) +// (?\!NOLINT)!$1  ///< !;
         s{using (\w+)::\1;}{};  # constructors, as in the base class
     }
     return with_shared_comments(sub { $_[1] eq $_[0] || $_[1] eq "set_$_[0]" }, @lines);

@@ -9,6 +9,7 @@ mkdir -p -- "$1"
 folder=$(cd -- "$1" && pwd -P)
 headers=${2:+$(cd -- "$2" && pwd -P)}
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
+perl -c docs/doxygen/filter.pl 2>/dev/null || { echo "docs/doxygen/filter.pl has an error"; exit 1; }  # Doxygen does not say so
 {
     cat docs/doxygen/Doxyfile
     printf 'OUTPUT_DIRECTORY = "%s"\n' "$folder"
