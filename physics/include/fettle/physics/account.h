@@ -61,7 +61,7 @@ struct VelocityAccount {
     /// What has no other name: locked axes, limits of speed, the answer of joints to a blow,
     /// rounding.
     Vec2 rest = {};
-    TurnAccount turn = {};
+    TurnAccount turn = {};  ///< what changed the angular velocity
 };
 
 }  // namespace fettle::physics

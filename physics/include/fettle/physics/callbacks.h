@@ -53,16 +53,16 @@ struct ContactEdit {
     float surface_speed = 0.0f;  ///< mixed; may be set, m/s
     bool enabled = true;         ///< false: no contact in this step
     bool ignored = false;        ///< true: no contact until the shapes have separated
-    // Which segment of a chain or piece of a concave polygon, and the material there: as in
-    // `Contact`.
-    uint32_t part_a = 0, part_b = 0;
-    uint32_t material_a = 0, material_b = 0;
+    uint32_t part_a = 0;         ///< segment or piece of `shape_a`, as in `Contact`
+    uint32_t part_b = 0;         ///< the same of `shape_b`
+    uint32_t material_a = 0;     ///< at `shape_a`, as in `Contact`
+    uint32_t material_b = 0;     ///< at `shape_b`
 };
 
 /// The motion of a body in a step, before contacts and joints act: for
 /// `Body::set_velocity_function`.
 struct VelocityEdit {
-    Body body = {};
+    Body body = {};               ///< whose function is called
     float dt = 0.0f;              ///< s, length of the step
     Vec2 before = {};             ///< m/s, before the step
     float angular_before = 0.0f;  ///< rad/s
@@ -75,7 +75,7 @@ struct VelocityEdit {
 
 /// The pose of a body at the end of a step: for `Body::set_position_function`.
 struct PositionEdit {
-    Body body = {};
+    Body body = {};    ///< whose function is called
     float dt = 0.0f;   ///< s, length of the step
     Pose before = {};  ///< before the step
     /// After the step; may be set. It is limited like all poses; NaN changes nothing. Setting it

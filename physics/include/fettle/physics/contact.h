@@ -34,12 +34,13 @@ struct Contact {
     float normal_force = 0.0f;           ///< N, mean over the last sub-step, sum of both points
     /// Which segment of a chain, or which piece of a concave polygon: its place in `Shape::pieces`.
     /// 0 for other shapes.
-    uint32_t part_a = 0, part_b = 0;
-    uint32_t material_a = 0, material_b = 0;  ///< of the shapes, or of the segments of chains
+    uint32_t part_a = 0;
+    uint32_t part_b = 0;      ///< the same of `shape_b`
+    uint32_t material_a = 0;  ///< of `shape_a`, or of the segment of a chain
+    uint32_t material_b = 0;  ///< of `shape_b`, or of the segment of a chain
 
-    ContactId id() const noexcept {
-        return ContactId::of(shape_a, shape_b);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 }  // namespace fettle::physics

@@ -106,11 +106,11 @@ struct ShapeDef {
 /// Surface of one segment of a chain, in place of that of the shape. The members mean what they
 /// mean in `ShapeDef`.
 struct SegmentSurface {
-    float friction = 0.6f;
-    float restitution = 0.0f;
-    float rolling_resistance = 0.0f;
-    float surface_speed = 0.0f;  ///< m/s, against the order of the points
-    uint16_t material = 0;
+    float friction = 0.6f;            ///< Coulomb coefficient, at least 0
+    float restitution = 0.0f;         ///< 0 … 1
+    float rolling_resistance = 0.0f;  ///< at least 0: lever arm divided by the radius
+    float surface_speed = 0.0f;       ///< m/s, against the order of the points
+    uint16_t material = 0;            ///< a number of the host, without effect
     friend bool operator==(const SegmentSurface&, const SegmentSurface&) = default;
 };
 

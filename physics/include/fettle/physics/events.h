@@ -24,12 +24,13 @@ struct ContactBeginEvent {
     float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
     float friction = 0.0f;     ///< mixed
     float restitution = 0.0f;  ///< mixed
-    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
-    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
+    uint32_t part_a = 0;       ///< segment or piece of `shape_a`, as in `Contact`
+    uint32_t part_b = 0;       ///< the same of `shape_b`
+    uint32_t material_a = 0;   ///< at `shape_a`, as in `Contact`
+    uint32_t material_b = 0;   ///< at `shape_b`
 
-    ContactId id() const noexcept {
-        return ContactId::of(shape_a, shape_b);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// Two shapes no longer touch, or one of them was destroyed, detached or disabled.
@@ -39,49 +40,50 @@ struct ContactEndEvent {
     BodyId body_a;    ///< of `shape_a`
     BodyId body_b;    ///< of `shape_b`
 
-    ContactId id() const noexcept {
-        return ContactId::of(shape_a, shape_b);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// A continuing touch; only with `WorldDef::persist_events`.
 struct ContactPersistEvent {
-    ShapeId shape_a;                          ///< the normal points away from it
-    ShapeId shape_b;                          ///< the other shape
-    BodyId body_a;                            ///< of `shape_a`
-    BodyId body_b;                            ///< of `shape_b`
-    Vec2 point = {};                          ///< world, m: middle of the manifold
-    Vec2 normal = {};                         ///< from a to b
-    float speed = 0.0f;                       ///< m/s, approach speed along the normal
-    float impulse = 0.0f;                     ///< N s, normal impulse of the last step
-    float friction = 0.0f;                    ///< mixed
-    float restitution = 0.0f;                 ///< mixed
-    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
-    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
+    ShapeId shape_a;           ///< the normal points away from it
+    ShapeId shape_b;           ///< the other shape
+    BodyId body_a;             ///< of `shape_a`
+    BodyId body_b;             ///< of `shape_b`
+    Vec2 point = {};           ///< world, m: middle of the manifold
+    Vec2 normal = {};          ///< from a to b
+    float speed = 0.0f;        ///< m/s, approach speed along the normal
+    float impulse = 0.0f;      ///< N s, normal impulse of the last step
+    float friction = 0.0f;     ///< mixed
+    float restitution = 0.0f;  ///< mixed
+    uint32_t part_a = 0;       ///< segment or piece of `shape_a`, as in `Contact`
+    uint32_t part_b = 0;       ///< the same of `shape_b`
+    uint32_t material_a = 0;   ///< at `shape_a`, as in `Contact`
+    uint32_t material_b = 0;   ///< at `shape_b`
 
-    ContactId id() const noexcept {
-        return ContactId::of(shape_a, shape_b);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// An impact, for shapes with `hit_events`.
 struct ContactHitEvent {
-    ShapeId shape_a;                          ///< the normal points away from it
-    ShapeId shape_b;                          ///< the other shape
-    BodyId body_a;                            ///< of `shape_a`
-    BodyId body_b;                            ///< of `shape_b`
-    Vec2 point = {};                          ///< world, m: middle of the manifold
-    Vec2 normal = {};                         ///< from a to b
-    float speed = 0.0f;                       ///< m/s, approach speed along the normal
-    float impulse = 0.0f;                     ///< N s, the impulse that stopped the approach
-    float friction = 0.0f;                    ///< mixed
-    float restitution = 0.0f;                 ///< mixed
-    uint32_t part_a = 0, part_b = 0;          ///< segment or piece, as in `Contact`
-    uint32_t material_a = 0, material_b = 0;  ///< as in `Contact`
+    ShapeId shape_a;           ///< the normal points away from it
+    ShapeId shape_b;           ///< the other shape
+    BodyId body_a;             ///< of `shape_a`
+    BodyId body_b;             ///< of `shape_b`
+    Vec2 point = {};           ///< world, m: middle of the manifold
+    Vec2 normal = {};          ///< from a to b
+    float speed = 0.0f;        ///< m/s, approach speed along the normal
+    float impulse = 0.0f;      ///< N s, the impulse that stopped the approach
+    float friction = 0.0f;     ///< mixed
+    float restitution = 0.0f;  ///< mixed
+    uint32_t part_a = 0;       ///< segment or piece of `shape_a`, as in `Contact`
+    uint32_t part_b = 0;       ///< the same of `shape_b`
+    uint32_t material_a = 0;   ///< at `shape_a`, as in `Contact`
+    uint32_t material_b = 0;   ///< at `shape_b`
 
-    ContactId id() const noexcept {
-        return ContactId::of(shape_a, shape_b);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(shape_a, shape_b); }
 };
 
 /// A shape has entered a sensor, or has left it.
@@ -91,9 +93,8 @@ struct SensorEvent {
     BodyId sensor_body;   ///< of `sensor`
     BodyId visitor_body;  ///< of `visitor`
 
-    ContactId id() const noexcept {
-        return ContactId::of(sensor, visitor);
-    }  ///< the same in all events of this touch
+    /// The same in all events of this touch.
+    ContactId id() const noexcept { return ContactId::of(sensor, visitor); }
 };
 
 /// A joint had more load than its `break_force` or `break_torque`; it no longer acts

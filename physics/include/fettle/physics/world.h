@@ -218,8 +218,8 @@ class World {
     /// and not to its state. `sink` is called as callbacks are (callbacks.h): if it throws, the
     /// recording ends, and the step throws the exception when it is complete.
     void start_recording(RecordingSink sink);
-    void stop_recording();  ///< does nothing if there is no recording
-    bool is_recorded() const;
+    void stop_recording();     ///< does nothing if there is no recording
+    bool is_recorded() const;  ///< between a start and the end of a recording
 
     // Callbacks; an empty one is not called and costs nothing. They are not part of a snapshot:
     // copying, saving and restoring do not change the callbacks of the world, and a new copy has

@@ -19,21 +19,19 @@ FETTLE_PHYSICS_C_BEGIN
 /** A contact about to be solved. The members from `friction` to `ignored` may be set; the first
     four of them are valid for the step. */
 typedef struct fettle_contact_edit {
-    fettle_id shape_a, shape_b; /* the normal points from a to b */
-    fettle_vec2 point;          /* world, m: middle of the manifold of the deepest part */
-    fettle_vec2 normal;         /* from a to b */
-    float speed;                /* m/s, approach speed along the normal */
-    float impulse;              /* N s, normal impulse of the last step */
-    float separation;           /* m, negative when the shapes overlap */
-    float friction;             /* mixed; 0 or more; NaN changes nothing */
-    float restitution;          /* mixed; 0 to 1 */
-    float surface_speed;        /* mixed; m/s */
-    bool enabled;               /* false: no contact in this step */
-    bool ignored;               /* true: no contact until the shapes have separated */
-    /* Segment of a chain or piece of a concave polygon, from 0, as in fettle_shape_pieces; and
-       the material of the shapes or of the segments. */
-    uint32_t part_a, part_b;
-    uint32_t material_a, material_b;
+    fettle_id shape_a, shape_b;      /* the normal points from a to b */
+    fettle_vec2 point;               /* world, m: middle of the manifold of the deepest part */
+    fettle_vec2 normal;              /* from a to b */
+    float speed;                     /* m/s, approach speed along the normal */
+    float impulse;                   /* N s, normal impulse of the last step */
+    float separation;                /* m, negative when the shapes overlap */
+    float friction;                  /* mixed; 0 or more; NaN changes nothing */
+    float restitution;               /* mixed; 0 to 1 */
+    float surface_speed;             /* mixed; m/s */
+    bool enabled;                    /* false: no contact in this step */
+    bool ignored;                    /* true: no contact until the shapes have separated */
+    uint32_t part_a, part_b;         /* segment of a chain or piece of a concave polygon, from 0 */
+    uint32_t material_a, material_b; /* of the shapes, or of the segments of chains */
 } fettle_contact_edit;
 
 /** What a refresh updates. */
@@ -69,10 +67,10 @@ fettle_code fettle_world_set_before_solve(fettle_world* world, fettle_contact_ca
 /** The motion of a body in a step, before contacts and joints act. The last two members may be
     set; they are limited, and NaN changes nothing. */
 typedef struct fettle_velocity_edit {
-    fettle_id body;
-    float dt;           /* s, length of the step */
-    fettle_vec2 before; /* m/s, before the step */
-    float angular_before;
+    fettle_id body;         /* whose function is called */
+    float dt;               /* s, length of the step */
+    fettle_vec2 before;     /* m/s, before the step */
+    float angular_before;   /* rad/s, before the step */
     fettle_vec2 velocity;   /* m/s, at the end of the step by gravity, forces, fields and damping */
     float angular_velocity; /* rad/s, the same */
 } fettle_velocity_edit;
@@ -80,14 +78,16 @@ typedef struct fettle_velocity_edit {
 /** The pose of a body at the end of a step. The last member may be set; it is limited, and NaN
     changes nothing. */
 typedef struct fettle_position_edit {
-    fettle_id body;
+    fettle_id body;     /* whose function is called */
     float dt;           /* s, length of the step */
     fettle_pose before; /* before the step */
     fettle_pose pose;   /* after the step */
 } fettle_position_edit;
 
+/** May set the velocity of a body. */
 typedef void (*fettle_velocity_function)(void* user, const fettle_world* world,
                                          fettle_velocity_edit* edit);
+/** May set the pose of a body. */
 typedef void (*fettle_position_function)(void* user, const fettle_world* world,
                                          fettle_position_edit* edit);
 

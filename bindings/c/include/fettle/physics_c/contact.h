@@ -17,18 +17,16 @@ typedef struct fettle_contact_point {
 
 /** A contact between two shapes. One of the bodies may be the border of the world. */
 typedef struct fettle_contact {
-    fettle_id body_a, body_b;       /* of these shapes */
-    fettle_id shape_a, shape_b;     /* that touch */
-    fettle_vec2 normal;             /* from a to b */
-    float friction;                 /* mixed */
-    float restitution;              /* mixed */
-    float normal_force;             /* N, mean over the last sub-step, sum of both points */
-    int32_t point_count;            /* 1 or 2 */
-    fettle_contact_point points[2]; /* the first point_count of them */
-    /* Segment of a chain or piece of a concave polygon, from 0, as in fettle_shape_pieces; and
-       the material of the shapes or of the segments. */
-    uint32_t part_a, part_b;
-    uint32_t material_a, material_b;
+    fettle_id body_a, body_b;        /* of these shapes */
+    fettle_id shape_a, shape_b;      /* that touch */
+    fettle_vec2 normal;              /* from a to b */
+    float friction;                  /* mixed */
+    float restitution;               /* mixed */
+    float normal_force;              /* N, mean over the last sub-step, sum of both points */
+    int32_t point_count;             /* 1 or 2 */
+    fettle_contact_point points[2];  /* the first point_count of them */
+    uint32_t part_a, part_b;         /* segment of a chain or piece of a concave polygon, from 0 */
+    uint32_t material_a, material_b; /* of the shapes, or of the segments of chains */
 } fettle_contact;
 
 FETTLE_PHYSICS_C_END

@@ -17,10 +17,8 @@ typedef struct fettle_contact_event {
     float impulse;              /* N s: that stops the approach (persist: of the last step) */
     float friction;             /* mixed */
     float restitution;          /* mixed */
-    /* Segment of a chain or piece of a concave polygon, from 0, as in fettle_shape_pieces; and
-       the material of the shapes or of the segments. */
-    uint32_t part_a, part_b;
-    uint32_t material_a, material_b;
+    uint32_t part_a, part_b;    /* segment of a chain or piece of a concave polygon, from 0 */
+    uint32_t material_a, material_b; /* of the shapes, or of the segments of chains */
 } fettle_contact_event;
 
 /** Two shapes no longer touch. */

@@ -38,11 +38,11 @@ fettle_code fettle_shape_set_geometry(fettle_world* world, fettle_id shape,
 /** Surface of one segment of a chain. The members mean what they mean in fettle_shape_def;
     `surface_speed` is against the order of the points. `material`: from 0 to 65535. */
 typedef struct fettle_segment_surface {
-    float friction;
-    float restitution;
-    float rolling_resistance;
-    float surface_speed; /* m/s */
-    uint32_t material;
+    float friction;           /* 0 or more */
+    float restitution;        /* 0 to 1 */
+    float rolling_resistance; /* 0 or more */
+    float surface_speed;      /* m/s */
+    uint32_t material;        /* without effect */
 } fettle_segment_surface;
 
 /** Chain: number of its segments. They count from 0, in the order of the points. A surface stays

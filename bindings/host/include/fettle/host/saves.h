@@ -11,7 +11,7 @@ FETTLE_HOST_BEGIN
 
 /** A saved game. */
 typedef struct fettle_hosted_saved {
-    const char* slot;
+    const char* slot;    /* its name */
     const char* problem; /* why this game cannot load it; "" if it can */
     int64_t step;        /* of the game that was saved */
     int64_t time;        /* of the day, s since 1970 */
