@@ -1,16 +1,12 @@
 #include <commands/repl.h>
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -21,10 +17,9 @@
 
 #include <command_line/answer.h>
 #include <command_line/arguments.h>
+#include <command_line/command_lines.h>
 #include <command_line/end_request.h>
 #include <command_line/exit_status.h>
-#include <command_line/line_editor.h>
-#include <command_line/repl_lines.h>
 #include <command_line/terminal.h>
 #include <commands/attach.h>
 #include <files/file_errors.h>
@@ -41,7 +36,7 @@ constexpr double longest_advance = 3600;
 /// A game that was held up goes on by at most this, s.
 constexpr double longest_frame = 0.25;
 
-class Repl {
+class Repl : private CommandRunner {
   public:
     explicit Repl(const RunOptions& options)
         : session_(options, nullptr, [this](const script::ScriptError& error) { report(error); }),
@@ -49,7 +44,7 @@ class Repl {
         if (session_.settings().console == property::ConsoleUse::off)
             throw FileError("repl: this game has no console, as its game.json says");
         session_.on_output([this](std::string_view text) {
-            make_room();
+            lines_.make_room();
             print_line(text);
         });
         session_.runtime().add_function(
@@ -58,10 +53,8 @@ class Repl {
 
     int run() {
         session_.start();
-        if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1)
-            talk();
-        else
-            read_all();
+        last_ = Clock::now();
+        lines_.read("Type any Lua, or help(). Tab completes, Ctrl+D ends.");
         const int asked = EndRequest::asked();
         return asked != 0 ? status_of_signal(asked) : session_.exit_status();
     }
@@ -69,69 +62,40 @@ class Repl {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void make_room() {
-        if (editor_) editor_->make_room();
-    }
     void report(const script::ScriptError& error) {
-        make_room();
+        lines_.make_room();
         tell_lines(app::error_text(error));
     }
 
-    bool ended() {
+    bool ended() override {
         return EndRequest::asked() != 0 || session_.runtime().quit_status().has_value();
     }
 
-    /// In a terminal, the game goes on while the next command is typed.
-    void talk() {
-        print_line("Type any Lua, or help(). Tab completes, Ctrl+D ends.");
-        editor_.emplace(repl_history(), [this](std::string_view line, std::size_t cursor) {
-            return candidates(line, cursor);
-        });
-        Clock::time_point last = Clock::now();
-        const auto idle = [&] {
-            const Clock::time_point now = Clock::now();
-            const double seconds = std::chrono::duration<double>(now - last).count();
-            last = now;
-            if (!session_.loop().halted()) session_.loop().frame(std::min(seconds, longest_frame));
-            std::fflush(stdout);
-            return !ended();
-        };
-        while (!ended()) {
-            const std::optional<std::string> line =
-                editor_->read(pending_.empty() ? "› " : "… ", idle);
-            if (!line) break;
-            take(*line);
-            last = Clock::now();
-        }
-        print_line("");
-        editor_.reset();
+    /// In a terminal, the game goes on while the next command is typed; otherwise it stands still
+    /// between the commands.
+    void idle() override {
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        if (!session_.loop().halted()) session_.loop().frame(std::min(seconds, longest_frame));
     }
 
-    /// Without a terminal, the game stands still between the commands.
-    void read_all() {
-        for (std::string line; !ended() && std::getline(std::cin, line);) take(line);
-        if (pending_.empty() || ended()) return;
-        script::Evaluation said;
-        said.incomplete = true;
-        answer(said);
-    }
-
-    /// Runs the command, unless it goes on in the next line.
-    void take(const std::string& line) {
-        pending_ += pending_.empty() ? line : "\n" + line;
-        const script::Evaluation said = session_.runtime().evaluate(pending_);
-        if (said.incomplete && !line.empty()) return;
-        pending_.clear();
-        answer(said);
+    bool run(const std::string& command) override {
+        const script::Evaluation said = session_.runtime().evaluate(command);
+        if (said.incomplete) return false;
+        print_answer(lines_of(said));
+        std::fflush(stdout);
         app::Loop& loop = session_.loop();
         if (!loop.stopped()) loop.frame(0);
         for (; turns_ > 0 && !loop.stopped() && !ended(); --turns_) loop.turn();
         turns_ = 0;
+        last_ = Clock::now();
+        return true;
     }
 
-    void answer(const script::Evaluation& said) {
-        print_answer(lines_of(said));
-        std::fflush(stdout);
+    std::vector<script::Completion> complete(const std::string& command,
+                                             std::size_t cursor) override {
+        return session_.runtime().complete(command, cursor);
     }
 
     /// Returns the number of steps. They are made after the command, since none can begin within
@@ -147,17 +111,10 @@ class Repl {
         return steps;
     }
 
-    std::vector<LineEditor::Candidate> candidates(std::string_view line, std::size_t cursor) {
-        return candidates_of(pending_, line, cursor,
-                             [this](const std::string& all, std::size_t at) {
-                                 return session_.runtime().complete(all, at);
-                             });
-    }
-
-    std::optional<LineEditor> editor_;
+    CommandLines lines_{*this};
     Session session_;
     const EndRequest::Scripts scripts_;
-    std::string pending_;     // the lines of a command that is not complete
+    Clock::time_point last_;  // of the last frame
     std::int64_t turns_ = 0;  // still to be made
 };
 
