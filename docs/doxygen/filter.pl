@@ -57,7 +57,9 @@ sub c_header {
     my ($name, @lines) = @_;
     $lines[0] =~ s{^/\*\*? }{/** \\file $name };
     for (@lines) {
-        $inside = 1 if /^(?:typedef )?(?:struct|enum|union)(?: [a-z_0-9]+)? \{/;
+        s{^(enum \{) +/\* (.*?) \*/$}{/** $2 */ $1};
+        s{^/\* (?=[^-])}{/** };
+        $inside = 1 if m{^(?:/\*\* .* )?(?:typedef )?(?:struct|enum|union)(?: [a-z_0-9]+)? \{};
         $inside = 0 if /^\}/;
         next unless $inside;
         s{^(    uint32_t size;)$}{$1 /**< Of the structure, bytes; the function ..._init writes it. */};
@@ -89,6 +91,13 @@ sub cpp_header {
         if (/^  protected:/) { $hidden = 1; s{$}{ /** \\cond */} }
         s{^( *)(.*operator(?:==|<=>)\(.*= default;)}{$1/** Compares all members. */ $2};
         s!^(\s*[^\s/#}].*[;,}]) +// (?\!NOLINT)!$1  ///< !;
+        # Each of several members gets the comment behind them.
+        if (m{^    ([\w:<>]+) (\w+(?: = [^,;]+|\{[^\}]*\})?(?:, \w+(?: = [^,;]+|\{[^\}]*\})?)+);\s*(///< .*)$}) {
+            my ($type, $names, $comment) = ($1, $2, $3);
+            $comment =~ s{///< (.*)}{/**< $1 */};
+            $names =~ s/\{[^\}]*\}//g;
+            $_ = '    ' . join(' ', map { "$type $_; $comment" } split /, /, $names) . "\n";
+        }
         s{using (\w+)::\1;}{};  # constructors, as in the base class
     }
     return with_shared_comments(sub { $_[1] eq $_[0] || $_[1] eq "set_$_[0]" }, @lines);

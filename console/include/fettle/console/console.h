@@ -35,6 +35,7 @@ struct Layout {
     std::vector<std::string> pins{}, plots{};           // paths and expressions
 };
 
+/// What a host gives to its console. Everything may be left out.
 struct Options {
     app::Clipboard* clipboard = nullptr;  // null: copied text stays inside the console
     /// File for the typed commands of all runs; empty: there is none. A file that cannot be read or
@@ -89,6 +90,7 @@ std::filesystem::path default_history_file();
 /// XDG_CONFIG_HOME nor HOME is set.
 std::filesystem::path default_autoexec_file();
 
+/// The console and the inspector, as a layer over a game. The grave key opens it.
 class Console : public app::Layer {
   public:
     /// Registers the class `Console` (once per tree) and creates the instance `game.console`. Tree,
@@ -106,11 +108,11 @@ class Console : public app::Layer {
     /// To be called between two frames: commands that wait are run, and the past is searched.
     void between_frames();
 
-    bool is_open() const;
-    void open(bool open = true);
+    bool is_open() const;         ///< whether the player sees it
+    void open(bool open = true);  ///< opens or closes it
     /// Whether terminals may attach (`console.listen`). The host listens, and says no by `false`.
     bool listens() const;
-    void listen(bool listens);
+    void listen(bool listens);  ///< sets `listens`
     /// Pixels at the lower edge of the window that the console covers now.
     float covered_below() const;
     /// Selects an instance: it becomes `it`, the inspector shows it, and it gets an outline in the
@@ -126,11 +128,15 @@ class Console : public app::Layer {
     /// `print`: text of the game's own `print`. `output`: what a command printed. `note`: what a
     /// person should know. `report`: an error of the game.
     void print(std::string_view text);
+    /// What a command printed.
     void output(std::string_view text);
+    /// What a person should know.
     void note(std::string_view text);
+    /// An error of the game.
     void report(const script::ScriptError& error);
 
     struct FETTLE_CONSOLE_PRIVATE State;
+    /// For the library itself.
     State& state() { return *state_; }
 
   private:

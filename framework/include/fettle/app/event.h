@@ -12,6 +12,7 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
+/// What happened.
 enum class EventKind : std::uint8_t {
     key_pressed,
     key_released,
@@ -30,8 +31,9 @@ enum class EventKind : std::uint8_t {
     gamepad_disconnected
 };
 
+/// An event of keyboard, mouse, gamepad or window.
 struct InputEvent {
-    EventKind kind = EventKind::focus;
+    EventKind kind = EventKind::focus;  ///< what happened
     /// Key: "a" to "z", "0" to "9", "f1" to "f15", "space" "enter" "escape" "tab" "backspace"
     /// "delete" "insert" "left" "right" "up" "down" "home" "end" "page_up" "page_down" "left_shift"
     /// "right_shift" "left_control" "right_control" "left_alt" "right_alt" "left_system"
@@ -48,9 +50,9 @@ struct InputEvent {
     float delta = 0;         // wheel: notches, away from the user positive; axis: -1 to 1, up
                              // and right positive
     int gamepad = 0;         // from 1
-    bool control = false, shift = false, alt = false;
-    bool repeated = false;  // key held down
-    bool focused = false;   // focus: gained
+    bool control = false, shift = false, alt = false;  ///< keys that are held down
+    bool repeated = false;                             // key held down
+    bool focused = false;                              // focus: gained
 };
 
 }  // namespace fettle::app

@@ -21,6 +21,7 @@ namespace fettle::app {
 /// The window must outlive this object, which never opens, clears or displays it.
 class HostWindow {
   public:
+    /// For a window, which must outlive it.
     explicit HostWindow(sf::RenderWindow& window);
     ~HostWindow();
     HostWindow(const HostWindow&) = delete;
@@ -34,7 +35,7 @@ class HostWindow {
     /// Draws instances of the tree in the world as `view` shows it, each with the draw function of
     /// its class.
     void draw(const property::Tree& tree, property::Handle top, const View& view, double alpha);
-    Clipboard& clipboard();
+    Clipboard& clipboard();  ///< that of the system
 
   private:
     struct FETTLE_APP_PRIVATE State;

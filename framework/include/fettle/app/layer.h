@@ -17,10 +17,11 @@ namespace fettle::app {
 class Clipboard {
   public:
     virtual ~Clipboard() = default;
-    virtual std::string read() = 0;
-    virtual void write(std::string_view text) = 0;
+    virtual std::string read() = 0;                 ///< "" if it has no text
+    virtual void write(std::string_view text) = 0;  ///< replaces what is in it
 };
 
+/// Lies over the game: it gets input first and is drawn last.
 class Layer {
   public:
     virtual ~Layer() = default;

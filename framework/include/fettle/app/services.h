@@ -33,10 +33,10 @@ class Services {
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
 
-    Clock clock;
-    View view;
-    Audio audio;
-    Input input;
+    Clock clock;  ///< the instance `time`
+    View view;    ///< the instance `view`
+    Audio audio;  ///< the instance `audio`
+    Input input;  ///< the instance `input`
     /// The cameras of the game beside the view.
     const Cameras& cameras() const { return *cameras_; }
     /// The effect of the view.
@@ -45,7 +45,7 @@ class Services {
     void on_effect_problem(std::function<void(const std::string&)> tell);
     /// Reads the file again if it is that of the effect.
     void renew_effect(const std::string& name);
-    property::Assets* const assets;
+    property::Assets* const assets;  ///< files of the game; null if there are none
 
   private:
     property::Tree& define(property::Tree& tree);

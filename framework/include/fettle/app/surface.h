@@ -12,34 +12,42 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
+/// A corner of a triangle.
 struct SurfaceVertex {
     float x, y;               // pixels from the top left
     float u, v;               // 0 to 1
     std::uint8_t r, g, b, a;  // straight alpha
 };
 
+/// Red, green, blue and opacity, 0 to 255.
 struct SurfaceColor {
-    std::uint8_t r = 255, g = 255, b = 255, a = 255;
+    std::uint8_t r = 255, g = 255, b = 255, a = 255;  ///< white
 };
 
+/// A kind of letters.
 enum class Face : std::uint8_t { plain, bold, monospace };
 
+/// Nothing is drawn outside.
 struct ClipRectangle {
     float left, top, width, height;  // pixels
 };
 
+/// What a window must offer for the console and other layers to be drawn.
 class Surface {
   public:
     using Texture = std::uint32_t;  // 0: no texture, plain color
 
     virtual ~Surface() = default;
-    virtual float width() const = 0;  // pixels
-    virtual float height() const = 0;
+    virtual float width() const = 0;   // pixels
+    virtual float height() const = 0;  ///< pixels
     /// `rgba`: width * height * 4 bytes, rows from the top.
     virtual Texture create_texture(unsigned width, unsigned height, const std::uint8_t* rgba) = 0;
+    /// Replaces a part of a texture.
     virtual void update_texture(Texture texture, unsigned x, unsigned y, unsigned width,
                                 unsigned height, const std::uint8_t* rgba) = 0;
+    /// The texture is used no more.
     virtual void destroy_texture(Texture texture) = 0;
+    /// Draws triangles: three indices of vertices each.
     virtual void triangles(std::span<const SurfaceVertex> vertices,
                            std::span<const std::uint16_t> indices, Texture texture,
                            const ClipRectangle& clip) = 0;

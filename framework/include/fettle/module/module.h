@@ -19,7 +19,7 @@ namespace fettle::module {
 class Module : public property::SnapshotPart {
   public:
     ~Module() override;
-    virtual std::string_view name() const = 0;
+    virtual std::string_view name() const = 0;  ///< unique in a tree: "physics"
     std::string_view part_name() const override { return name(); }
     property::Memory save(property::ByteWriter&) const override { return {}; }
     std::function<void()> restore(property::ByteReader&, const property::Memory&) override {

@@ -20,6 +20,7 @@ namespace fettle::property {
 
 class Tree;
 
+/// A function of a script or of the host that decides what a search may find.
 class Acceptance {
   public:
     /// Name of the parameter. Its value is true if there is a function.

@@ -24,10 +24,12 @@ template <class T>
 concept Bytewise =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_reference_v<T>;
 
+/// Appends values to bytes.
 class ByteWriter {
   public:
-    explicit ByteWriter(std::vector<std::byte>& out) : out_(&out) {}
+    explicit ByteWriter(std::vector<std::byte>& out) : out_(&out) {}  ///< which must outlive it
 
+    /// One value, byte by byte.
     template <Bytewise T>
     void put(const T& value) {
         raw(&value, sizeof value);
@@ -38,10 +40,13 @@ class ByteWriter {
         put(std::uint64_t{list.size()});
         raw(list.data(), list.size() * sizeof(T));
     }
+    /// Writes the length and then the text.
     void put(std::string_view text);
     void put(const std::string& text) { put(std::string_view(text)); }
     void put(const char* text) { put(std::string_view(text)); }
+    /// Writes type and value.
     void put(const Value& value);
+    /// Writes these bytes.
     void raw(const void* from, std::size_t size) {
         if (size == 0) return;
         // GCC 12 reports a false overrun for an insertion of bytes (GCC bug 105329).
@@ -51,10 +56,10 @@ class ByteWriter {
     }
     /// The bytes written between `begin_block` and `end_block` are a block, with its size in front.
     std::size_t begin_block();
-    void end_block(std::size_t begin);
+    void end_block(std::size_t begin);  ///< `begin`: what `begin_block` returned
     /// For other formats that append to the bytes.
     std::vector<std::byte>& out() { return *out_; }
-    std::size_t size() const { return out_->size(); }
+    std::size_t size() const { return out_->size(); }  ///< of all bytes
 
   private:
     std::vector<std::byte>* out_;
@@ -67,13 +72,15 @@ class ByteReader {
     explicit ByteReader(std::span<const std::byte> in, std::string what = "snapshot")
         : in_(in), what_(std::move(what)) {}
 
+    /// One value, byte by byte.
     template <Bytewise T>
     T get() {
         T value;
         raw(static_cast<void*>(&value), 1, sizeof value);
         return value;
     }
-    bool boolean() { return get<std::uint8_t>() != 0; }
+    bool boolean() { return get<std::uint8_t>() != 0; }  ///< one byte
+    /// One value, byte by byte.
     template <Bytewise T>
     std::vector<T> list() {
         const auto count = get<std::uint64_t>();
@@ -84,18 +91,19 @@ class ByteReader {
     }
     /// A count of elements of at least `least` bytes each.
     std::size_t count(std::size_t min_size = 1);
-    std::string_view text();
-    Value value() { return value(0); }
+    std::string_view text();            ///< valid as long as the bytes
+    Value value() { return value(0); }  ///< as ByteWriter::put wrote it
     /// The next block, with a reader that cannot read beyond it.
     ByteReader block(std::string what = {});
-    std::span<const std::byte> rest() const { return in_; }
-    bool at_end() const { return in_.empty(); }
+    std::span<const std::byte> rest() const { return in_; }  ///< bytes that were not read
+    bool at_end() const { return in_.empty(); }              ///< whether all bytes were read
     /// Throws unless all bytes were read.
     void finish() const;
+    /// Throws with this text unless `holds`.
     void require(bool holds, const char* otherwise) const {
         if (!holds) fail(otherwise);
     }
-    [[noreturn]] void fail(const std::string& problem) const;
+    [[noreturn]] void fail(const std::string& problem) const;  ///< throws
 
   private:
     void raw(void* to, std::size_t count, std::size_t size) {

@@ -43,8 +43,9 @@ class FETTLE_PROPERTY_PRIVATE TreeImage;
 
 /// An inclusive range.
 struct Range {
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
+    double min = -std::numeric_limits<double>::infinity();  ///< the least value
+    double max = std::numeric_limits<double>::infinity();   ///< the greatest value
+    /// Whether it has an end.
     bool bounded() const {
         return min != -std::numeric_limits<double>::infinity() ||
                max != std::numeric_limits<double>::infinity();
@@ -52,6 +53,7 @@ struct Range {
     /// NaN is in no range.
     bool contains(double x) const { return x >= min && x <= max; }
     bool contains(const Vec2& v) const { return contains(v.x) && contains(v.y); }
+    /// A range that contains no number.
     static constexpr Range nothing() { return {.min = 1, .max = 0}; }
 };
 
@@ -59,6 +61,7 @@ struct Range {
 /// enumerators.
 enum class Native : std::uint8_t { f32, f64, i32, i64, boolean, vec2f, vec2d, color, enumeration };
 
+/// Where the value of a property is: in the tree, in an array, behind functions, in the structure.
 enum class BindingKind : std::uint8_t { stored, column, accessor, node, ad_hoc };
 
 struct Binding;
@@ -73,8 +76,9 @@ enum class Put : std::uint8_t { same, done, declined, untried };
 /// stride.
 template <class T>
 struct Typed {
+    /// How a value is given to a function.
     using Passed = std::conditional_t<std::is_floating_point_v<T>, T, const T&>;
-    T (*get)(const Binding&, Row) = nullptr;
+    T (*get)(const Binding&, Row) = nullptr;  ///< reads the value
     /// Writes unless the cell has the same bits. May throw as `Binding::set` does.
     Put (*put)(const Binding&, Row, Passed value) = nullptr;
     /// True if `put` only writes memory of the module: it neither throws nor uses the tree. Its
@@ -82,49 +86,52 @@ struct Typed {
     bool plain = false;
 };
 
+/// The place of a value. Which members are used depends on `kind`.
 struct Binding {
-    BindingKind kind = BindingKind::stored;
-    Native native = Native::f64;
-    void* context = nullptr;
+    BindingKind kind = BindingKind::stored;  ///< where the value is
+    Native native = Native::f64;             ///< of a column: type of an element
+    void* context = nullptr;                 ///< is given to the functions
 
     // column: the element of row r is at base(context) + r * stride. `base` is a function, not a
     // pointer, because the array may move.
-    std::byte* (*base)(void* context) = nullptr;
-    std::size_t stride = 0;
+    std::byte* (*base)(void* context) = nullptr;  ///< of a column: its first element
+    std::size_t stride = 0;                       ///< of a column: bytes from row to row
 
     // accessor. `get` only reads: it must not delete instances, restore a snapshot or destroy the
     // tree. `set` may throw std::invalid_argument to refuse a value: its text becomes the reason in
     // the error.
-    Value (*get)(void* context, Row row) = nullptr;
-    void (*set)(void* context, Row row, const Value& value) = nullptr;
+    Value (*get)(void* context, Row row) = nullptr;                     ///< of an accessor: reads
+    void (*set)(void* context, Row row, const Value& value) = nullptr;  ///< of an accessor: writes
 
     // node: as accessor, for values that are part of the tree's structure.
-    Value (*node_get)(void* context, const Tree& tree, Handle self) = nullptr;
-    void (*node_set)(void* context, Tree& tree, Handle self, const Value& value) = nullptr;
+    Value (*node_get)(void* context, const Tree& tree,
+                      Handle self) = nullptr;  ///< of a node: reads
+    void (*node_set)(void* context, Tree& tree, Handle self,
+                     const Value& value) = nullptr;  ///< of a node: writes
 
     // Optional. `reset` removes the override (a mass is computed from density again) instead of
     // writing the default. `overridden`: whether there is an override.
-    void (*reset)(void* context, Row row) = nullptr;
-    bool (*overridden)(void* context, Row row) = nullptr;
+    void (*reset)(void* context, Row row) = nullptr;       ///< removes the override
+    bool (*overridden)(void* context, Row row) = nullptr;  ///< whether there is one
 
     // Optional, called after a write: may only set dirty flags and wake bodies. Derived data are
     // computed when they are read.
-    void (*invalidate)(void* context, Row row) = nullptr;
+    void (*invalidate)(void* context, Row row) = nullptr;  ///< is called after a write
 
     // Optional: typed functions for a number and for a vec2.
-    Typed<double> number{};
-    Typed<Vec2> vec2{};
+    Typed<double> number{};  ///< for numbers
+    Typed<Vec2> vec2{};      ///< for vectors
 };
 
 /// Describes one property. An aggregate: set the fields you need.
 struct Property {
-    std::string name;
-    Type type = Type::number;
-    Value default_value{};
-    std::string unit{};  // "kg", "m/s", "rad"; "" without a unit
-    Range range{};       // for numbers; for a vec2 or a color, of each component
-    std::string doc{};   // one or two sentences, shown by help
-    Binding binding{};
+    std::string name;          ///< as users write it
+    Type type = Type::number;  ///< of the value
+    Value default_value{};     ///< nil: zero of the type
+    std::string unit{};        // "kg", "m/s", "rad"; "" without a unit
+    Range range{};             // for numbers; for a vec2 or a color, of each component
+    std::string doc{};         // one or two sentences, shown by help
+    Binding binding{};         ///< where the value is
 
     bool read_only = false;  // derived, or written by the simulation only
     bool transient = false;  // not saved
@@ -143,21 +150,22 @@ struct Property {
         derives_from{};  // read-only: paths of its sources, relative, "shapes.*.density"
 
     // Filled in by registration.
-    Symbol symbol{};
-    const Class* owner = nullptr;
-    std::vector<Value> enumerator_values{};
-    std::uint32_t stored_index = 0;
+    Symbol symbol{};                         ///< its name, by registration
+    const Class* owner = nullptr;            ///< the class that declares it, by registration
+    std::vector<Value> enumerator_values{};  ///< the enumerators as values, by registration
+    std::uint32_t stored_index = 0;          ///< of its column in the tree, by registration
     /// Which typed functions of `Tree` may read and write the property.
     struct Shortcut {
+        /// A typed function.
         enum class Way : std::uint8_t { none, number, vec2, stored_number, stored_vec2 };
-        Way read = Way::none;
-        Way write = Way::none;
+        Way read = Way::none;   ///< for reading
+        Way write = Way::none;  ///< for writing
         Way plain = Way::none;  // like `write`, but only if calling a plain `put` is enough
         bool narrow = false;    // rounded to float
         // Values that may be written: in range, also after rounding, and so small that integers are
         // exact.
-        Range takes = Range::nothing();
-    } shortcut{};
+        Range takes = Range::nothing();  ///< values that may be written
+    } shortcut{};                        ///< by registration
     /// Number of broad watchers (class, pattern) that may match this property. Set by
     /// `note_interest`.
     mutable std::uint32_t interest = 0;
@@ -165,6 +173,7 @@ struct Property {
     /// watcher, or if the type does not fit, because then there may be no `put`.
     mutable Range numbers_at_once = Range::nothing();
     mutable Range vec2s_at_once = Range::nothing();
+    /// Sets `interest` and what depends on it.
     void note_interest(std::uint32_t watchers) const {
         interest = watchers;
         const auto taken = [&](Shortcut::Way way) {
@@ -174,6 +183,7 @@ struct Property {
         vec2s_at_once = taken(Shortcut::Way::vec2);
     }
 
+    /// With how many digits its numbers are printed.
     Precision precision() const {
         return binding.kind == BindingKind::column &&
                        (binding.native == Native::f32 || binding.native == Native::vec2f)
@@ -188,10 +198,10 @@ struct Property {
 
 /// A parameter of a method, or a named field of a result or an event.
 struct Field {
-    std::string name;
-    Type type = Type::number;
-    std::string unit{};
-    std::string doc{};
+    std::string name;               ///< as users write it
+    Type type = Type::number;       ///< of the value
+    std::string unit{};             ///< "kg"; "" without one
+    std::string doc{};              ///< what it is, shown by help
     std::string reference_class{};  // class of a reference, or of the references in a list
     Type element = Type::nil;       // type of a list's elements; nil: any
     bool nullable = false;          // in a result or event: may be nil
@@ -202,7 +212,7 @@ struct Field {
 struct Record {
     /// Not owned. Those of events, and all `record_fields`, live as long as the program.
     const std::vector<Field>* fields = nullptr;
-    std::vector<Value> values;
+    std::vector<Value> values;  ///< one for each field
     /// nil if there is no such field.
     Value get(std::string_view name) const;
 };
@@ -216,22 +226,23 @@ using Result = std::variant<Value, Record, std::vector<Record>>;
 /// call methods of the last two kinds.
 enum class Effect : std::uint8_t { nothing, tree, memory };
 
+/// A method. An aggregate: set the fields that you need.
 struct Method {
-    std::string name;
-    std::vector<Field> parameters{};
-    std::size_t required = 0;      // number of required parameters
-    std::vector<Field> returns{};  // fields of the record(s), or one entry for a single value
-    bool many = false;             // the result is a list of such records
-    std::string doc{};
-    void* context = nullptr;
+    std::string name;                 ///< as users write it
+    std::vector<Field> parameters{};  ///< in their order
+    std::size_t required = 0;         // number of required parameters
+    std::vector<Field> returns{};     // fields of the record(s), or one entry for a single value
+    bool many = false;                // the result is a list of such records
+    std::string doc{};                ///< what it is, shown by help
+    void* context = nullptr;          ///< is given to the functions
     /// Arguments are coerced to the parameters' types before the call; missing optional ones are
     /// nil. May throw property::Error or std::invalid_argument.
     Result (*call)(void* context, Tree& tree, Handle self, Row row,
                    std::span<const Value> arguments) = nullptr;
-    Effect effect = Effect::memory;
+    Effect effect = Effect::memory;  ///< what it changes
     // Filled in by registration.
-    Symbol symbol{};
-    const Class* owner = nullptr;
+    Symbol symbol{};               ///< its name, by registration
+    const Class* owner = nullptr;  ///< the class that declares it, by registration
     const std::vector<Field>* record_fields = nullptr;  // copy of `returns`, never freed
 };
 
@@ -239,16 +250,16 @@ struct Method {
 /// There is an exception: if a class has an event `..._begin` and an event `..._end` with the same
 /// first fields, the end is delivered to the handlers that received the beginning.
 struct Event {
-    std::string name;
-    std::vector<Field> fields{};
-    std::string doc{};
+    std::string name;             ///< as users write it
+    std::vector<Field> fields{};  ///< its data
+    std::string doc{};            ///< what it is, shown by help
     // Filled in by registration.
-    Symbol symbol{};
-    const Class* owner = nullptr;
+    Symbol symbol{};               ///< its name, by registration
+    const Class* owner = nullptr;  ///< the class that declares it, by registration
     const std::vector<Field>* record_fields = nullptr;  // copy of `fields`, never freed
     const Event* begin = nullptr;                       // for an end
     const Event* end = nullptr;                         // for a beginning
-    mutable std::uint32_t listeners = 0;
+    mutable std::uint32_t listeners = 0;                ///< number of its handlers
 };
 
 /// The data in a snapshot for the instances of a class, in addition to those of the tree. A class
@@ -260,15 +271,16 @@ enum class Snapshots : std::uint8_t {
     never      // no data, and none of the tree's own columns: it belongs to the present (a console)
 };
 
+/// What a class is made of: for `Tree::define`.
 struct ClassDescriptor {
-    std::string name;
+    std::string name;             ///< as users write it
     std::string base = "Object";  // "" only for Object itself
-    std::string doc{};
-    bool creatable = true;  // users may create instances; not of services like `time`
-    Snapshots snapshots = Snapshots::by_value;
-    std::vector<Property> properties{};
-    std::vector<Method> methods{};
-    std::vector<Event> events{};
+    std::string doc{};            ///< what it is, shown by help
+    bool creatable = true;        // users may create instances; not of services like `time`
+    Snapshots snapshots = Snapshots::by_value;  ///< what snapshots have of its instances
+    std::vector<Property> properties{};         ///< its own
+    std::vector<Method> methods{};              ///< its own
+    std::vector<Event> events{};                ///< its own
     /// None of its functions set: the lifecycle of the base class. A class with a lifecycle of its
     /// own takes over nothing of that one, and bindings and methods that it inherits get its rows.
     /// So `Tree::define` refuses one if the rows of the base class are made by a lifecycle and its
@@ -287,28 +299,40 @@ struct ClassDescriptor {
 /// stable.
 class Class {
   public:
-    const std::string& name() const { return descriptor_.name; }
-    const std::string& doc() const { return descriptor_.doc; }
-    const Class* base() const { return base_; }
-    bool creatable() const { return descriptor_.creatable; }
+    const std::string& name() const { return descriptor_.name; }  ///< as users write it
+    const std::string& doc() const { return descriptor_.doc; }    ///< what it is
+    const Class* base() const { return base_; }                   ///< null for Object
+    bool creatable() const {
+        return descriptor_.creatable;
+    }  ///< whether users may create instances
     /// From the nearest native base class: a script's class is saved like its base.
     Snapshots snapshots() const { return snapshots_; }
-    bool is_a(const Class& other) const;
-    const std::string& stem() const { return descriptor_.stem; }
+    bool is_a(const Class& other) const;  ///< whether it is that class or derives from it
+    const std::string& stem() const {
+        return descriptor_.stem;
+    }  ///< of the names of unnamed instances
     /// From the nearest base class that has one, or its own.
     const Lifecycle& lifecycle() const { return *lifecycle_; }
 
     // These include inherited members, base class first.
-    const std::vector<const Property*>& properties() const { return properties_; }
-    const std::vector<const Method*>& methods() const { return methods_; }
-    const std::vector<const Event*>& events() const { return events_; }
+    const std::vector<const Property*>& properties() const {
+        return properties_;
+    }                                                                       ///< inherited ones, too
+    const std::vector<const Method*>& methods() const { return methods_; }  ///< inherited ones, too
+    const std::vector<const Event*>& events() const { return events_; }     ///< inherited ones, too
 
     // nullptr if there is none.
+    /// Null if there is none.
     const Property* property(Symbol name) const;
+    /// Null if there is none.
     const Method* method(Symbol name) const;
+    /// Null if there is none.
     const Event* event(Symbol name) const;
+    /// Null if there is none.
     const Property* property(std::string_view name) const { return property(Symbol::find(name)); }
+    /// Null if there is none.
     const Method* method(std::string_view name) const { return method(Symbol::find(name)); }
+    /// Null if there is none.
     const Event* event(std::string_view name) const { return event(Symbol::find(name)); }
 
     /// Index in the order of definition.
@@ -354,6 +378,7 @@ class Class {
 inline bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
+/// Whether two values are the same, so that writing one over the other changes nothing.
 inline bool same_bits(const Vec2& a, const Vec2& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y);
 }

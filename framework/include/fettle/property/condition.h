@@ -17,6 +17,7 @@ namespace fettle::property {
 
 class Tree;
 
+/// A condition for instances, as it is typed into the search of the inspector: `mass > 5`.
 class Condition {
   public:
     /// Throws Error(rejected), which names the place, for a text that is no condition, has more
@@ -24,6 +25,7 @@ class Condition {
     explicit Condition(std::string_view text);
     ~Condition();
     Condition(Condition&&) noexcept;
+    /// Takes over the other.
     Condition& operator=(Condition&&) noexcept;
 
     /// Whether a text is meant as a condition: it has an operator, a bracket, or one of the words

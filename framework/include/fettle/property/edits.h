@@ -15,10 +15,10 @@ namespace fettle::property {
 
 /// The states of a property of an instance: absent, default, value, or formula.
 struct CellState {
-    bool present = false;
-    bool overridden = false;
-    Value value{};
-    std::optional<Formula> formula{};
+    bool present = false;              ///< whether the instance has the property
+    bool overridden = false;           ///< whether it has another value than the default
+    Value value{};                     ///< the plain value
+    std::optional<Formula> formula{};  ///< in place of a plain value
 };
 
 /// Receives every edit by a person (console, inspector, remote, an `edit` block of a script), and

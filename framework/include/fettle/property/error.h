@@ -11,6 +11,7 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
+/// What was wrong.
 enum class ErrorKind {
     unknown_name,    // no such property, child, class, method, event
     near_miss,       // would add an ad-hoc property with a name similar to a declared one
@@ -28,11 +29,13 @@ enum class ErrorKind {
     damaged          // a snapshot or save that is incomplete, changed or of another version
 };
 
+/// A refused call: nothing has changed. Its text names path, value and what was expected.
 class Error : public std::runtime_error {
   public:
+    /// With a text for the user.
     Error(ErrorKind kind, const std::string& message)
         : std::runtime_error(shown(message)), kind_(kind) {}
-    ErrorKind kind() const { return kind_; }
+    ErrorKind kind() const { return kind_; }  ///< what was wrong
 
   private:
     /// Zero bytes are replaced, because one in a name or a text would end the message.

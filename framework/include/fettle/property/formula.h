@@ -15,6 +15,7 @@ namespace fettle::property {
 
 class Tree;
 
+/// A function that is the value of a property.
 struct Formula {
     /// Computes the value from other values of the tree. It may throw; it must not write.
     std::function<Value(const Tree&)> function;
@@ -38,12 +39,12 @@ using FormulaCompiler = std::function<Formula(const std::string& source)>;
 
 /// The sources of a value, as a tree.
 struct Explanation {
-    std::string path;
-    std::string value;    // as printed, with its unit; "" if there is none
-    std::string source;   // for a formula
-    std::string problem;  // for a formula that fails
-    std::vector<Explanation> from;
-    bool repeated = false;  // explained elsewhere in the same tree
+    std::string path;               ///< of the value
+    std::string value;              // as printed, with its unit; "" if there is none
+    std::string source;             // for a formula
+    std::string problem;            // for a formula that fails
+    std::vector<Explanation> from;  ///< its sources
+    bool repeated = false;          // explained elsewhere in the same tree
 };
 
 }  // namespace fettle::property

@@ -13,9 +13,9 @@ namespace fettle::property {
 
 /// One step of undo: a console command, a drag from press to release, an `edit("name", fn)` block.
 struct HistoryEntry {
-    std::string name;
-    Cause cause;
-    std::size_t edits = 0;
+    std::string name;        ///< of the step of undo
+    Cause cause;             ///< of its first write
+    std::size_t edits = 0;   ///< number of its changes
     bool undone = false;     // can be redone
     bool too_large = false;  // over the memory limit: it cannot be undone
 };
@@ -23,16 +23,17 @@ struct HistoryEntry {
 /// A property that undo or redo has changed. The values are as printed, with the unit behind `to`;
 /// "is ..." for a formula, "nil" where there is no such property.
 struct UndoChange {
-    std::string path, from, to;
+    std::string path, from, to;  ///< the property, the value before and the value now
 };
 
+/// What `Tree::undo` and `Tree::redo` have done.
 struct UndoResult {
-    static constexpr std::size_t max_changes = 20;
-    bool done = false;  // false: there was nothing to undo
-    std::string name;
+    static constexpr std::size_t max_changes = 20;  ///< listed ones
+    bool done = false;                              // false: there was nothing to undo
+    std::string name;                               ///< of the step of undo
     /// The first changes of values, and the number of the others.
     std::vector<UndoChange> changes{};
-    std::size_t more_changes = 0;
+    std::size_t more_changes = 0;  ///< number of changes that are not listed
     /// One line for each thing that could not be restored: watchers that ended with their instance,
     /// values that their owner refused, instances that their module refused to create or that the
     /// game has deleted since. The rest of the step is undone.
@@ -42,8 +43,8 @@ struct UndoResult {
 /// The last writer of a property. Edits by people, and changes of watched properties, include file
 /// and line. Other writes include writer and step, if they are among the last 250 000 writes.
 struct Provenance {
-    bool known = false;
-    Cause cause;
+    bool known = false;  ///< whether the writer is known
+    Cause cause;         ///< of its first write
 };
 
 }  // namespace fettle::property

@@ -19,7 +19,7 @@ using Row = std::uint32_t;
 
 /// Called by the tree when instances of the class are created, moved and deleted. All optional.
 struct Lifecycle {
-    void* context = nullptr;
+    void* context = nullptr;  ///< is given to the functions
     /// Creates the row, with defaults, before the instance is visible. May throw Error for lack of
     /// room. Until the instance is complete, with `place`, deleting or moving it or one above
     /// throws Error(bad_structure). `Tree::restore` calls it for instances that were not there,
@@ -52,8 +52,10 @@ struct Lifecycle {
     /// pops.
     bool (*begin_below)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
                         int pass) = nullptr;
+    /// Called after the instances below this one are drawn.
     void (*end_below)(void* context, const Tree& tree, Handle self, Row row,
                       Painter& painter) = nullptr;
+    /// Whether a function is set.
     bool any() const {
         return create || place || destroy || draw || draw_over || pose || begin_below;
     }

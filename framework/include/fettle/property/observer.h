@@ -20,17 +20,17 @@ class Tree;
 /// A number (in `x`) or a vec2 that was written to a declared property. If the instance is empty,
 /// the write was refused later.
 struct PlainWrite {
-    Handle instance;
-    const Property* property = nullptr;
-    double x = 0, y = 0;
+    Handle instance;                     ///< that was written; empty: the write was refused
+    const Property* property = nullptr;  ///< that was written
+    double x = 0, y = 0;                 ///< the number in `x`, or the vector
     /// The value in the property.
     Value value() const;
 };
 
 /// Several writes in order. To read them later, keep `owner` instead of a copy.
 struct PlainWrites {
-    std::span<const PlainWrite> list;
-    std::shared_ptr<const void> owner;
+    std::span<const PlainWrite> list;   ///< in order
+    std::shared_ptr<const void> owner;  ///< keeps the list alive
 };
 
 /// Members are called in the middle of a write, also of writes by scripts: their time is part of
@@ -62,6 +62,7 @@ class Observer {
     /// Called before and after a method that changes its module's own memory (`Method::effect`).
     /// Its changes of the tree are reported, too.
     virtual void call_begins(Handle, const Method&, std::span<const Value> /*arguments*/) {}
+    /// Called after such a method.
     virtual void call_ends(Handle, const Method&) {}
     /// A read is about to update memory of a module that edits left out of date
     /// (`Tree::refreshing`).

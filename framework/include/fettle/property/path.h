@@ -20,8 +20,11 @@ class Tree;
 
 /// One step of a path: a name or a list index (from 1).
 struct Segment {
+    /// A name or an index from 1.
     std::variant<std::string, std::int64_t> key;
-    bool is_index() const { return std::holds_alternative<std::int64_t>(key); }
+    bool is_index() const {
+        return std::holds_alternative<std::int64_t>(key);
+    }  ///< whether it is an index
 };
 
 /// Throws Error(bad_path) with the position of the error. A leading `game.` may be omitted; "game"
@@ -36,7 +39,7 @@ bool is_identifier(std::string_view name);
 
 /// The target of a path: an instance; a property of it; or a part of a property's value.
 struct Place {
-    Handle instance;
+    Handle instance;                     ///< that has the property
     const Property* property = nullptr;  // nullptr: the instance itself
     std::vector<Segment> part;           // "x", "y", "r", "g", "b", "a" or indices into a list
 };
@@ -50,7 +53,9 @@ Value with_part(const Value& whole, const std::vector<Segment>& part, const Valu
                 const std::string& what);
 
 // By path. Throw property::Error.
+/// The value at a path. Throws Error with the nearest spelling.
 Value get(const Tree& tree, std::string_view path);
+/// Writes the value at a path, as `Tree::set` does.
 void set(Tree& tree, std::string_view path, const Value& value);
 
 /// A pattern for instances and optionally a property: `*` is any one name (or part of one:
@@ -60,9 +65,10 @@ class Pattern {
   public:
     /// Throws Error(bad_path).
     explicit Pattern(std::string_view text);
-    const std::string& text() const { return text_; }
+    const std::string& text() const { return text_; }  ///< as it was given
     /// Names of the pattern; each may contain stars.
     const std::vector<std::string>& segments() const { return segments_; }
+    /// Whether the pattern matches the path.
     bool matches(const Tree& tree, Handle instance, const Property& property) const;
     bool matches(const Tree& tree, Handle instance) const;
     /// `names`: the names of a path, without the root; they need not exist.

@@ -13,6 +13,7 @@ class Tree;
 /// contains `what`, which must outlive this object: "the function given to on_print".
 class Pinned {
   public:
+    /// From now on, the tree must not be destroyed.
     Pinned(Tree& tree, const char* what);
     ~Pinned();
     Pinned(const Pinned&) = delete;

@@ -28,6 +28,7 @@ class Inquiry {
     Inquiry(const Inquiry&) = delete;
     Inquiry& operator=(const Inquiry&) = delete;
 
+    /// Throws Error for a call that does `what`.
     [[noreturn]] void refuse(std::string_view what) const;
 
   private:
@@ -39,6 +40,7 @@ class Inquiry {
 /// A question with its values, for a handler.
 class Question {
   public:
+    /// The first `changeable` fields are read-only.
     Question(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,
              std::size_t changeable)
         : tree_(tree),
@@ -47,8 +49,8 @@ class Question {
           values_(values),
           changeable_(changeable) {}
 
-    const Event& event() const { return event_; }
-    std::span<const Value> values() const { return values_; }
+    const Event& event() const { return event_; }              ///< which asks
+    std::span<const Value> values() const { return values_; }  ///< of its fields
     /// Changes the value of a field. Throws Error for a read-only field, for a value of another
     /// type, or outside the field's range.
     void answer(std::size_t field, const Value& value);

@@ -41,6 +41,7 @@ class SnapshotPart {
     /// The changes since the last call in the data that `save` returns as memory; null: none. A
     /// timeline keeps them for every step and passes them to `redo` when it repeats the step.
     virtual Memory changes() { return {}; }
+    /// Makes changes again that `changes` returned.
     virtual void redo(const Memory& /*changes*/) {}
     /// Bytes of a result of `save` or `changes`, estimated, for limits on memory.
     virtual std::size_t size_of(const Memory& /*memory*/) const { return 0; }
@@ -52,18 +53,19 @@ class SnapshotPart {
 /// The state of a tree at a moment. Cheap to copy: copies share it.
 class Snapshot {
   public:
+    /// What parts keep in memory, by the names of the parts.
     using Memories = std::vector<std::pair<std::string, Memory>>;
 
     Snapshot() = default;
     /// `held`: bytes that the memories use, estimated.
     Snapshot(std::vector<std::byte> payload, Memories memories, std::size_t held = 0);
-    bool empty() const { return data_ == nullptr; }
+    bool empty() const { return data_ == nullptr; }  ///< whether it has no state
     /// The step of the snapshot. Throws Error(damaged), as `to_bytes` does, if it is empty.
     std::uint64_t step() const;
     /// The state itself, without the checksum of a file.
     std::span<const std::byte> payload() const;
-    const Memories& memories() const;
-    std::size_t held() const { return empty() ? 0 : data_->held; }
+    const Memories& memories() const;                               ///< what its parts keep
+    std::size_t held() const { return empty() ? 0 : data_->held; }  ///< bytes of them, estimated
     /// Moves the state out of the snapshot; a copy if it is shared.
     std::vector<std::byte> take_payload() &&;
 

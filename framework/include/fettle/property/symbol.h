@@ -25,9 +25,9 @@ class Symbol {
     /// The symbol of `text` if it exists, otherwise the empty symbol. Never adds a symbol, so that
     /// names typed by a user or read from a file use no memory.
     static Symbol find(std::string_view text);
-    const std::string& text() const;
-    std::uint32_t id() const { return id_; }
-    explicit operator bool() const { return id_ != 0; }
+    const std::string& text() const;                     ///< "" for the empty symbol
+    std::uint32_t id() const { return id_; }             ///< 0 for the empty symbol
+    explicit operator bool() const { return id_ != 0; }  ///< false: empty
     friend bool operator==(Symbol, Symbol) = default;
 
   private:

@@ -12,14 +12,18 @@ namespace fettle::property {
 
 /// Maps a point p to p.x * x + p.y * y + origin.
 struct Transform {
-    Vec2 x{1, 0}, y{0, 1}, origin{0, 0};
+    Vec2 x{1, 0};       ///< what is added for each unit of x
+    Vec2 y{0, 1};       ///< what is added for each unit of y
+    Vec2 origin{0, 0};  ///< where (0, 0) comes to
 
+    /// Adds a vector.
     static Transform moved(const Vec2& by) { return {.origin = by}; }
     /// `angle`: radians, counter-clockwise.
     static Transform turned(double angle) {
         const double c = std::cos(angle), s = std::sin(angle);
         return {Vec2(c, s), Vec2(-s, c), Vec2(0, 0)};
     }
+    /// Multiplies both coordinates.
     static Transform scaled(const Vec2& by) { return {Vec2(by.x, 0), Vec2(0, by.y)}; }
     /// Turned first, then moved.
     static Transform placed(const Vec2& position, double angle) {
@@ -28,6 +32,7 @@ struct Transform {
         return made;
     }
 
+    /// The point to which a point comes.
     Vec2 operator()(const Vec2& p) const { return direction(p) + origin; }
     /// A difference of two points: the origin has no effect.
     Vec2 direction(const Vec2& d) const { return d.x * x + d.y * y; }
@@ -39,7 +44,9 @@ struct Transform {
     double area() const { return x.x * y.y - x.y * y.x; }
     /// The factor of lengths; for different factors in two directions, their geometric mean.
     double scale() const { return std::sqrt(std::abs(area())); }
-    bool is_identity() const { return x == Vec2(1, 0) && y == Vec2(0, 1) && origin == Vec2(0, 0); }
+    bool is_identity() const {
+        return x == Vec2(1, 0) && y == Vec2(0, 1) && origin == Vec2(0, 0);
+    }  ///< whether all points stay
 };
 
 }  // namespace fettle::property

@@ -42,11 +42,13 @@ class Observer;
 
 /// Data of a deleted instance.
 struct Remains {
-    const Class& of;
-    std::string name;
+    const Class& of;   ///< its class
+    std::string name;  ///< its last name
 };
 
-/// **Lifetimes.** Handles are numbers: after the end of the tree they refer to nothing and do no
+/// All instances of a game, with their classes, values, watchers, formulas and history.
+///
+/// Lifetimes: handles are numbers: after the end of the tree they refer to nothing and do no
 /// harm. Connections, values, records and snapshots may outlive it. Classes, properties, methods
 /// and events live as long as the tree that they were registered with, and any other tree refuses
 /// them. Modules, parts of snapshots and observers are not owned: they must live until the tree is
@@ -80,7 +82,7 @@ class Tree {
     /// begins; a default that its own property would refuse. A property of a base class may be
     /// declared again only with another default or doc.
     const Class& define(ClassDescriptor descriptor);
-    const Class* find_class(std::string_view name) const;
+    const Class* find_class(std::string_view name) const;  ///< null if there is none
     /// Throws Error(unknown_name) with the nearest spelling.
     const Class& class_named(std::string_view name) const;
     std::vector<const Class*> classes() const;  // in order of definition
@@ -99,36 +101,39 @@ class Tree {
     /// delivered at the barrier. Exceptions of modules (`Lifecycle::destroy`) do not stop this:
     /// after all instances are deleted, the first is thrown as Error(rejected).
     void destroy(Handle instance);
-    bool alive(Handle instance) const;
+    bool alive(Handle instance) const;  ///< false for a null handle, too
     /// Throws Error(deleted) "world.ball was deleted at step 412 by console" if it is not alive.
     void require(Handle instance) const;
-    const Class& class_of(Handle instance) const;
+    const Class& class_of(Handle instance) const;  ///< throws Error(deleted)
     /// Data of a deleted instance, for messages about its handle; nullopt while it lives, and for
     /// instances that were deleted long ago.
     std::optional<Remains> remains(Handle instance) const;
+    /// The number of its object in its module; throws Error(deleted).
     Row row(Handle instance) const;
     /// For modules whose object moved to another row outside `Lifecycle::place`. The tree does not
     /// check the row: from then on it reads and writes the module's memory there.
     void set_row(Handle instance, Row row);
 
-    Handle parent(Handle instance) const;  // null for the root and for detached instances
-    Handle first_child(Handle instance) const;
-    Handle next_sibling(Handle instance) const;
-    std::vector<Handle> children(Handle instance) const;
-    std::size_t child_count(Handle instance) const;
+    Handle parent(Handle instance) const;        // null for the root and for detached instances
+    Handle first_child(Handle instance) const;   ///< null if there is none
+    Handle next_sibling(Handle instance) const;  ///< null if there is none
+    std::vector<Handle> children(Handle instance) const;  ///< in order
+    std::size_t child_count(Handle instance) const;       ///< without what is below them
     /// Counts from 1; a null handle if there are fewer. Fast if called in order.
     Handle nth_child(Handle instance, std::uint64_t n) const;
     /// A null handle if there is none.
     Handle child(Handle instance, std::string_view name) const;
+    /// Whether `ancestor` is a parent of it, or a parent of its parent, and so on.
     bool is_below(Handle instance, Handle ancestor) const;
     /// A number that changes whenever an instance is created, deleted, moved or renamed.
     std::uint64_t structure() const;
     /// Number of living instances. `each_below` visits them in a fixed order (parents before
     /// children).
     std::size_t size() const;
+    /// Calls `visit` for all instances below `top`.
     void each_below(Handle top, const std::function<void(Handle)>& visit) const;
 
-    std::string name(Handle instance) const;
+    std::string name(Handle instance) const;  ///< among its siblings
     /// "world.ball"; "game" for the root; "(detached ball)" for a detached instance.
     std::string path(Handle instance) const;
     std::string path(Handle instance, const Property& property) const;
@@ -161,13 +166,17 @@ class Tree {
     const Property& property(Handle instance, std::string_view name) const;
     /// Declared ones, then ad-hoc ones by name.
     std::vector<const Property*> properties(Handle instance) const;
-    std::vector<const Property*> ad_hoc(Handle instance) const;
+    std::vector<const Property*> ad_hoc(
+        Handle instance) const;  ///< those that its class does not declare
 
+    /// The value; throws the error of a formula, and Error(deleted).
     Value get(Handle instance, const Property& property) const;
     Value get(Handle instance, std::string_view name) const;
     /// The value in its owner's memory, even if its formula fails. It does not become a dependency
     /// of a running formula.
     Value peek(Handle instance, const Property& property) const;
+    /// Writes the value after checking type, range and owner; throws Error, and changes nothing
+    /// then.
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
     /// The typed functions, for numbers and vec2s in the usual cases. The instance must have the
@@ -181,10 +190,12 @@ class Tree {
     /// whose `shortcut.read` is `number` or `vec2`; nullptr if `read` must be used. Valid until the
     /// next change of the tree.
     const Row* readable(Handle instance) const;
+    /// As `read`, for writing.
     bool write(Handle instance, const Property& property, double number) {
         const Put begun = begin_write(instance, property, number);
         return begun == Put::done || end_write(begun, instance, property, number);
     }
+    /// As `read`, for writing.
     bool write(Handle instance, const Property& property, const Vec2& vector) {
         const Put begun = begin_write(instance, property, vector);
         return begun == Put::done || end_write(begun, instance, property, vector);
@@ -195,16 +206,19 @@ class Tree {
     /// `write` does.
     Put begin_write(Handle instance, const Property& property, double number);
     Put begin_write(Handle instance, const Property& property, const Vec2& vector);
+    /// The second call.
     bool end_write(Put begun, Handle instance, const Property& property, double number);
     bool end_write(Put begun, Handle instance, const Property& property, const Vec2& vector);
     /// Restores the default (or the value that its owner computes).
     void reset(Handle instance, const Property& property);
-    bool overridden(Handle instance, const Property& property) const;
+    bool overridden(Handle instance,
+                    const Property& property) const;  ///< whether `reset` would change it
 
     /// Sets a property, and adds it to this instance if it has none of that name. Throws
     /// Error(near_miss) if the name is similar to a declared one, Error(bad_name) if a child or a
     /// method has it.
     void set_or_add(Handle instance, std::string_view name, const Value& value);
+    /// Removes a property that the class does not declare.
     void remove_ad_hoc(Handle instance, std::string_view name);
 
     /// `value` coerced to the type of that property by the rules of the tree; throws like `set`.
@@ -244,6 +258,7 @@ class Tree {
     /// Sets the compiler that makes formulas from their text, so that files can hold them. Empty:
     /// there is none.
     void compile_formulas_with(FormulaCompiler compiler);
+    /// The function of `compile_formulas_with`.
     const FormulaCompiler& formula_compiler() const;
 
     // --- History
@@ -254,12 +269,12 @@ class Tree {
     /// scripts and modules in between are part of the edit; a drag uses false, because the game
     /// continues during it. Edits may be nested.
     void begin_edit(std::string name, bool scripts = true);
-    void end_edit();
+    void end_edit();  ///< of the last `begin_edit`
     /// Undoes at once, as a new edit at the current time. Throws Error(bad_structure) inside an
     /// edit that has changed something. Before the first change, it undoes the step before the
     /// edit; this is for a console command that is only `undo()`.
     UndoResult undo();
-    UndoResult redo();
+    UndoResult redo();  ///< makes again what was undone last
     /// The latest first.
     std::vector<HistoryEntry> history() const;
     /// Memory limit of the history, 64 MiB by default; the oldest entries are dropped first. An
@@ -268,12 +283,14 @@ class Tree {
     /// Memory of the history, estimated, and the sum of everything it ever contained: snapshots may
     /// hold entries that it has dropped.
     std::size_t history_bytes() const;
-    std::size_t history_bytes_ever() const;
-    Provenance who(Handle instance, const Property& property) const;
+    std::size_t history_bytes_ever() const;  ///< with the entries that were dropped
+    Provenance who(Handle instance, const Property& property) const;  ///< the last writer
     /// Whether `who` has the place in a script of each write from now on. Otherwise it has those of
     /// edits and of changes of watched values only: finding the place takes longer than the write.
     void locate_writes(bool on);
 
+    /// Calls a method. Throws Error for arguments that it does not take, and what the method
+    /// throws.
     Result call(Handle instance, const Method& method, std::span<const Value> arguments);
     Result call(Handle instance, std::string_view method, std::initializer_list<Value> arguments);
 
@@ -285,6 +302,7 @@ class Tree {
     // --- Watching
     // ---------------------------------------------------------------------------------------------------
 
+    /// Watches one property of one instance.
     Connection watch(Handle instance, const Property& property, ChangeHandler handler,
                      WatchOptions options = {});
     Connection watch(Handle instance, std::string_view name, ChangeHandler handler,
@@ -295,12 +313,16 @@ class Tree {
     /// one derived from it.
     Connection watch(const Class& of, const Property* property, ChangeHandler handler,
                      WatchOptions options = {});
+    /// Watches all properties whose paths match a pattern (`PathPattern`).
     Connection watch_pattern(std::string_view pattern, ChangeHandler handler,
                              WatchOptions options = {});
+    /// Instances of a class, or of one derived from it, that were created.
     Connection watch_created(const Class& of, ExistenceHandler handler, WatchOptions options = {});
+    /// Instances of a class, or one instance, that were deleted.
     Connection watch_deleted(const Class& of, ExistenceHandler handler, WatchOptions options = {});
     Connection watch_deleted(Handle instance, ExistenceHandler handler, WatchOptions options = {});
 
+    /// Calls the handler for an event of an instance, or of all instances of a class.
     Connection on(Handle instance, const Event& event, EventHandler handler,
                   WatchOptions options = {});
     Connection on(const Class& of, const Event& event, EventHandler handler,
@@ -322,6 +344,7 @@ class Tree {
     /// generations of handlers that make changes. `between_steps` is false in the middle of a step,
     /// when functions given to `at_barrier` must wait.
     void barrier(bool between_steps = true);
+    /// Sets what receives the errors of handlers.
     void on_handler_error(std::function<void(const HandlerError&)> sink);
     /// Number of registered watchers.
     std::size_t watcher_count() const;
@@ -329,7 +352,7 @@ class Tree {
     /// Not owned. Receives all changes from outside the simulation, until `unobserve` or the
     /// beginning of the tree's destruction.
     void observe(Observer& observer);
-    void unobserve(Observer& observer);
+    void unobserve(Observer& observer);  ///< ends `observe`
     /// Not owned. Receives the edits of people and replaces the previous observer. Null: none.
     void observe_edits(EditObserver* observer);
 
@@ -351,8 +374,8 @@ class Tree {
     /// Not owned; its state becomes part of snapshots until `remove_part`. Throws Error(bad_name)
     /// if the name is taken.
     void add_part(SnapshotPart& part);
-    void remove_part(SnapshotPart& part);
-    const std::vector<SnapshotPart*>& parts() const;
+    void remove_part(SnapshotPart& part);             ///< ends `add_part`
+    const std::vector<SnapshotPart*>& parts() const;  ///< in the order in which they were added
     /// A part must call this before a *read* makes it update memory that edits left out of date, if
     /// an earlier or later update could differ in the last bit. It is not for updates by an edit
     /// itself. `what` is passed back by `SnapshotPart::refresh`.
@@ -387,14 +410,18 @@ class Tree {
     // --- Time and cause
     // ---------------------------------------------------------------------------------------------
 
+    /// Number of the current step of the simulation.
     std::uint64_t step() const;
+    /// To be called before a step.
     void set_step(std::uint64_t step);
     /// Must be called after a step of the simulation: the next barrier compares its watched values.
     void stepped();
     /// Sets the current writer. `locate`, if given, is called only when the place is needed.
     class CauseScope {
       public:
+        /// From now on, `writer` makes all changes.
         CauseScope(Tree& tree, Writer writer, std::function<std::string()>* locate = nullptr);
+        /// The writer before is current again.
         ~CauseScope();
         CauseScope(const CauseScope&) = delete;
 
@@ -403,10 +430,12 @@ class Tree {
         Writer writer_;
         std::function<std::string()>* locate_;
     };
-    Cause cause() const;
+    Cause cause() const;  ///< of changes that are made now
 
     struct FETTLE_PROPERTY_PRIVATE State;
+    /// For the library itself.
     State& state() { return *state_; }
+    /// For the library itself.
     const State& state() const { return *state_; }
 
   private:

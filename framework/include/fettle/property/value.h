@@ -22,19 +22,20 @@ using Vec2 = Vector2<double>;
 
 /// Red, green and blue as displayed (sRGB) and opacity, each 0 to 1.
 struct Color {
-    float r = 1, g = 1, b = 1, a = 1;
+    float r = 1, g = 1, b = 1, a = 1;  ///< each 0 to 1
     friend bool operator==(const Color&, const Color&) = default;
 };
 
 /// Identifies an instance by index and generation. A handle of a deleted instance is detected and
 /// never followed. The default handle refers to nothing.
 struct Handle {
-    std::uint32_t index = 0;
-    std::uint32_t generation = 0;
-    explicit operator bool() const { return generation != 0; }
+    std::uint32_t index = 0;       ///< of a slot
+    std::uint32_t generation = 0;  ///< of the instance in the slot; 0: none
+    explicit operator bool() const { return generation != 0; }  ///< false: refers to nothing
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 
+/// The type of a value.
 enum class Type : std::uint8_t {
     nil,
     boolean,
@@ -52,15 +53,18 @@ enum class Type : std::uint8_t {
 std::string_view type_name(Type type);
 
 class Value;
+/// Values one after another, of any types.
 using List = std::vector<Value>;
 
 /// Same type and same bits: 1 is not 1.0, -0.0 is not 0.0, and a NaN equals itself, so that a NaN
 /// never counts as a change.
 bool operator==(const Value& a, const Value& b);
 
+/// A value of a property, an argument or a result. Texts and lists are shared by copies.
 class Value {
   public:
-    Value() = default;
+    Value() = default;  ///< nil
+    /// A value of that type.
     Value(bool v) : type_(Type::boolean) { data_.boolean = v; }
     Value(int v) : Value(static_cast<std::int64_t>(v)) {}
     Value(std::int64_t v) : type_(Type::integer) { data_.integer = v; }
@@ -70,7 +74,9 @@ class Value {
         data_.vec[0] = v.x;
         data_.vec[1] = v.y;
     }
+    /// A value of that type.
     Value(Color v) : type_(Type::color) { data_.color = v; }
+    /// A value of that type.
     Value(Handle v) : type_(Type::reference) { data_.reference = v; }
     /// Throws Error(wrong_type) for a null pointer.
     Value(const char* v);
@@ -81,15 +87,19 @@ class Value {
     Value(std::nullptr_t) = delete;
     Value(const void*) = delete;
 
+    /// A copy.
     Value(const Value& other) : data_(other.data_), type_(other.type_) { retain(); }
+    /// Takes over the other, which is nil then.
     Value(Value&& other) noexcept : data_(other.data_), type_(other.type_) {
         other.type_ = Type::nil;
     }
+    /// A copy.
     Value& operator=(const Value& other) {
         Value copy(other);
         swap(copy);
         return *this;
     }
+    /// Takes over the other.
     Value& operator=(Value&& other) noexcept {
         swap(other);
         return *this;
@@ -97,28 +107,37 @@ class Value {
     ~Value() {
         if (shared()) release();
     }
+    /// Exchanges two values.
     void swap(Value& other) noexcept {
         std::swap(data_, other.data_);
         std::swap(type_, other.type_);
     }
 
-    Type type() const { return type_; }
-    bool is_nil() const { return type_ == Type::nil; }
-    bool is(Type type) const { return type_ == type; }
+    Type type() const { return type_; }                 ///< of the value
+    bool is_nil() const { return type_ == Type::nil; }  ///< whether there is none
+    bool is(Type type) const { return type_ == type; }  ///< whether it has that type
     /// integer or number
     bool is_numeric() const { return type_ == Type::integer || type_ == Type::number; }
 
     // Each throws Error(wrong_type), which names both types, if the value has another type.
+    /// Throws Error(wrong_type), which names both types, if the value has another type.
     bool boolean() const { return as(Type::boolean).boolean; }
+    /// Throws Error(wrong_type) if the value has another type.
     std::int64_t integer() const { return as(Type::integer).integer; }
+    /// Throws Error(wrong_type) if the value has another type.
     double number() const { return as(Type::number).number; }
+    /// Throws Error(wrong_type) if the value has another type.
     Vec2 vec2() const {
         const Data& data = as(Type::vec2);
         return {data.vec[0], data.vec[1]};
     }
+    /// Throws Error(wrong_type) if the value has another type.
     Color color() const { return as(Type::color).color; }
+    /// Throws Error(wrong_type) if the value has another type.
     Handle reference() const { return as(Type::reference).reference; }
+    /// Throws Error(wrong_type) if the value has another type.
     const std::string& text() const;
+    /// Throws Error(wrong_type) if the value has another type.
     const List& list() const;
 
     /// integer or number, as a double (an integer beyond 2^53 is rounded).

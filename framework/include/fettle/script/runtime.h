@@ -38,26 +38,29 @@ struct GameLimits {
     std::uint64_t instructions = 0;  // Lua instructions of one call into the scripts
     /// Bytes of Lua and of what the scripts add to the tree, physics included (estimated).
     std::size_t memory = 0;
-    std::size_t instances = 0, handlers = 0, timers = 0;
-    std::size_t output = 0;  // bytes that print() may write during a run
+    std::size_t instances = 0;  // as all limits here, 0: none
+    std::size_t handlers = 0;   // watchers included
+    std::size_t timers = 0;     // that wait
+    std::size_t output = 0;     // bytes that print() may write during a run
 };
 
+/// How a runtime is set up.
 struct Options {
-    std::uint64_t seed = 0;
+    std::uint64_t seed = 0;                             ///< of random()
     std::size_t memory_limit = std::size_t{512} << 20;  // bytes, whole Lua state
     // Bytes that one console command may add, in Lua and in the tree. For a chunk of `run`:
     // memory_limit.
-    std::size_t console_memory = std::size_t{128} << 20;
-    std::uint64_t console_budget = 50'000'000;  // Lua instructions of one console command
-    GameLimits limits{};
+    std::size_t console_memory = std::size_t{128} << 20;  ///< bytes that a command may add
+    std::uint64_t console_budget = 50'000'000;            // Lua instructions of one console command
+    GameLimits limits{};                                  ///< for games that are not trusted
     /// Seconds that a call into the scripts may take; then it is stopped, as by an error. 0: no
     /// limit. `limit_calls` can change it.
     double call_seconds = 10;
     std::filesystem::path assets;  // folder for files that the game's folder does not have
     // Not owned; null if the game has none.
-    property::GameSaves* saves = nullptr;
-    property::Tweaks* tweaks = nullptr;
-    property::Store* store = nullptr;
+    property::GameSaves* saves = nullptr;  ///< saved games; not owned
+    property::Tweaks* tweaks = nullptr;    ///< what people edit; not owned
+    property::Store* store = nullptr;      ///< lasting values of the game; not owned
     property::GameFiles* files = nullptr;  // null: the files on the disk
     property::Media* media = nullptr;      // null: `pen` has no images and cannot measure text
     /// Name of the recording that this run replays; "" in a normal run. A replay does not write the
@@ -82,7 +85,7 @@ std::vector<std::string> error_lines(const ScriptError& error);
 
 /// Result of `Runtime::reload`.
 struct Reloaded {
-    bool done = false;
+    bool done = false;                   ///< whether the new scripts run now
     std::optional<ScriptError> error{};  // if it was not done: nothing has changed
     std::vector<std::string> notes{};    // values that could not be applied
 };
@@ -95,26 +98,29 @@ struct LongCall {
 
 /// Result of one console command.
 struct Evaluation {
-    bool ok = false;
+    bool ok = false;                 ///< whether it ran to its end
     bool incomplete = false;         // the chunk needs more lines; nothing has run
     std::vector<std::string> lines;  // printed text, results and old and new values of assignments,
                                      // in order
-    std::optional<ScriptError> error;
-    property::Value result;  // the last result; nil if it is not a value of the tree
+    std::optional<ScriptError> error;  ///< none if it is ok
+    property::Value result;            // the last result; nil if it is not a value of the tree
 };
 
+/// A candidate for what may be typed.
 struct Completion {
-    std::string text;    // replaces the input from `replace_from` to the cursor
-    std::string label;   // as listed: "friction"
-    std::string detail;  // "0.6 · number · 0 to inf · default 0.6"
-    std::string doc;
+    std::string text;              // replaces the input from `replace_from` to the cursor
+    std::string label;             // as listed: "friction"
+    std::string detail;            // "0.6 · number · 0 to inf · default 0.6"
+    std::string doc;               ///< what it is
     std::size_t replace_from = 0;  // byte offset
 };
 
 /// A function of the host that scripts can call. Its exceptions become errors of the script.
 using HostFunction = std::function<property::Value(std::span<const property::Value> arguments)>;
 
-/// **Lifetimes.** A tree has one runtime at a time: a second throws Error(bad_structure); after the
+/// Lua over a tree: scripts, their callbacks, and the commands of the console.
+///
+/// Lifetimes: a tree has one runtime at a time: a second throws Error(bad_structure); after the
 /// first is destroyed, another may be made. Watchers, timers and handlers of the scripts end with
 /// the runtime; formulas that they defined are in error from then on. The runtime may outlive the
 /// tree: functions that would run a script then throw Error(deleted). Functions given to
@@ -124,6 +130,7 @@ using HostFunction = std::function<property::Value(std::span<const property::Val
 /// should not throw: an exception leaves the call (`run`, `step`) that called them.
 class Runtime {
   public:
+    /// Makes Lua's state, and puts the functions of the library into it.
     Runtime(property::Tree& tree, Options options);
     ~Runtime();
     Runtime(const Runtime&) = delete;
@@ -195,7 +202,7 @@ class Runtime {
     Observed observe(std::string_view expression);
     /// Sets the value of `it` in the console.
     void set_it(property::Handle instance);
-    property::Handle it() const;
+    property::Handle it() const;  ///< the instance that is selected; null if none is
 
     // --- Calls that do not return
 
@@ -214,6 +221,7 @@ class Runtime {
 
     // --- Callbacks of the host
 
+    /// Receives the errors of scripts.
     void on_error(std::function<void(const ScriptError&)> sink);
     /// Receives the output of print() outside console commands.
     void on_print(std::function<void(std::string_view)> sink);
@@ -235,7 +243,7 @@ class Runtime {
     void interrupt() noexcept;
     /// Scripts may run again. Call it between calls into the runtime.
     void go_on();
-    bool interrupted() const;
+    bool interrupted() const;  ///< from `interrupt` to `go_on`
     /// Status that a script gave to quit(); none if quit() was not called.
     std::optional<int> quit_status() const;
     /// True if the game defines a global function of that name.
