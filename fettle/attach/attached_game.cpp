@@ -74,7 +74,7 @@ std::optional<Message> AttachedGame::next(bool waits) {
             std::optional<Message> message = read_message(std::string_view(in_).substr(0, end));
             in_.erase(0, end + 1);
             if (message) return message;
-            reason_ = "the game says what this version of fettle does not understand";
+            reason_ = "the game sent a message that this version of fettle does not understand";
         } else if (!receive(waits)) {
             return std::nullopt;
         }

@@ -151,7 +151,7 @@ Command add_test(CLI::App& app) {
         [options](const std::string& text) {
             options->timeout = whole_number("--timeout", text, 1, longest_test);
         },
-        "Stop a test that takes longer than so many seconds; 60 unless given");
+        "Stop a test that takes longer than this number of seconds; 60 by default");
     command
         .add_option_function<std::string>(
             "--module",

@@ -32,8 +32,8 @@ void write_all(int to, std::string_view text) {
 /// `exit(0)`.
 constexpr std::string_view success_line = "=\n";
 
-/// Runs `body` in the copy and writes to `to`: a line for each phase, "@in its own test", and at
-/// last "!" and an error message, or `success_line`.
+/// Runs `body` in the copy and writes to `to`: a line for each phase, "@in its own test", and
+/// finally "!" with an error message, or `success_line`.
 [[noreturn]] void run_copy(
     int to, const std::function<void(const std::function<void(std::string_view)>&)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);

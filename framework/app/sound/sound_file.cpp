@@ -28,10 +28,10 @@ std::size_t number_at(const std::string& bytes, std::size_t at, std::size_t size
 
 /// A WAV file with which SFML ends the program: it divides by zero if the samples come before their
 /// format, and version 3 knows no positions for more than eight channels. That version also reads
-/// the relatives of the format whose numbers are written in other ways.
+/// the variants of the format that store numbers in other ways.
 bool ends_the_program(const std::string& bytes) {
-    for (const char* relative : {"RIFX", "RF64", "riff", "FORM"})
-        if (bytes.starts_with(relative)) return true;
+    for (const char* variant : {"RIFX", "RF64", "riff", "FORM"})
+        if (bytes.starts_with(variant)) return true;
     constexpr std::size_t head = 12;  // "RIFF", a size, "WAVE"
     if (!bytes.starts_with("RIFF")) return false;
     for (std::size_t at = head; at + 8 <= bytes.size();) {
@@ -68,8 +68,8 @@ SoundFile::SoundFile(std::string bytes) : bytes_(std::move(bytes)) {
         const sfml::NoMessages quiet;
         if (ends_the_program(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
             throw std::invalid_argument(
-                "it is damaged, or no sound that can be played: WAV (PCM), OGG (Vorbis) and FLAC "
-                "are, and MP3 with SFML 2.6 or newer");
+                "it is damaged, or in a format that cannot be played; WAV (PCM), OGG (Vorbis) and "
+                "FLAC can, and MP3 with SFML 2.6 or newer");
     }
     rate_ = file.getSampleRate();
     channels_ = file.getChannelCount();

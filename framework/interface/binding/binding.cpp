@@ -63,7 +63,7 @@ Value read(const property::Tree& tree, const Place& place) {
 }
 
 [[noreturn]] void refuse(const property::Tree& tree, const std::string& what, const Value& target) {
-    throw std::invalid_argument("expected " + what + ", and it is " + tree.text(target));
+    throw std::invalid_argument("expected " + what + ", got " + tree.text(target));
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ Value Binding::wanted(const Widget& widget, const Place& place, const Value& own
     double number = 0;
     const auto end = text.data() + text.size();
     const auto got = std::from_chars(text.data(), end, number);
-    // What is no number yet may become one.
+    // The text may become a number when more of it is typed.
     if (got.ec != std::errc() || got.ptr != end || !std::isfinite(number)) return target;
     if (target.is(Type::integer)) return static_cast<std::int64_t>(std::llround(number));
     return number;
@@ -148,7 +148,7 @@ void Binding::update(Widget& widget) {
         const Value target = read(tree, place), own = tree.get(self, name);
         const bool reads_only = widget.kind == Kind::label || widget.kind == Kind::progress_bar ||
                                 widget.kind == Kind::button;
-        // A number in a field that is being typed in stays as it is typed.
+        // While the player types a number, the text of the field is not replaced by the number.
         const bool typing = widget.kind == Kind::text_field && widgets_.board.focus == self;
         if (!widget.bound_before || !(target == widget.target_before)) {
             const Value now = shown(widget, target);

@@ -10,7 +10,7 @@ namespace {
 
 template <class Handler>
 Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
-    if (!handler) throw Error(ErrorKind::wrong_type, "to watch needs a handler, a function");
+    if (!handler) throw Error(ErrorKind::wrong_type, "watch: expected a handler, got none");
     Watcher watcher;
     watcher.kind = kind;
     watcher.label = std::move(options.label);

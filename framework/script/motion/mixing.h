@@ -10,9 +10,9 @@ namespace fettle::script {
 /// same length.
 bool mixable(const property::Value& from, const property::Value& to);
 
-/// The value at `part` of the way; below 0 and above 1 it lies beyond the ends. It is one that
-/// `property` takes: integers are rounded where it takes no other numbers, and what is beyond its
-/// range is cut off at the range. The two must be mixable.
+/// The value at `part` of the way; below 0 and above 1 it lies beyond the ends. The
+/// property accepts the result: it is rounded if the property takes integers only, and limited to
+/// the property's range. The two must be mixable.
 property::Value mix(const property::Value& from, const property::Value& to, double part,
                     const property::Property& property);
 

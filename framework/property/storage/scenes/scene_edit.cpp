@@ -232,7 +232,7 @@ void SceneEdit::name_as_in(const SceneSteps& steps, const SceneEdit& other,
             replaced.emplace_back(each.node, other.value(same_below(each, steps, other_steps),
                                                          document().key(*each.node)));
         }
-    // What names nothing here.
+    // References that are empty in this file and name an instance in the other one.
     for (const NamingValue& each : other.naming_values(any))
         if (each.node->begin >= other_top.begin && each.node->begin < other_top.end) {
             const Node* here =
