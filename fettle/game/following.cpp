@@ -10,6 +10,7 @@
 
 #include <files/game_path.h>
 #include <game/game_window.h>
+#include <game/preferences.h>
 #include <game/session.h>
 
 namespace fettle::program {
@@ -70,6 +71,8 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
         return Followed::failed;
     }
     if (error_over_) error_over_(nullptr);
+    // The new code has assigned volumes and keys again, as at the start of the game.
+    if (code) follow_preferences(*preferences_, interface_);
     const std::chrono::duration<double, std::milli> lasted =
         std::chrono::steady_clock::now() - begin;
     note("reloaded " + join(names) + " in " + std::to_string(std::lround(lasted.count())) + " ms");

@@ -53,6 +53,30 @@ TEST_CASE("a headless run follows its files if it is asked to") {
     CHECK(contains(store, "\"played\": true"));
 }
 
+TEST_CASE("a reload leaves what the player has set") {
+    Run run;
+    run.folder.write("game/game.json", R"({"id": "org.example.settings"})");
+    const std::string main = "audio.volume = 0.9 input.actions.jump = { 'space' } ";
+    run.folder.write("game/main.lua",
+                     main +
+                         "after(0.5, function() interface:prefer('audio.volume', 0.25) "
+                         "interface:prefer('input.actions.jump', { 'j' }) end) "
+                         "after(1, function() scene.save('begun.json', Object { }) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua",
+                     main +
+                         "function reloaded() after(0.1, function() store.volume = audio.volume "
+                         "store.key = input.actions.jump[1] quit() end) end");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    const std::string store =
+        run.folder.text("user data/fettle/games/org.example.settings/store.json");
+    CHECK(contains(store, "\"volume\": 0.25"));
+    CHECK(contains(store, "\"key\": \"j\""));
+}
+
 TEST_CASE("an error of a changed file is told and the game goes on") {
     Run run;
     run.folder.write("game/main.lua",

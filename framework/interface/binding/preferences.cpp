@@ -80,9 +80,10 @@ void Preferences::prefer(const std::string& path, const Value& value) {
 }
 
 void Preferences::begin_with(const std::string& path, const Value& value) {
-    remove(now_, path);
-    now_.push_back(List{path, value});
-    jumped_ = true;
+    for (List* const list : {&now_, &waiting_}) {
+        remove(*list, path);
+        list->push_back(List{path, value});
+    }
 }
 
 void Preferences::put(const std::string& path, const Value& value) {
