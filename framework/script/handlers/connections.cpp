@@ -8,6 +8,7 @@
 #include <lua/guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/recording.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -89,24 +90,14 @@ std::uint64_t Connections::insert(Entry entry) {
     return next_id_++;
 }
 
-namespace {
-
-/// Whether a person connects it, now: then it belongs to no moment of the game.
-bool by_person(const Machine& machine) {
-    const property::Writer writer = machine.tree.cause().writer;
-    return writer == property::Writer::console || writer == property::Writer::inspector ||
-           writer == property::Writer::remote;
-}
-
-}  // namespace
-
 void Connections::push(lua_State* L, property::Handle instance, Subscription subscription) {
     Entry entry{.connection = subscription.connect(instance, subscription.function),
                 .instance = instance,
                 .scene = machine_.globals.entering,
                 .function = subscription.function,
                 .always = noting_};
-    if (!by_person(machine_))
+    // What a person connects in the console belongs to no moment of the game.
+    if (machine_.recording.writer == property::Writer::script)
         entry.connect =
             std::make_shared<const Subscription::Connect>(std::move(subscription.connect));
     const std::uint64_t id = insert(std::move(entry));
