@@ -26,6 +26,11 @@ struct Interface::State {
             .lay_out = [this] { player.lay_out(); },
             .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; }};
     }
+    void follow_preferences() {
+        if (!preferences.differs()) return;
+        preferences.give_back();
+        binding.follow_properties();
+    }
     Widgets widgets;
     Preferences preferences;
     Layout layout;
@@ -35,6 +40,7 @@ struct Interface::State {
     Vec2 screen{1280, 720};
     property::Tree* tree = nullptr;
     std::weak_ptr<const property::Tree*> tree_life;
+    property::ScopedConnection restored;
 };
 
 namespace {
@@ -100,6 +106,13 @@ void Interface::attach(property::Tree& tree) {
     state_->widgets.define(tree, preference_parts(state_->preferences));
     state_->preferences.attach(tree, state_->widgets.service());
     state_->tree_life = tree.lifetime();
+    // Before the next picture and the next sound. `frame` does the rest.
+    state_->restored = tree.on(tree.root(), *tree.class_of(tree.root()).event("restored"),
+                               [this](const property::Occurrence&) {
+                                   const property::Tree::CauseScope cause(
+                                       *state_->tree, property::Writer::module, &place());
+                                   state_->follow_preferences();
+                               });
 }
 
 void Interface::step(double) {}
@@ -165,10 +178,7 @@ void Interface::frame(const Vec2& mouse, const Vec2& screen, double seconds) {
     if (state_->tree_life.expired()) return;
     const property::Tree::CauseScope cause(*state_->tree, property::Writer::module, &place());
     state_->screen = screen;
-    if (state_->preferences.differs()) {
-        state_->preferences.give_back();
-        state_->binding.follow_properties();
-    }
+    state_->follow_preferences();
     state_->player.frame(mouse, screen);
     state_->picture.advance(seconds);
 }

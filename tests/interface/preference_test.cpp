@@ -57,6 +57,18 @@ TEST_CASE("a rewind leaves what the player has set and takes the rest back") {
     CHECK(s.problems.empty());
 }
 
+TEST_CASE("a rewind within a step has the settings of the player before the next picture") {
+    Screen s(settings);
+    s.turn(10);
+    lower(s, "volume");
+    s.run("function step() if time.step == 30 then time:go_to(5) end end");
+    while (s.services.clock.step < 29) s.turn();
+    s.turn();
+    CHECK(s.services.clock.step == 5);
+    CHECK(s.get("audio.volume").number() == 0);
+    CHECK(s.problems.empty());
+}
+
 TEST_CASE("what the game writes over a setting of the player is state") {
     Screen s(settings);
     s.turn(5);
