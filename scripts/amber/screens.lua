@@ -78,19 +78,15 @@ function menus.pause(game)
         item("Settings", opens("settings")), item("Title", game.title) } }
 end
 
--- The volumes are kept in the store, which no rewind changes.
+-- What is set with a bound slider is kept, and no rewind changes it.
 local function volume(text, bus)
     return Row { Label { text = text, grow = 1 },
-        Slider { size = vec(190, 0), step = 0.1, bind = "audio.buses." .. bus .. ".volume", changed = function(event)
-            store[bus] = event.value
-            sound.play("tick")
-        end } }
+        Slider { size = vec(190, 0), step = 0.1, bind = "audio.buses." .. bus .. ".volume", changed = function() sound.play("tick") end } }
 end
 
 local function erase(button)
     if button.text == "Really erase?" then
         store:clear()
-        sound.apply_volumes()
         screens.open("settings")
     else
         button.text = "Really erase?"

@@ -14,13 +14,8 @@ function sound.play(name, volume, pitch)
     heard[#heard + 1] = note
 end
 
--- The volumes of the player come from the store, since a rewind would undo them.
-function sound.apply_volumes()
-    audio.buses.music.volume, audio.buses.effects.volume = store.music or 0.7, store.effects or 0.8
-end
-
 function sound.start()
-    sound.apply_volumes()
+    audio.buses.music.volume, audio.buses.effects.volume, audio.buses.music.pauses = 0.7, 0.8, false
     sounds.music:play { fade = 1.5 }
     sounds.tide:play { volume = 0 }
 end
@@ -37,7 +32,6 @@ function sound.update(back)
 end
 
 function sound.restored()
-    sound.apply_volumes()
     for _, voice in ipairs(audio.voices) do
         local kept = lasting[voice.parent.name]
         if kept then voice.time, voice.volume, voice.pitch = table.unpack(kept) else voice:delete() end

@@ -4,7 +4,7 @@ for _, name in ipairs { "hero", "things", "boar" } do require(name) end
 local menus = require("menus")
 scene.load("sounds.json", game, "sounds")
 for name, value in pairs { lives = 5, hearts = 3, coins = 0, points = 0 } do state(name, value) end
-input.actions.jump = store.jump or { "space", "z", "gamepad.a", "mouse.left" }
+input.actions.jump = { "space", "z", "gamepad.a", "mouse.left" }
 input.actions.pause = { "escape", "p", "gamepad.start" }
 class("Level", World) { number = 1, clock = 0.0, coins = 0, all_coins = 0, hits = 0, chain = 0, respawn = vec(0, 0), over = false,
     gravity = vec(0, -36) }
@@ -116,6 +116,6 @@ function action_pressed(action)
 end
 function start()
     view.fit, view.background = "expand", color("#2b1d2e")
-    audio.buses.music.volume, audio.buses.effects.volume = store.music or 0.6, store.effects or 0.8
+    audio.buses.music.volume, audio.buses.effects.volume, audio.buses.music.pauses = 0.6, 0.8, false
     go_to_scene("Title")
 end

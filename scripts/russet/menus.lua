@@ -77,10 +77,7 @@ function menus.scores()
     open("settings", list, back)
 end
 function menus.settings()
-    local function back()
-        store.music, store.effects, store.jump = audio.buses.music.volume, audio.buses.effects.volume, input.actions.jump
-        close("settings")
-    end
+    local function back() close("settings") end
     open("settings", { head("Settings"), row("Music", Slider { name = "music", bind = "audio.buses.music.volume", max = 1, step = 0.1 }),
         row("Sounds", Slider { name = "effects", bind = "audio.buses.effects.volume", max = 1, step = 0.1 }),
         row("Jump", Button { name = "jump", bind = "input.actions.jump", size = vec(210, 0) }),
