@@ -66,6 +66,12 @@ struct VertexPool {
         return true;
     }
 
+    /// Visits the free blocks: their beginning and size.
+    void for_each_free(auto&& visit) const {
+        for (size_t power = 0; power < free_.size(); ++power)
+            for (const uint32_t begin : free_[power]) visit(size_t{begin}, size_t{1} << power);
+    }
+
     /// For saving and restoring.
     static void members(auto& io, auto& self) {
         io(self.local), io(self.normals), io(self.vertices), io(self.directions);

@@ -60,9 +60,53 @@ uint32_t degree(uint32_t first, uint32_t body, Edge edge_of, Body body_of) {
     return count;
 }
 
+/// False if its mobility does not follow from its type. An edit that changes one of them lists it.
+bool moves_as_its_type(const BodyRecord& body) {
+    if (body.listed || body.mobility == Mobility::fixed) return true;
+    return body.mobility == Mobility::kinematic ? body.type == BodyType::kinematic_body
+                                                : body.type == BodyType::dynamic_body;
+}
+
+/// Checks that each record of unusual traits belongs to one body or is free.
+Fault check_traits(const WorldState& data) {
+    std::vector<bool> owned(data.traits.size());
+    uint32_t owners = 0;
+    for (uint32_t body = 0; body < data.bodies.size(); ++body) {
+        const uint32_t traits = data.bodies[body].traits;
+        if (data.body_generations[body] == 0 || traits == none) continue;
+        if (owned[traits]) return "body " + number(body) + " shares its traits with another one";
+        owned[traits] = true;
+        ++owners;
+    }
+    if (owners != data.trait_slots.count)
+        return std::string("the number of unusual traits of bodies is wrong");
+    if (!lists_the_free(data.trait_slots, data.traits, [&](uint32_t i) { return !owned[i]; }))
+        return std::string("the list of free traits is wrong");
+    return {};
+}
+
+Fault check_islands(const WorldState& data) {
+    uint32_t used = 0;
+    for (const Island& island : data.islands) used += island.first != none;
+    if (used != data.island_slots.count) return std::string("the number of islands is wrong");
+    if (!lists_the_free(data.island_slots, data.islands,
+                        [&](uint32_t i) { return data.islands[i].first == none; }))
+        return std::string("the list of free islands is wrong");
+    return {};
+}
+
+Fault check_fields(const WorldState& data) {
+    uint32_t live = 0;
+    for (const FieldRecord& field : data.fields) live += field.generation != 0;
+    if (live != data.field_slots.count) return std::string("the number of fields is wrong");
+    if (!lists_the_free(data.field_slots, data.fields,
+                        [&](uint32_t i) { return data.fields[i].generation == 0; }))
+        return std::string("the list of free fields is wrong");
+    return {};
+}
+
 Fault check_bodies(const WorldState& data) {
-    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0, bullets = 0,
-             traits = 0;
+    uint32_t live = 0, awake = 0, asleep = 0, in_islands = 0, kinematic = 0, bullets = 0;
     for (uint32_t body = 0; body < data.bodies.size(); ++body) {
         const BodyRecord& record = data.bodies[body];
         if (data.body_generations[body] == 0) {
@@ -72,15 +116,20 @@ Fault check_bodies(const WorldState& data) {
             continue;
         }
         live += body != 0;
-        traits += record.traits != none;
         if (record.disabled && (record.mobility != Mobility::fixed || record.first_contact != none))
             return "body " + number(body) + " is disabled but takes part";
         bullets += record.bullet;
         kinematic += record.mobility == Mobility::kinematic;
         if ((record.mass_dirty || record.placement_dirty) && !record.listed)
             return "body " + number(body) + " is out of date but not listed";
+        if (record.island == none && record.next != none)
+            return "body " + number(body) + " is in no island and before another one";
+        if (!moves_as_its_type(record))
+            return "body " + number(body) + " moves otherwise than its type";
         if (record.solver_index != 0) {
             ++awake;
+            if (record.mobility == Mobility::fixed)
+                return "body " + number(body) + " is awake and cannot move";
             if (record.island != none)
                 return "body " + number(body) + " is awake and in a sleeping island";
             if (record.solver_index > data.awake_bodies.size() ||
@@ -94,8 +143,6 @@ Fault check_bodies(const WorldState& data) {
     if (live != data.body_slots.count || kinematic != data.kinematic_bodies ||
         bullets != data.bullets)
         return std::string("the number of bodies is wrong");
-    if (traits != data.trait_slots.count)
-        return std::string("the number of unusual traits of bodies is wrong");
     if (awake != data.awake_bodies.size())
         return std::string("the list of awake bodies is too long");
     for (uint32_t i = 0; i < data.islands.size(); ++i)
@@ -103,6 +150,36 @@ Fault check_bodies(const WorldState& data) {
     if (asleep != in_islands) return std::string("the islands hold bodies that do not sleep");
     return check_slot_lists("bodies", data.bodies, data.body_generations, data.edited_bodies,
                             data.body_slots);
+}
+
+/// True for what collides, unless an edit has listed it, which gives it a proxy.
+bool needs_proxy(const WorldState& data, uint32_t shape) {
+    const uint32_t body = data.forms[shape].body;
+    return body != none && data.is_solid(shape) && !data.bodies[body].disabled &&
+           !data.bodies[body].listed && !data.shapes[shape].listed;
+}
+
+/// Checks that no two shapes have the same vertices, and that no vertices in use are free.
+Fault check_vertices(const WorldState& data) {
+    std::vector<bool> taken(data.pool.local.size());
+    const auto take = [&](size_t begin, size_t size) {
+        if (size > taken.size() || begin > taken.size() - size) return false;
+        bool free = true;
+        for (size_t i = begin; i < begin + size; ++i) {
+            free &= !taken[i];
+            taken[i] = true;
+        }
+        return free;
+    };
+    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+        const uint32_t size = data.shapes[shape].capacity;
+        if (size > 0 && !take(data.forms[shape].begin, size))
+            return "shape " + number(shape) + " has the vertices of another one";
+    }
+    bool free = true;
+    data.pool.for_each_free([&](size_t begin, size_t size) { free &= take(begin, size); });
+    if (!free) return std::string("the list of free vertices is wrong");
+    return {};
 }
 
 Fault check_shapes(const WorldState& data) {
@@ -121,7 +198,10 @@ Fault check_shapes(const WorldState& data) {
         on_bodies += data.forms[shape].body != none;
         if (record.geometry_dirty && !record.listed)
             return "shape " + number(shape) + " is out of date but not listed";
-        if (record.proxy == Tree::none) continue;
+        if (record.proxy == Tree::none) {
+            if (needs_proxy(data, shape)) return "shape " + number(shape) + " is in no tree";
+            continue;
+        }
         ++proxies;
         if (data.forms[shape].body != none && data.bodies[data.forms[shape].body].disabled)
             return "shape " + number(shape) + " is in a tree, and its body is disabled";
@@ -158,7 +238,11 @@ Fault check_contacts(const WorldState& data) {
     std::vector<uint32_t> touching(data.bodies.size(), 0);
     for (uint32_t slot = 0; slot < data.contacts.size(); ++slot) {
         const ContactRecord& c = data.contacts[slot];
-        if (c.shape_a == none) continue;
+        if (c.shape_a == none) {
+            if (c.awake_index != none)
+                return "contact " + number(slot) + " is destroyed but still listed";
+            continue;
+        }
         ++live;
         if (c.shape_a >= c.shape_b)
             return "contact " + number(slot) + " has its shapes in the wrong order";
@@ -246,7 +330,8 @@ Fault check_joints(const WorldState& data) {
 }  // namespace
 
 std::optional<std::string> memberships_problem(const WorldState& world) {
-    for (auto check : {check_bodies, check_shapes, check_contacts, check_joints}) {
+    for (auto check : {check_bodies, check_traits, check_islands, check_shapes, check_vertices,
+                       check_contacts, check_joints, check_fields}) {
         if (Fault fault = check(world)) return fault;
     }
     return {};

@@ -23,6 +23,12 @@ bool is_finite(Vec2 v) {
 bool is_finite(const Box4& box) {
     return is_finite(box.low) && is_finite(box.high);
 }
+/// Upper bound of distances between points on shapes and of centers of mass in the world, m: such a
+/// point is the sum of few coordinates within the limit of each.
+constexpr float greatest_distance = 4.0f * greatest_coordinate;
+bool is_near(Vec2 v) {
+    return std::fabs(v.x) <= greatest_distance && std::fabs(v.y) <= greatest_distance;
+}
 /// True for a valid amount. It may be infinite: an infinite mass, or a resting time beyond the
 /// range of a float.
 bool is_amount(float value) {
@@ -45,7 +51,7 @@ void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
                        is_given(body.given_center.x) == is_given(body.given_center.y) &&
                        (!is_given(body.given_center.x) || is_finite(body.given_center));
     require(given && is_amount(body.mass) && is_amount(body.inertia), "the mass of body", slot);
-    require(is_finite(body.center) && is_finite(body.local_center) &&
+    require(is_near(body.center) && is_near(body.local_center) &&
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
                            body.thickness) &&
                 is_amount(body.sleep_time) && is_finite(rest.center) && are_finite(rest.angle) &&
@@ -116,17 +122,20 @@ void check_shape(const WorldState& w, size_t shape) {
     check(record.surface);
     if (record.owner == none) check_figure(w, shape);  // a part has the figure of its owner
     require(are_finite(record.area, record.moment, form.radius, form.angle, form.turn) &&
-                form.radius >= 0.0f && is_finite(record.centroid) && is_finite(form.center) &&
+                form.radius >= 0.0f && form.radius <= greatest_distance && record.area >= 0.0f &&
+                record.moment >= 0.0f && is_near(record.centroid) && is_near(form.center) &&
                 is_finite(w.boxes[shape]) && is_finite(w.fat_boxes[shape]) &&
                 is_finite(w.paired_boxes[shape]),
             "what follows from shape", shape);
     if (form.kind == FormKind::border || form.count == 0) return;
     const size_t stored = form.count * (form.kind == FormKind::piece ? size_t{3} : 1);
     for (size_t i = form.begin; i < form.begin + stored; ++i)
-        require(is_finite(w.pool.local[i]), "the vertices of shape", shape);
+        require(is_near(w.pool.local[i]), "the vertices of shape", shape);
+    // An edit marks the vertices that must be placed again.
+    const bool placed = form.body == none || !w.bodies[form.body].placement_dirty;
     for (size_t i = form.begin; i < form.begin + form.count; ++i)
-        require(is_finite(w.pool.normals[i]) && is_finite(w.pool.directions[i]) &&
-                    are_finite(w.pool.offsets[i]),
+        require((!placed || is_near(w.pool.vertices[i])) && is_near(w.pool.normals[i]) &&
+                    is_near(w.pool.directions[i]) && are_finite(w.pool.offsets[i]),
                 "the vertices of shape", shape);
 }
 
@@ -153,7 +162,7 @@ void check(const ContactRecord& contact, const ManifoldPose& pose, size_t slot) 
                  are_finite(pose.angle_a, pose.angle_b, pose.separations[0], pose.separations[1]);
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& p = m.points[i];
-        sound &= is_finite(p.anchor_a) && is_finite(p.anchor_b) &&
+        sound &= is_near(p.anchor_a) && is_near(p.anchor_b) &&
                  are_finite(p.separation, p.normal_impulse, p.tangent_impulse);
     }
     require(sound, "contact", slot);

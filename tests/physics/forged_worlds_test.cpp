@@ -1,0 +1,137 @@
+#include "catch.h"
+#include "saved_worlds.h"
+#include "world_inside.h"
+
+#include <functional>
+
+// Saved worlds whose lists and numbers contradict each other, sealed with a valid checksum: they
+// are refused, since a step would not end, or would use memory that it does not own.
+
+namespace forged_worlds_test {
+
+using namespace fettle::physics;
+using detail::WorldData;
+
+namespace {
+
+/// Two crates on a floor, of which one has unusual traits and one sleeps; fields and free slots.
+World sample() {
+    World world;
+    Body floor = world.create_body({.type = BodyType::static_body});
+    floor.add(Box{.width = 20});
+    world.create_body({.position = {0, 1}, .name = "crate"}).add(Box{});
+    world.create_body({.position = {3, 2}, .max_speed = 5}).add(Polygon{{{0, 0}, {1, 0}, {0, 1}}});
+    world.create_body({.position = {6, 2}, .awake = false}).add(Box{});
+    world.create_body({.position = {9, 2}, .name = "gone"}).destroy();
+    world.create_field({.force = WindField{}});
+    world.create_field({.force = DragField{}}).destroy();
+    world.create_shape(Box{}).destroy();
+    world.step(1.0f / 60);
+    return world;
+}
+
+constexpr uint32_t floor_body = 1, crate = 2, limited = 3, sleeping = 4;
+
+/// The reason why the world that `forge` has changed is refused; empty if it is not.
+std::string refused(const std::function<void(WorldData&)>& forge) {
+    World world = sample();
+    forge(detail::WorldInside::of(world));
+    const std::vector<std::byte> bytes = scenes::saved(world);
+    World target;
+    try {
+        target.restore(bytes);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("forged worlds: an unchanged sample is restored") {
+    REQUIRE(refused([](WorldData&) {}).empty());
+}
+
+TEST_CASE("forged worlds: a body in no island has no next one") {
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[crate].next = sleeping;
+            }).ends_with("body 2 is in no island and before another one"));
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[floor_body].next = floor_body;
+            }).ends_with("body 1 is in no island and before another one"));
+}
+
+TEST_CASE("forged worlds: what is awake can move and moves as its type does") {
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[crate].mobility = detail::Mobility::fixed;
+            }).ends_with("body 2 is awake and cannot move"));
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[crate].type = BodyType::static_body;
+            }).ends_with("body 2 moves otherwise than its type"));
+}
+
+TEST_CASE("forged worlds: unusual traits belong to one body or are free") {
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[limited].traits = data.bodies[crate].traits;
+            }).ends_with("body 3 shares its traits with another one"));
+    REQUIRE(refused([](WorldData& data) {
+                data.bodies[limited].traits = detail::none;
+            }).ends_with("the number of unusual traits of bodies is wrong"));
+    REQUIRE(refused([](WorldData& data) {
+                data.trait_slots.free = data.bodies[crate].traits;
+            }).ends_with("the list of free traits is wrong"));
+}
+
+TEST_CASE("forged worlds: lists of free slots have no slots in use") {
+    REQUIRE(refused([](WorldData& data) {
+                ++data.island_slots.count;
+            }).ends_with("the number of islands is wrong"));
+    REQUIRE(refused([](WorldData& data) {
+                data.island_slots.free = data.bodies[sleeping].island;
+            }).ends_with("the list of free islands is wrong"));
+    REQUIRE(refused([](WorldData& data) {
+                --data.field_slots.count;
+            }).ends_with("the number of fields is wrong"));
+    REQUIRE(refused([](WorldData& data) {
+                data.field_slots.free = 0;
+            }).ends_with("the list of free fields is wrong"));
+    REQUIRE(refused([](WorldData& data) {
+                data.pool.release(data.forms[4].begin, 4);
+            }).ends_with("the list of free vertices is wrong"));
+}
+
+TEST_CASE("forged worlds: a destroyed contact is not listed as awake") {
+    REQUIRE(refused([](WorldData& data) {
+                REQUIRE(!data.awake_contacts.empty());
+                const uint32_t slot =
+                    data.contact_slots.take(data.contact_links, data.contacts, data.manifold_poses);
+                data.contact_slots.give_back(data.contact_links, slot);
+                data.contacts[slot].awake_index = 0;
+            }).ends_with("is destroyed but still listed"));
+}
+
+TEST_CASE("forged worlds: shapes have vertices of their own and proxies") {
+    REQUIRE(refused([](WorldData& data) {
+                data.forms[5].begin = data.forms[4].begin;
+            }).ends_with("shape 5 has the vertices of another one"));
+    REQUIRE(refused([](WorldData& data) {
+                detail::ShapeRecord& shape = data.shapes[4];
+                data.fixed_tree.remove(shape.proxy);
+                shape.proxy = detail::Tree::none;
+            }).ends_with("shape 4 is in no tree"));
+}
+
+TEST_CASE("forged worlds: what follows from shapes is in its range") {
+    const auto refuses = [](auto change) { return !refused(change).empty(); };
+    REQUIRE(refuses([](WorldData& data) { data.shapes[5].area = -1; }));
+    REQUIRE(refuses([](WorldData& data) { data.shapes[5].moment = -1; }));
+    REQUIRE(refuses([](WorldData& data) { data.shapes[5].centroid.x = 1e30f; }));
+    REQUIRE(refuses([](WorldData& data) { data.forms[5].radius = 1e30f; }));
+    REQUIRE(refuses([](WorldData& data) { data.bodies[crate].center.y = 1e30f; }));
+    REQUIRE(refuses([](WorldData& data) { data.bodies[crate].local_center.y = -1e30f; }));
+    const auto vertex = [](WorldData& data) { return data.forms[5].begin; };
+    REQUIRE(refuses([&](WorldData& data) { data.pool.vertices[vertex(data)].x = infinity; }));
+    REQUIRE(refuses([&](WorldData& data) { data.pool.directions[vertex(data)].y = 1e30f; }));
+}
+
+}  // namespace forged_worlds_test
