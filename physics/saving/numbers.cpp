@@ -116,6 +116,14 @@ void check_figure(const WorldState& w, size_t shape) {
     }
 }
 
+/// The radii of an ellipse are behind its center. An edit of its geometry writes them later.
+void check_radii(const WorldState& w, size_t shape) {
+    if (w.forms[shape].kind != FormKind::ellipse || w.shapes[shape].geometry_dirty) return;
+    const size_t at = w.forms[shape].begin + size_t{1};
+    for (const Vec2 radii : {w.pool.local[at], w.pool.vertices[at]})
+        check(Geometry(Ellipse{.radius_x = radii.x, .radius_y = radii.y}));
+}
+
 void check_shape(const WorldState& w, size_t shape) {
     const ShapeRecord& record = w.shapes[shape];
     const ShapeForm& form = w.forms[shape];
@@ -137,6 +145,7 @@ void check_shape(const WorldState& w, size_t shape) {
         require((!placed || is_near(w.pool.vertices[i])) && is_near(w.pool.normals[i]) &&
                     is_near(w.pool.directions[i]) && are_finite(w.pool.offsets[i]),
                 "the vertices of shape", shape);
+    check_radii(w, shape);
 }
 
 void check_segment_surfaces(const WorldState& w) {

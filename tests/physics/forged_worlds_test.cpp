@@ -23,6 +23,7 @@ World sample() {
     world.create_body({.position = {3, 2}, .max_speed = 5}).add(Polygon{{{0, 0}, {1, 0}, {0, 1}}});
     world.create_body({.position = {6, 2}, .awake = false}).add(Box{});
     world.create_body({.position = {9, 2}, .name = "gone"}).destroy();
+    world.create_body({.position = {12, 2}}).add(Ellipse{});
     world.create_field({.force = WindField{}});
     world.create_field({.force = DragField{}}).destroy();
     world.create_shape(Box{}).destroy();
@@ -131,6 +132,9 @@ TEST_CASE("forged worlds: what follows from shapes is in its range") {
     REQUIRE(refuses([](WorldData& data) { data.bodies[crate].local_center.y = -1e30f; }));
     const auto vertex = [](WorldData& data) { return data.forms[5].begin; };
     REQUIRE(refuses([&](WorldData& data) { data.pool.vertices[vertex(data)].x = infinity; }));
+    const auto radii = [](WorldData& data) { return data.forms[7].begin + 1; };
+    REQUIRE(refuses([&](WorldData& data) { data.pool.local[radii(data)].x = 1e30f; }));
+    REQUIRE(refuses([&](WorldData& data) { data.pool.vertices[radii(data)].y = 0; }));
     REQUIRE(refuses([&](WorldData& data) { data.pool.directions[vertex(data)].y = 1e30f; }));
 }
 
