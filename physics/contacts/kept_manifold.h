@@ -27,12 +27,23 @@ inline bool may_keep(const ObjectState& objects, const ContactRecord& c) {
            slow_turn;
 }
 
+/// True if a body that moves on its own turns. The lever arm on it would lag behind, by meters for
+/// a large platform: what stands on it would be moved along a tangent, and so outwards.
+inline bool turns_on_its_own(const ObjectState& objects, uint32_t shape, uint32_t body) {
+    return objects.forms[shape].turn != 0.0f &&
+           objects.bodies[body].mobility == Mobility::kinematic;
+}
+
 /// Called after the manifold was computed. Only two points are all that two edges can have, so only
 /// then no other point can come into contact meanwhile.
 inline void note_pose(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
     c.kept = c.manifold.count == 2 && !c.sensor;
+    if (c.kept && objects.kinematic_bodies > 0)
+        c.kept = !turns_on_its_own(objects, c.shape_a, c.body_a) &&
+                 !turns_on_its_own(objects, c.shape_b, c.body_b);
     if (!c.kept) return;
+
     objects.manifold_poses[slot] = {
         objects.forms[c.shape_a].angle,
         objects.forms[c.shape_b].angle,
