@@ -35,6 +35,7 @@ class Joints : public Check {
     std::optional<std::string> look(const Moment& moment) override {
         const WorldPlan& plan = moment.plan;
         if (moment.step == 0) reset(plan);
+        if (is_windy_) return {};
         // Steps of several lengths in turn: what a long one left is there in the next, too.
         yielding_ = std::max(yielding_, yielding_of(moment));
         const std::vector<bool> squeezed = pressed(moment);
@@ -75,6 +76,10 @@ class Joints : public Check {
     void reset(const WorldPlan& plan) {
         since_.assign(plan.joints.size(), 0);
         left_out_.assign(plan.joints.size(), false);
+        // Wind accelerates thin plates by a hundred times as much as gravity, which stretches
+        // joints.
+        for (const FieldDef& field : plan.fields)
+            is_windy_ = is_windy_ || std::holds_alternative<WindField>(field.force);
         leave_out_taut(plan);
         for (std::size_t i = 0; i < plan.joints.size(); ++i)
             for (const Edit& edit : plan.edits)
@@ -158,6 +163,7 @@ class Joints : public Check {
     }
 
     float yielding_ = 1;
+    bool is_windy_ = false;
     std::vector<double> since_;
     std::vector<bool> left_out_;
 };
