@@ -19,6 +19,11 @@ struct JointStep {
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
     Softness rigid;              ///< softness of rigid rows
+    /// What a point is farther apart is not corrected at once, m.
+    float greatest_gap = 1e30f;
+
+    float corrected(float gap) const { return clamp(gap, -greatest_gap, greatest_gap); }
+    Vec2 corrected(Vec2 gap) const { return {corrected(gap.x), corrected(gap.y)}; }
 };
 
 /// Rotates a vector by an angle in the Cayley form, c = (1-t²)/(1+t²), s = 2t/(1+t²) with t =

@@ -80,7 +80,7 @@ struct PrismaticConstraint {
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
-            v1 += step.rigid.bias_rate * rail.offset;
+            v1 += step.rigid.bias_rate * step.corrected(rail.offset);
             v2 += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
             scale = step.rigid.mass_scale;
             rest = step.rigid.impulse_scale;

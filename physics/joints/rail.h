@@ -72,9 +72,9 @@ struct Rail {
     template <bool biased>
     void solve_across(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                       const JointStep& step) const {
-        across.push(
-            ends, a, b,
-            push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), offset, step));
+        across.push(ends, a, b,
+                    push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b),
+                                       step.corrected(offset), step));
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
         coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);

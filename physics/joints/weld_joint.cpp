@@ -99,7 +99,7 @@ struct WeldConstraint {
         float w = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
         if (biased) {
-            v = v + step.rigid.bias_rate * ends.gap(a, b);
+            v = v + step.rigid.bias_rate * step.corrected(ends.gap(a, b));
             w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
             scale = step.rigid.mass_scale;
             rest = step.rigid.impulse_scale;

@@ -22,33 +22,62 @@ static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 /// How joints under a load are solved. A joint yields by load / (m·ω²), where m is the mass of its
 /// light body: with the usual stiffness, a heavy body would stretch light links on which it hangs.
 /// More stiffness is stable only if more sweeps over the joints converge better.
+///
+/// A blow moves the bodies of a joint far apart, because contacts stop one of them and the joint
+/// the other only some passes later. The relax pass does not take away all of the speed that closes
+/// the gap, so the bodies spring back: the faster the gap is closed, the higher.
+
 struct LoadSettings {
     float ratio;  ///< the load is heavier than the lighter body by more than this
     float hertz;  ///< stiffness
     float share;  ///< of the rate of sub-steps: the greatest stiffness
     int sweeps;   ///< in each pass
+    float speed;  ///< at which a gap is closed at most, m/s
 };
-constexpr LoadSettings settings_of_load[JointScratch::loads] = {
-    {0.0f, 60.0f, 0.25f, 1}, {10.0f, 120.0f, 0.5f, 4}, {100.0f, 240.0f, 1.0f, 16}};
+constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.25f, 1, 4.0f},
+                                                                {10.0f, 120.0f, 0.5f, 4, 16.0f},
+                                                                {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
-Softness softness_of(size_t load, float h) {
+/// Sets how the joints under a load are solved.
+void follow_load(size_t load, JointStep& step) {
     const LoadSettings& settings = settings_of_load[load];
-    return make_softness(min(settings.hertz, settings.share / h), 2.0f, h);
+    step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
+    step.greatest_gap = settings.speed / step.rigid.bias_rate;
 }
 
 bool moves(const SolverBody& body) {
     return body.inverse_mass > 0.0f || body.inverse_inertia > 0.0f;
 }
 
-/// Index of the load that a joint bears.
-uint8_t load_between(const SolverBody& a, const SolverBody& b) {
-    if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return 0;
-    const float lighter = max(a.inverse_mass, b.inverse_mass);
-    const float heavier = min(a.inverse_mass, b.inverse_mass);
+/// Index of the load between two bodies with these inverse masses.
+uint8_t load_of(float lighter, float heavier) {
     uint8_t load = JointScratch::loads - 1;
     while (lighter <= settings_of_load[load].ratio * heavier) --load;
     return load;
 }
+
+/// Index of the load that a joint bears.
+uint8_t load_between(const SolverBody& a, const SolverBody& b) {
+    if (a.inverse_mass == 0.0f || b.inverse_mass == 0.0f) return 0;
+    return load_of(max(a.inverse_mass, b.inverse_mass), min(a.inverse_mass, b.inverse_mass));
+}
+
+/// Bodies that joints connect, one of which bears a heavy load.
+struct Loaded {
+    uint8_t load = 0;
+    float lightest = 0.0f, heaviest = 1e30f;  ///< inverse masses
+
+    void add(const SolverBody& body) {
+        if (body.inverse_mass == 0.0f) return;
+        lightest = max(lightest, body.inverse_mass);
+        heaviest = min(heaviest, body.inverse_mass);
+    }
+    /// A crate below a hook is heavier than the hook, and that is heavier than the links of its
+    /// chain, which bear both: the heaviest and the lightest body decide.
+    uint8_t greatest_load() const {
+        return load > 0 ? std::max(load, load_of(lightest, heaviest)) : load;
+    }
+};
 
 struct JointLists {
     ObjectState& objects;
@@ -117,18 +146,20 @@ struct JointLists {
             if (note != 0 && moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
                 components.unite(a, b);
         });
-        std::vector<uint8_t> loads(bodies.solver_bodies.size());
+        std::vector<Loaded> all(bodies.solver_bodies.size());
         for_each([&](size_t, uint32_t joint, uint8_t note) {
             const auto [a, b] = indices_of(joint);
             if (note == 0 || (note & load_bits) == is_tuned) return;
-            uint8_t& load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            load = std::max(load, uint8_t(note & load_bits));
+            Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
+            loaded.load = std::max(loaded.load, uint8_t((note & load_bits) / one_load));
+            loaded.add(bodies.solver_bodies[a]);
+            loaded.add(bodies.solver_bodies[b]);
         });
         for_each([&](size_t, uint32_t joint, uint8_t& note) {
             const auto [a, b] = indices_of(joint);
             if (note == 0 || (note & load_bits) == is_tuned) return;
-            const uint8_t load = loads[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
-            note = uint8_t((note & ~load_bits) | load);
+            const Loaded& loaded = all[components.find(moves(bodies.solver_bodies[a]) ? a : b)];
+            note = uint8_t((note & ~load_bits) | loaded.greatest_load() * one_load);
         });
     }
 
@@ -184,7 +215,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
-    step.rigid = softness_of(0, h);
+    follow_load(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
     if (lists.make_notes()) lists.spread_loads();
     lists.fill();
@@ -221,6 +252,8 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
         JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
         if (array.softness.empty()) continue;
         JointStep own = step;
+        own.greatest_gap = infinity;
+
         for (size_t i = array.nodes.begin(nodes); i < array.nodes.end(nodes); ++i) {
             own.rigid = array.softness[i];
             (joint_kind(JointType(type)).*pass)(array, bodies, own, {i, i + 1});
@@ -235,7 +268,7 @@ void pass_joints(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
     sweep(pass, 0, joints, bodies, step, nodes);
     for (size_t load = 1; load < JointScratch::loads; ++load) {
         JointStep of_load = step;
-        of_load.rigid = softness_of(load, step.h);
+        follow_load(load, of_load);
         const int sweeps = pass == &JointKind::warm_start ? 1 : settings_of_load[load].sweeps;
         for (int i = 0; i < sweeps; ++i) sweep(pass, load, joints, bodies, of_load, nodes);
     }

@@ -249,4 +249,102 @@ TEST_CASE("a heavy load hardly stretches the chain on which it hangs") {
                 100 * double(worst));
 }
 
+/// A figure falls upright. Returns how high its highest part gets after that, m.
+float rise_of_figure(unsigned seed) {
+    Random random{std::mt19937(seed)};
+    World world;
+    Body ground = world.create_body({.type = BodyType::static_body});
+    ground.add(Box{.width = 60, .height = 2, .center = {0, -1}});
+    const Vec2 at(random(-5, 5), random(6, 21));
+    std::vector<Body> parts;
+    const auto add = [&](Vec2 place, Vec2 half, float radius) {
+        parts.push_back(world.create_body({.position = at + place}));
+        parts.back().add(Segment{.from = -half, .to = half, .rounding = radius});
+        return parts.back();
+    };
+    const auto pin = [&](Body a, Body b, Vec2 anchor_a, Vec2 anchor_b) {
+        world.create_revolute_joint(
+            {.body_a = a.id(), .body_b = b.id(), .anchor_a = anchor_a, .anchor_b = anchor_b});
+    };
+    const Body torso = add({0, 0}, {0, 0.225f}, 0.12f);
+    pin(torso, add({0, 0.5f}, {0, 0.04f}, 0.1f), {0, 0.4f}, {0, -0.1f});
+    for (const float side : {-1.0f, 1.0f}) {
+        const Body thigh = add({0.08f * side, -0.475f}, {0, 0.15f}, 0.07f);
+        pin(torso, thigh, {0.08f * side, -0.275f}, {0, 0.2f});
+        const Body shin = add({0.08f * side, -0.875f}, {0, 0.15f}, 0.06f);
+        pin(thigh, shin, {0, -0.2f}, {0, 0.2f});
+        const Body arm = add({0.3f * side, 0.12f}, {0.1f, -0.05f * side}, 0.05f);
+        pin(torso, arm, {0.15f * side, 0.195f}, {-0.15f * side, 0.075f});
+    }
+    float top = 0;
+    bool landed = false;
+    for (int step = 0; step < 300; ++step) {
+        world.step(1.0f / 60);
+        float high = 0;
+        for (const Body& part : parts) {
+            landed = landed || part.position().y < 0.3f;
+            high = std::max(high, part.position().y);
+        }
+        if (landed) top = std::max(top, high);
+    }
+    return top;
+}
+
+TEST_CASE("figures that fall hard hardly spring up") {
+    const unsigned seeds = seeds_or(60);
+    double sum = 0;
+    float most = 0;
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        const float top = rise_of_figure(seed);
+        sum += double(top) / seeds;
+        most = std::max(most, top);
+    }
+    std::printf("figures 1.6 m high get %.2f m high after a fall, at most %.2f\n", sum,
+                double(most));
+    CHECK(sum < 2.6);
+    CHECK(most < 4);
+}
+
+TEST_CASE("a crate below a hook hardly stretches the chain that lifts it") {
+    float worst = 0;
+    for (unsigned seed = 0; seed < seeds_or(20); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world;
+        Body trolley = world.create_body({.type = BodyType::kinematic_body, .position = {0, 20}});
+        const int links = int(random(5, 20));
+        const float length = 0.5f * float(links);
+        Body above = trolley;
+        Vec2 end = {};
+        for (int i = 0; i < links; ++i) {
+            Body link = world.create_body({.position = {0, 20 - 0.25f - 0.5f * float(i)}});
+            link.add(Box{.width = 0.1f, .height = 0.5f});
+            world.create_revolute_joint({.body_a = above.id(),
+                                         .body_b = link.id(),
+                                         .anchor_a = end,
+                                         .anchor_b = {0, 0.25f}});
+            above = link;
+            end = {0, -0.25f};
+        }
+        Body hook = world.create_body({.position = {0, 20 - length - 0.2f}});
+        hook.add(Box{.width = 1, .height = 0.4f}, {.density = 4});
+        world.create_revolute_joint(
+            {.body_a = above.id(), .body_b = hook.id(), .anchor_a = end, .anchor_b = {0, 0.2f}});
+        Body crate = world.create_body({.position = {0, 20 - length - 0.9f}});
+        crate.add(Box{.width = 1.5f, .height = 1}, {.density = random(5, 25)});
+        world.create_weld_joint({.body_a = hook.id(),
+                                 .body_b = crate.id(),
+                                 .anchor_a = {0, -0.2f},
+                                 .anchor_b = {0, 0.5f}});
+        for (int step = 0; step < 900; ++step) {
+            const float time = float(step) / 60;
+            trolley.set_velocity({0, step < 450 ? 2 * std::sin(3 * time) : 0});
+            world.step(1.0f / 60);
+            const float now = (hook.position() - trolley.position()).length() - 0.2f;
+            worst = std::max(worst, now / length - 1);
+        }
+    }
+    std::printf("a crane stretches by %.4f of the length of its chain\n", worst);
+    CHECK(worst < 0.05f);
+}
+
 }  // namespace joint_family_test
