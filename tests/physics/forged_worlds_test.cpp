@@ -132,7 +132,7 @@ TEST_CASE("forged worlds: what follows from shapes is in its range") {
     REQUIRE(refuses([](WorldData& data) { data.bodies[crate].local_center.y = -1e30f; }));
     const auto vertex = [](WorldData& data) { return data.forms[5].begin; };
     REQUIRE(refuses([&](WorldData& data) { data.pool.vertices[vertex(data)].x = infinity; }));
-    const auto radii = [](WorldData& data) { return data.forms[7].begin + 1; };
+    const auto radii = [](WorldData& data) { return data.forms[8].begin + 1; };
     REQUIRE(refuses([&](WorldData& data) { data.pool.local[radii(data)].x = 1e30f; }));
     REQUIRE(refuses([&](WorldData& data) { data.pool.vertices[radii(data)].y = 0; }));
     REQUIRE(refuses([&](WorldData& data) { data.pool.directions[vertex(data)].y = 1e30f; }));
