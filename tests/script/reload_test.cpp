@@ -56,6 +56,33 @@ TEST_CASE("a number that changed in the file changes the living instance and not
     CHECK(game.number("world.ball.number") == 6);
 }
 
+TEST_CASE("going back to before a reload keeps the handlers and timers of the new code") {
+    const auto code = [](const std::string& age) {
+        return "game.a = Object { x = 0 } a:watch('x', function() print('" + age +
+               "') end) every(0.1, function() print('" + age + " timer') end)";
+    };
+    Game game(code("old"));
+    game.step(3);
+    const auto then = game.tree->snapshot();
+    const double now = game.now;
+    REQUIRE(game.change(code("new")).empty());
+    game.step(30);
+    game.tree->restore(then);
+    game.now = now;
+    game.printed.clear();
+    game.run("a.x = 7");
+    game.step(12);
+    int handlers = 0, timers = 0;
+    for (const std::string& line : game.printed) {
+        CAPTURE(line);
+        CHECK(line.find("old") == std::string::npos);
+        handlers += line == "new" ? 1 : 0;
+        timers += line == "new timer" ? 1 : 0;
+    }
+    CHECK(handlers == 1);
+    CHECK(timers == 2);
+}
+
 TEST_CASE("a value that the file does not give any more is the default again") {
     Game game("world.ball = Body { mass = 2, props = { luck = 7 } }");
     CHECK(game.change("world.ball = Body { }").empty());

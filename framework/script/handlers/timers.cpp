@@ -166,6 +166,7 @@ void Timers::clear() {
     for (const Parked& parked : parked_)
         luaL_unref(machine_.lua.main, LUA_REGISTRYINDEX, parked.timer.thread);
     parked_.clear();
+    retired_.clear();
     queue_.clear();
     due_.clear();
     waiting_.clear();
@@ -217,7 +218,15 @@ Timers::Queue Timers::image() const {
 
 void Timers::restore(const Queue& image, double to, std::uint64_t next) {
     park();
+    // What a reload began later than the moment stands for what it replaced: it goes on for the
+    // rest of its time.
+    Queue after_reload;
+    for (const auto& [key, timer] : queue_)
+        if (timer.top && key.second >= next && !ended(timer))
+            after_reload.emplace(Key{key.first - now + to, key.second}, timer);
     queue_ = image;
+    std::erase_if(queue_, [&](const auto& each) { return retired_.contains(each.first.second); });
+    queue_.merge(after_reload);
     due_.clear();
     for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
     changes_ = {.all = noting_, .queue = {}, .list = {}};
@@ -287,10 +296,15 @@ void Timers::redo(const Changes& changes, double to) {
     now = parked_until_ = to;
     parked_from_ = changes.next;
     for (const Change& change : changes.list) {
-        if (change.added)
-            insert(change.key, *change.added);
-        else if (const auto entry = queue_.find(change.key); entry != queue_.end())
-            erase(entry);
+        if (!change.added) {
+            if (const auto entry = queue_.find(change.key); entry != queue_.end()) erase(entry);
+            continue;
+        }
+        if (retired_.contains(change.key.second)) continue;
+        // One of a reload went on from an earlier moment, where it did not belong yet.
+        if (const auto early = due_.find(change.key.second); early != due_.end())
+            erase(queue_.find(Key{early->second, early->first}));
+        insert(change.key, *change.added);
     }
 }
 

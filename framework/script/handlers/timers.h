@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <fettle/property/value.h>
@@ -57,6 +58,8 @@ class Timers {
     void end(const Noted& noted);
     /// The timer `by` is due when `old` would be, which ends. If `old` has ended, so does `by`.
     void take_place(const Noted& old, const Noted& by);
+    /// No moment brings back a timer of code that is no longer there.
+    void retire(const Noted& noted) { retired_.insert(noted.id); }
     /// Timers of the first instance belong to the other one.
     void give_owner(property::Handle from, property::Handle to);
 
@@ -135,6 +138,7 @@ class Timers {
     std::unordered_map<std::uint64_t, double> due_;
     std::unordered_map<lua_State*, std::uint64_t> waiting_;
     std::unordered_map<lua_State*, Lifetime> lifetimes_;  // of threads that run or wait
+    std::unordered_set<std::uint64_t> retired_;
     std::vector<Parked> parked_;
     double parked_until_ = 0;        // s, the time of the moment that was gone to
     std::uint64_t parked_from_ = 0;  // the number of the next timer at that moment

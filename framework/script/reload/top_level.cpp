@@ -211,6 +211,8 @@ void TopLevel::take(Noted made, Reloaded& result) {
 /// A timer that the old code started in the same way is due when that one would be.
 void TopLevel::replace_timers(const std::vector<Timers::Noted>& made) {
     std::vector<Timers::Noted> old = std::exchange(noted_.timers, {});
+    for (const Timers::Noted& each : old)
+        if (each.thread == LUA_NOREF) machine_.timers.retire(each);
     std::size_t next = 0;
     for (const Timers::Noted& each : made) {
         if (each.thread != LUA_NOREF) continue;
