@@ -1,3 +1,4 @@
+#include <checks/hooks.h>
 #include <world/live.h>
 
 #include <algorithm>
@@ -14,7 +15,12 @@ void World::keep_account(BodyId body) {
     const auto of_body = [&](const VelocitySums& sums) { return sums.body == body; };
     std::erase_if(all, [&](const VelocitySums& sums) { return !data.is_valid(sums.body); });
     if (!data.is_valid(body) || std::any_of(all.begin(), all.end(), of_body)) return;
-    if (all.size() == most_accounts) all.erase(all.begin());
+    if (all.size() == most_accounts) {
+        all.erase(all.begin());
+        log(LogLevel::note,
+            "World::keep_account: the account that began first ends, because a "
+            "world keeps eight at most");
+    }
     all.push_back({.body = body});
 }
 

@@ -1,3 +1,4 @@
+#include <checks/hooks.h>
 #include <state/limits.h>
 #include <step/gather.h>
 #include <world/live.h>
@@ -43,7 +44,9 @@ void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
 
 /// The value that a function of the user has set, within limits; NaN: what was there.
 float taken(float set, float before, float most) {
-    return std::isnan(set) ? before : bounded(set, most);
+    if (!std::isnan(set)) return bounded(set, most);
+    log(LogLevel::warning, "a function that moves a body set NaN, which changes nothing");
+    return before;
 }
 
 /// The change of one sub-step that takes `from` to `to` in all.

@@ -1,4 +1,5 @@
 #include <checks/arguments.h>
+#include <checks/hooks.h>
 #include <contacts/reports.h>
 #include <world/world_data.h>
 
@@ -217,6 +218,9 @@ class ContactCallbacks {
     static void accept(ContactRecord& c, const ContactEdit& edit, const ContactEdit* before) {
         const auto given = [&](float ContactEdit::*field) {
             const float now = edit.*field;
+            if (std::isnan(now))
+                log(LogLevel::warning,
+                    "a callback set a value of a contact to NaN, which changes nothing");
             return !std::isnan(now) && (!before || now != before->*field);
         };
         if (given(&ContactEdit::friction))

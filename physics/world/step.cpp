@@ -1,3 +1,4 @@
+#include <checks/hooks.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
@@ -160,17 +161,28 @@ void WorldData::begin_step() {
     statistics.moved_proxies = 0;
 }
 
+namespace {
+
 /// A recording that fails ends, and the step goes on; the exception is thrown after it.
+void end_recording(WorldSelf& self) {
+    self.set_witness(nullptr);
+    log(LogLevel::error,
+        "the recording of a world ended: the function that takes it (World::start_recording) "
+        "threw, or the world was destroyed");
+}
+
+}  // namespace
+
 void WorldData::tell_step_begins(float dt) {
     const Callbacks callbacks = {bool(self.filter), bool(self.mix), bool(self.before_solve)};
     if (!self.ask(in_recording,
                   [&] { self.witness()->step_begins(*this, callbacks, self.functions, dt); }))
-        self.set_witness(nullptr);
+        end_recording(self);
 }
 
 void WorldData::tell_step_ends() {
     if (!self.ask(in_recording, [&] { self.witness()->step_ends(*this, hash_of(*this)); }))
-        self.set_witness(nullptr);
+        end_recording(self);
 }
 
 void WorldData::end_step() {

@@ -1,6 +1,7 @@
 // Methods of a world: settings, creation and lists of objects.
 
 #include <checks/arguments.h>
+#include <checks/hooks.h>
 #include <contacts/reports.h>
 #include <fettle/physics/instruction_set.h>
 #include <fettle/physics/version.h>
@@ -127,10 +128,28 @@ WorldData& World::populate(const char* function) const {
     return edit(function);
 }
 
+namespace {
+
+/// Tells the host of the first fault of a world, if it wants to know.
+void check_after_step(const World& world) {
+    if (!are_steps_checked()) return;
+    const auto fault = world.validate();
+    const FailureHook hook = failure_hook();
+    if (fault && hook.function != nullptr) hook.function(hook.user, world, fault->c_str());
+}
+
+void log_odd_step(float dt) {
+    if (dt == 0.0f) return;
+    log(LogLevel::warning,
+        "World::step: dt = " + std::to_string(dt) + ": no step is made, expected seconds above 0");
+}
+
+}  // namespace
+
 void World::step(float dt) {
     WorldData& data = *data_;
     data.self.may_step();
-    if (!(dt > 0.0f) || !(dt < infinity)) return;
+    if (!(dt > 0.0f) || !(dt < infinity)) return log_odd_step(dt);
     WorldLock lock(data.self, WorldLock::During::change, in_step);
     if (data.self.witness() != nullptr) data.tell_step_begins(dt);
     {
@@ -139,7 +158,10 @@ void World::step(float dt) {
     }
     if (!data.self.functions.empty()) data.ask_position_functions(dt);
     if (data.self.witness() != nullptr) data.tell_step_ends();
-    if (data.self.after_step.empty() || data.self.orphaned()) return lock.finish();
+    if (data.self.after_step.empty() || data.self.orphaned()) {
+        lock.finish();
+        return check_after_step(*this);
+    }
     call_after_step(std::exchange(data.self.after_step, {}), lock);
 }
 
@@ -151,10 +173,16 @@ void World::call_after_step(std::vector<std::function<void()>> calls, WorldLock&
         try {
             call();
         } catch (...) {
-            if (!first) first = std::current_exception();
+            if (first)
+                log(LogLevel::error,
+                    "World::step: a function of after_step threw, too; the step throws the first "
+                    "exception only");
+            else
+                first = std::current_exception();
         }
     };
     attempt([&] { lock.finish(); });
+    if (!running.destroyed) attempt([&] { check_after_step(*this); });
     for (const std::function<void()>& call : calls)
         if (!running.destroyed) attempt(call);
     if (first) std::rethrow_exception(first);
@@ -241,6 +269,10 @@ void World::set_threads(int threads) {
     check_count("threads", threads, 1, 64);
     const bool own = !data.self.pool || !data.self.pool->has_host();
     if (own && threads == this->threads()) return;
+    if (threads > processors() && is_logged())
+        log(LogLevel::note, "World::set_threads: threads = " + std::to_string(threads) +
+                                ": as many work as there are processors, which are " +
+                                std::to_string(processors()));
     data.self.pool = threads > 1 ? std::make_unique<ThreadPool>(threads) : nullptr;
     data.threads = data.self.pool.get();
 }

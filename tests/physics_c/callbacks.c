@@ -326,6 +326,37 @@ static const char* segments_have_surfaces(void) {
     return NULL;
 }
 
+static void count_levels(void* user, int32_t level, const char* text) {
+    int* counts = user;
+    if (text[0] != 0) ++counts[level];
+}
+
+static void fail(void* user, const char* what) {
+    (void)what;
+    ++*(int*)user;
+}
+
+static void move_nowhere(void* user, const fettle_world* world, fettle_velocity_edit* edit) {
+    (void)user, (void)world;
+    edit->velocity.x = NAN;
+}
+
+static const char* a_log_tells_what_no_code_does(void) {
+    struct scene scene = new_scene();
+    int counts[3] = {0, 0, 0}, failures = 0;
+    DONE_C(fettle_set_log(count_levels, counts));
+    DONE_C(fettle_set_failure_function(fail, &failures));
+    DONE_C(fettle_body_set_velocity_function(scene.world, scene.box, move_nowhere, NULL));
+    DONE_C(fettle_world_step(scene.world, 1.0f / 60));
+    CHECK_C(counts[FETTLE_LOG_WARNING] == 1 && failures == 0);
+    DONE_C(fettle_set_log(NULL, NULL));
+    DONE_C(fettle_set_failure_function(NULL, NULL));
+    DONE_C(fettle_world_step(scene.world, 1.0f / 60));
+    CHECK_C(counts[0] + counts[1] + counts[2] == 1);
+    DONE_C(fettle_world_destroy(scene.world));
+    return NULL;
+}
+
 struct recorded {
     struct scene scene;
     size_t size;
@@ -391,6 +422,7 @@ static const char* a_recording_is_repeated(void) {
 
 const struct named_c_test callbacks_in_c[] = {
     {"functions move a body", functions_move_a_body},
+    {"a log tells what no code does", a_log_tells_what_no_code_does},
     {"segments have surfaces", segments_have_surfaces},
     {"a recording is repeated", a_recording_is_repeated},
     {"a filter lets a box fall through", a_filter_lets_a_box_fall_through},

@@ -1,3 +1,4 @@
+#include <fettle/physics/hooks.h>
 #include <fettle/physics/outlines.h>
 #include <fettle/physics/physics.h>
 #include <fettle_physics.h>
@@ -167,8 +168,9 @@ TEST_CASE("every other name of another function exists in C") {
     for (const char* function :
          {"fettle_distance", "fettle_convex_hull", "fettle_describe", "fettle_simd_width",
           "fettle_world_create", "fettle_world_destroy", "fettle_world_clone",
-          "fettle_world_assign", "fettle_world_draw", "fettle_join_lines",
-          "fettle_without_straight_points", "fettle_grid_outlines", "fettle_geometry_parts"})
+          "fettle_world_assign", "fettle_world_draw", "fettle_join_lines", "fettle_set_log",
+          "fettle_set_failure_function", "fettle_without_straight_points", "fettle_grid_outlines",
+          "fettle_geometry_parts"})
         CHECK(in_c.contains(function));
 }
 
@@ -275,6 +277,7 @@ TEST_CASE("enumerators in C are those of the library") {
     CHECK(FETTLE_WINDING_COUNTER_CLOCKWISE == int(Winding::counter_clockwise));
     CHECK(FETTLE_REFRESH_SHAPE == int(Refresh::Of::shape));
     CHECK(FETTLE_NUMBER_ANGULAR_DAMPING == int(BodyNumber::angular_damping));
+    CHECK(FETTLE_LOG_ERROR == int(LogLevel::error));
     CHECK(FETTLE_WRITTEN_REFUSED == int(Written::refused));
     CHECK(decltype(FieldDef::force)(AttractorField{}).index() == FETTLE_FIELD_ATTRACTOR);
 }

@@ -34,6 +34,8 @@ class Arguments {
         }
         fettle_owner_destroy(owner_);
         fettle_replay_destroy(replay_);
+        fettle_set_log(nullptr, nullptr);
+        fettle_set_failure_function(nullptr, nullptr);
     }
     Arguments(const Arguments&) = delete;
     Arguments& operator=(const Arguments&) = delete;
@@ -154,6 +156,16 @@ class Arguments {
             edit->pose.position.x += 1;
             edit->pose.angle = std::numeric_limits<float>::infinity();
         };
+    }
+    fettle_log_function callback(fettle_log_function) {
+        if (below(2) == 0) return nullptr;
+        return [](void*, int32_t level, const char* text) {
+            if (level < 0 || level > FETTLE_LOG_ERROR || text[0] == 0) std::abort();
+        };
+    }
+    fettle_failure_function callback(fettle_failure_function) {
+        if (below(8) > 0) return nullptr;  // checks are slow
+        return [](void*, const char*) { std::abort(); };
     }
     fettle_recording_sink callback(fettle_recording_sink) {
         if (below(4) == 0) return nullptr;

@@ -32,7 +32,7 @@ constexpr Call every_call[] = {
     CALL(fettle_shape_set_segment_surfaces), CALL(fettle_world_start_recording),
     CALL(fettle_world_stop_recording), CALL(fettle_world_is_recorded),
     CALL(fettle_replay_create), CALL(fettle_replay_steps), CALL(fettle_replay_step),
-    CALL(fettle_replay_world),
+    CALL(fettle_replay_world), CALL(fettle_set_log), CALL(fettle_set_failure_function),
     CALL(fettle_body_set_target), CALL(fettle_world_after_step), CALL(fettle_world_reserve),
     CALL(fettle_world_moved_bodies),
     CALL(fettle_body_enabled), CALL(fettle_world_set_scheduler), CALL(fettle_body_set_enabled), CALL(fettle_body_name),

@@ -36,4 +36,5 @@
 #include <fettle/physics_c/columns.h>
 #include <fettle/physics_c/drawing.h>
 #include <fettle/physics_c/recording.h>
+#include <fettle/physics_c/hooks.h>
 /* clang-format on */

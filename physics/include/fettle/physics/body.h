@@ -102,7 +102,8 @@ class Body {
     std::string name() const;        ///< for messages and tools; need not be unique
     /// At most 63 bytes without a zero; throws std::invalid_argument for others.
     void set_name(std::string_view name);
-    /// Limit of the speed of a dynamic body, m/s, above 0; infinity: only the limit of all bodies.
+    /// Limit of the speed, m/s, above 0; infinity: only the limit of all bodies. As locked axes, it
+    /// also holds for the velocity that a kinematic body was given.
     /// It holds in every sub-step. A world in which an awake body has one solves all contacts in
     /// one part.
     float max_speed() const;

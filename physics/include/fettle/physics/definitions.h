@@ -87,8 +87,9 @@ struct ShapeDef {
     float friction =
         0.6f;  ///< Coulomb coefficient; a contact mixes both by `WorldDef::friction_mix`
     float restitution = 0.0f;  ///< 0 … 1; mixed by `WorldDef::restitution_mix`
-    float rolling_resistance =
-        0.0f;  ///< lever arm of the resisting torque divided by the radius, for round shapes
+    /// Lever arm of the resisting torque divided by the radius: of this shape, or of the other one
+    /// if this one has no round side.
+    float rolling_resistance = 0.0f;
     float surface_speed =
         0.0f;             ///< m/s, conveyor: along the surface, counter-clockwise round the shape
     bool sensor = false;  ///< reports overlaps, applies no force

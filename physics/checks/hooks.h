@@ -1,0 +1,23 @@
+#pragma once
+
+#include <fettle/physics/hooks.h>
+
+#include <string>
+
+namespace fettle::physics::detail {
+
+/// Tells the log of the host, if there is one.
+void log(LogLevel level, const std::string& text) noexcept;
+/// Whether there is a log: a text need not be made otherwise.
+bool is_logged() noexcept;
+
+/// The function for faults of worlds, and what it gets.
+struct FailureHook {
+    FailureFunction function = nullptr;
+    void* user = nullptr;
+};
+FailureHook failure_hook() noexcept;
+/// Whether there is one; cheap.
+bool are_steps_checked() noexcept;
+
+}  // namespace fettle::physics::detail
