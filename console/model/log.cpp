@@ -86,6 +86,18 @@ void Log::command(std::string_view text) {
     add(LineKind::command, text);
 }
 
+void Log::command(std::string_view text, std::uint64_t before) {
+    const std::uint64_t kept = std::max(before, dropped_) - dropped_;
+    if (kept >= lines_.size()) return command(text);
+    const auto first = std::next(lines_.begin(), static_cast<std::ptrdiff_t>(kept));
+    std::deque<LogLine> caused(std::make_move_iterator(first),
+                               std::make_move_iterator(lines_.end()));
+    lines_.erase(first, lines_.end());
+    command(text);
+    for (LogLine& line : caused) push(std::move(line));
+    ++rearranged_;
+}
+
 void Log::error(const script::ScriptError& error) {
     std::string message = error.message;
     if (message.size() > max_message_bytes) {

@@ -56,12 +56,16 @@ class Log {
     void error(const script::ScriptError& error);
     void error(std::string_view message) { add(LineKind::error, message); }
     void clear();
+    /// Adds a command in front of the lines from this number on, which it has caused.
+    void command(std::string_view text, std::uint64_t before);
     /// Puts the hidden lines in the place of the fold at that index of `lines`.
     void unfold(std::size_t index);
 
     const std::deque<LogLine>& lines() const { return lines_; }
     /// Number of lines dropped so far: line i of `lines` has number `dropped() + i`.
     std::uint64_t dropped() const { return dropped_; }
+    /// The number of the next line.
+    std::uint64_t end() const { return dropped_ + lines_.size(); }
     /// A number that changes when lines other than the last have changed.
     std::uint64_t rearranged() const { return rearranged_; }
 

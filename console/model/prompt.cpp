@@ -378,6 +378,7 @@ std::string Prompt::expanded(const std::string& command) const {
 bool Prompt::run(const std::string& command, bool force, script::Evaluation* said) {
     if (!interpreter_.evaluate) return true;
     script::Evaluation evaluation;
+    const std::uint64_t before = log_.end();
     try {
         evaluation = interpreter_.evaluate(expanded(command));
     } catch (const std::exception& error) {
@@ -388,7 +389,7 @@ bool Prompt::run(const std::string& command, bool force, script::Evaluation* sai
     if (evaluation.incomplete && !evaluation.error)
         evaluation.error.emplace().message =
             "the command is not complete: something opened is not closed";
-    log_.command(command);
+    log_.command(command, before);
     log_.output(evaluation.lines);
     if (evaluation.error) log_.error(*evaluation.error);
     if (said != nullptr) *said = std::move(evaluation);

@@ -206,6 +206,7 @@ void Console::State::choose_all(const std::vector<Handle>& instances) {
     inspector.select(instances);
     const std::vector<Handle> all = inspector.selection();
     if (all.empty()) return;
+    if (all.size() == 1) return choose(all.front());
     selected_path = tree.path(all.back());
     if (interpreter.set_it) interpreter.set_it(all.back());
     log.note(std::to_string(all.size()) + " selected, it = " + selected_path);

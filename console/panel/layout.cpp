@@ -23,6 +23,10 @@ constexpr int panel_flags =
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
 constexpr float margin = 8;       // pixels around the windows
 constexpr float handle_size = 6;  // width of the edge for resizing, in pixels
+// The least sizes of the windows, in ems.
+constexpr float least_panel = 26, least_height = 8;  // the panel: its width and height
+constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
+constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
 
 }  // namespace
 
@@ -37,19 +41,17 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_in_game(); });
     draw_part([&] { draw_box(); });
     float right = 0;
-    if (settings.flag("inspector")) {
+    if (inspector_is_beside()) {
         const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
         right = inspector_width + margin;
         draw_part([&] { draw_inspector(width - right, inspector_width); });
-    } else {
-        inspector_rect = {};
-        inspector.editor().end_drag();
     }
     draw_part([&] { draw_panel(width - 2 * margin - right, panel_height(), cell); });
-    draw_part([&] { draw_time_bar(inspector_rect.empty() ? 0 : right); });
-    draw_part([&] { draw_observed(inspector_rect.empty() ? 0 : right); });
-    draw_part([&] { draw_frames(inspector_rect.empty() ? 0 : right); });
-    draw_part([&] { draw_comparison(inspector_rect.empty() ? 0 : right, seconds); });
+    draw_part([&] { draw_time_bar(right); });
+    draw_part([&] { draw_observed(right); });
+    draw_part([&] { draw_frames(right); });
+    draw_part([&] { draw_comparison(right, seconds); });
+    if (!inspector_is_beside()) draw_part([&] { draw_inspector_below(); });
     draw_part([&] { prompt_view.draw_menu(cell, ui.bold()); });
     draw_part([&] { context_menu.draw(); });
     popup_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -95,8 +97,35 @@ void Console::State::draw_part(const std::function<void()>& part) {
     part_problem = problem;
 }
 
+/// In a narrow window the inspector is below the panel, so that there is room for a command.
+bool Console::State::inspector_is_beside() {
+    const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
+    return settings.flag("inspector") &&
+           width - inspector_width - 3 * margin >= least_panel * ImGui::GetFontSize();
+}
+
+/// The panel covers nothing that is below it, and nothing covers the prompt, unless the window is
+/// lower than all of them.
 float Console::State::panel_height() {
-    return std::max(1.0f, std::min(settings.number("height") * height, height - 2 * margin));
+    const float em = ImGui::GetFontSize();
+    float below = 2 * margin;
+    if (settings.flag("time_bar") && time_bar.available()) below += TimeBar::height() + margin;
+    const bool plotted = !observing.plots().empty();
+    if (plotted) below += least_plot * em + margin;
+    if (!observing.pins().empty() && (!plotted || width < stacked_below * em))
+        below += least_list * em + margin;
+    if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
+    const float most = std::min(height - 2 * margin, std::max(height - below, least_height * em));
+    return std::max(1.0f, std::min(settings.number("height") * height, most));
+}
+
+/// The lowest place that is free above what is at the lower edge.
+float Console::State::free_above() const {
+    float low = height - margin;
+    for (const Rect& rect :
+         {time_bar.rect(), watch_list.rect(), plot_view.rect(), frame_view.rect()})
+        if (!rect.empty()) low = std::min(low, rect.low.y - margin);
+    return low;
 }
 
 /// Draws the time bar along the lower edge, beside the inspector if that reaches down so far.
@@ -123,10 +152,7 @@ void Console::State::draw_in_game() {
 /// Draws two runs between the panel and what is at the lower edge.
 void Console::State::draw_comparison(float right, double seconds) {
     if (!comparison.shown() || !options.to_world) return compare_view.hide();
-    float low = height - margin;
-    for (const Rect& rect :
-         {time_bar.rect(), watch_list.rect(), plot_view.rect(), frame_view.rect()})
-        if (!rect.empty()) low = std::min(low, rect.low.y - margin);
+    const float low = free_above();
     if (inspector_rect.high.y < panel_rect.high.y + 2 * margin) right = 0;
     const property::Vec2 a = options.to_world(0, height), b = options.to_world(width, 0);
     compare_view.draw(
@@ -141,7 +167,9 @@ void Console::State::draw_frames(float right) {
     float low = height - margin;
     for (const Rect& rect : {time_bar.rect(), watch_list.rect(), plot_view.rect()})
         if (!rect.empty()) low = std::min(low, rect.low.y - margin);
-    const float tall = std::min(FrameView::height(), std::max(1.0f, low - margin));
+    const float room = low - panel_rect.high.y - margin;
+    const float tall =
+        std::min(FrameView::height(), std::max(room, least_frames * ImGui::GetFontSize()));
     if (inspector_rect.high.y < low - tall) right = 0;
     const double dt = time_bar.available() ? time_bar.times().dt : 1.0 / 60;
     frame_view.draw(ImVec2(margin, low), ImVec2(std::max(120.0f, width - 2 * margin - right), tall),
@@ -152,22 +180,30 @@ void Console::State::draw_frames(float right) {
 void Console::State::draw_observed(float right) {
     observing.look();
     const float low = time_bar.rect().empty() ? height - margin : time_bar.rect().low.y - margin;
-    const float room = low - panel_rect.high.y - margin;
+    float room = low - panel_rect.high.y - margin;
+    if (options.frames != nullptr && shows("timings"))
+        room -= least_frames * ImGui::GetFontSize() + margin;
     if (inspector_rect.high.y < low - room) right = 0;
     const float wide = width - 2 * margin - right, em = ImGui::GetFontSize();
     const bool pinned = !observing.pins().empty(), plotted = !observing.plots().empty();
     const float opacity = settings.number("opacity");
-    const float list =
-        pinned ? std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em) : 0.0f;
-    watch_list.draw(ImVec2(margin, low), list, std::max(room, 4 * em), tree, observing.pins(),
-                    opacity);
-    const float left = margin + list + (pinned ? margin : 0);
+    // Side by side, unless both would be too narrow for their values.
+    const bool stacked = wide < stacked_below * em;
+    float list = 0;
+    if (pinned)
+        list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
+    watch_list.draw(ImVec2(margin, low), list, std::max(room, least_list * em), tree,
+                    observing.pins(), opacity);
+    const bool under = pinned && stacked && !watch_list.rect().empty();
+    const float bottom = under ? watch_list.rect().low.y - margin : low;
+    const float left = margin + (pinned && !stacked ? list + margin : 0);
+    const float plot_room = std::max(room - (low - bottom), least_plot * em);
     const TimeBar::Times now = time_bar.times();
-    plot_view.draw(
-        ImVec2(left, low),
-        ImVec2(std::max(12 * em, wide - (left - margin)), std::clamp(room * 0.6f, 9 * em, 16 * em)),
-        std::max(room, 9 * em), tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt},
-        opacity);
+    plot_view.draw(ImVec2(left, bottom),
+                   ImVec2(std::max(12 * em, wide - (left - margin)),
+                          std::clamp(plot_room * 0.6f, least_plot * em, 16 * em)),
+                   plot_room, tree, observing.plots(), {now.step, now.oldest, now.newest, now.dt},
+                   opacity);
 }
 
 // --- The panel
@@ -223,8 +259,9 @@ bool Console::State::title_button(const char* label, bool lit, float& right) {
         std::string_view(label).substr(0, std::string_view(label).find("##"));
     float button_width = text_width(shown) + 2 * pad;
     float button_height = ImGui::GetTextLineHeight() + 2;
-    right -= button_width;
     ImVec2 start = ImGui::GetCursorScreenPos();
+    if (right - button_width < start.x) return false;  // there is no room: it is left out
+    right -= button_width;
     ImGui::SetCursorScreenPos(ImVec2(right, start.y));
     ImVec2 at = ImGui::GetCursorScreenPos();
     bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, button_height));
@@ -268,7 +305,8 @@ void Console::State::draw_title(float cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = at.x;
     compat::push_font(ui.bold());
-    x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
+    if (x + text_width("console") < right)
+        x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
     ImGui::PopFont();
     x += 2 * cell;
     if (tree.alive(inspector.selected())) {
@@ -316,6 +354,23 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     inspector_rect = window_rect();
     inspector.draw(ui.bold());
     draw_width_handle();
+    ImGui::End();
+}
+
+/// Draws the inspector in the room between the panel and what is at the lower edge, if there is
+/// enough.
+void Console::State::draw_inspector_below() {
+    const float top = panel_rect.high.y + margin, room = free_above() - top;
+    if (!settings.flag("inspector") || room < least_inspector * ImGui::GetFontSize()) {
+        inspector_rect = {};
+        return inspector.editor().end_drag();
+    }
+    ImGui::SetNextWindowPos(ImVec2(margin, top));
+    ImGui::SetNextWindowSize(ImVec2(width - 2 * margin, room));
+    ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
+    ImGui::Begin("##inspector", nullptr, panel_flags);
+    inspector_rect = window_rect();
+    inspector.draw(ui.bold());
     ImGui::End();
 }
 

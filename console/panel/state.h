@@ -107,6 +107,8 @@ struct Console::State {
     void draw_box();
     void draw_part(const std::function<void()>& part);
     float panel_height();
+    bool inspector_is_beside();
+    float free_above() const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);
     void draw_filter(float& right, float em);
@@ -119,6 +121,7 @@ struct Console::State {
     void draw_frames(float right);
     void draw_comparison(float right, double seconds);
     void draw_inspector(float left, float width);
+    void draw_inspector_below();
     void draw_width_handle();
 
     property::Tree& tree;

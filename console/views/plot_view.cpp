@@ -98,13 +98,17 @@ void PlotView::draw_grid(const Scale& scale, const Times& times) const {
     }
     const double seconds = static_cast<double>(scale.last - scale.first) * times.dt;
     const double tick = std::max(spacing_for(seconds), times.dt);
+    float labeled = rect_.high.x;  // labels end here
     for (double back = tick; back < seconds; back += tick) {
         const float x =
             area_.high.x - (area_.high.x - area_.low.x) * static_cast<float>(back / seconds);
         list.AddLine(ImVec2(x, area_.low.y), ImVec2(x, area_.high.y),
                      with_alpha(palette::line, 0.35f));
         const std::string text = "-" + short_number(back) + " s";
-        draw_text(list, ImVec2(x - text_width(text) / 2, area_.high.y + 2), palette::faint, text);
+        const float half = text_width(text) / 2;
+        if (x + half + 6 > labeled) continue;
+        draw_text(list, ImVec2(x - half, area_.high.y + 2), palette::faint, text);
+        labeled = x - half;
     }
 }
 

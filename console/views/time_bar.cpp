@@ -96,10 +96,14 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     ImGui::SameLine();
     draw_step(now);
     ImGui::SameLine();
-    const float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
-    draw_track(now, std::max(40.0f, ImGui::GetContentRegionAvail().x - text));
+    // In a narrow window the track needs the room of the longer texts.
+    const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+    float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
+    const bool narrow = room - text < 12 * em;
+    if (narrow) text = text_width("00000.00 s now ") + 30;
+    draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();
-    draw_text(now, bold);
+    draw_text(now, bold, narrow);
     ImGui::End();
 }
 
@@ -216,7 +220,7 @@ void TimeBar::draw_ruler(const Times& now) const {
     }
 }
 
-void TimeBar::draw_text(const Times& now, ImFont* bold) {
+void TimeBar::draw_text(const Times& now, ImFont* bold, bool narrow) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 at = ImGui::GetCursorScreenPos();
     at.x += 6;
@@ -228,16 +232,17 @@ void TimeBar::draw_text(const Times& now, ImFont* bold) {
     const std::string step = "  step " + std::to_string(now.step);
     if (!now.in_past()) {
         return_ = {};
-        console::draw_text(list, at, palette::dim, step);
+        if (!narrow) console::draw_text(list, at, palette::dim, step);
         return;
     }
     at.x += 10;
-    const std::string label = "to the present";
+    const std::string label = narrow ? "now" : "to the present";
     const float wide = text_width(label) + 12;
     ImGui::SetCursorScreenPos(ImVec2(at.x, at.y - 3));
     const bool pressed =
         ImGui::InvisibleButton("return", ImVec2(wide, ImGui::GetTextLineHeight() + 6));
     return_ = item_rect();
+    if (narrow && ImGui::IsItemHovered()) tip(rect_, "to the present");
     list.AddRectFilled(return_.low, return_.high,
                        ImGui::IsItemHovered() ? palette::hover : palette::raised,
                        ImGui::GetStyle().FrameRounding);

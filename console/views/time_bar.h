@@ -50,7 +50,7 @@ class TimeBar {
     void draw_step(const Times& now);
     void draw_track(const Times& now, float width);
     void draw_ruler(const Times& now) const;
-    void draw_text(const Times& now, ImFont* bold);
+    void draw_text(const Times& now, ImFont* bold, bool narrow);
 
     property::Tree& tree_;
     const Interpreter& interpreter_;

@@ -131,7 +131,8 @@ void TweakList::draw_row(int row) {
     ImGui::TableNextColumn();
     colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
     ImGui::TableNextColumn();
-    if (tweak.kept) return colored(palette::note, "kept in " + tweak.kept_in);
+    if (tweak.kept)
+        return fitted(palette::note, "kept in " + tweak.kept_in, ImGui::GetContentRegionAvail().x);
     if (small_button(row, "keep", "Write it into the file it came from")) act("keep", tweak.path);
     ImGui::SameLine();
     if (tweak.earlier) {
@@ -153,8 +154,20 @@ void TweakList::draw(float height) {
     if (!ImGui::BeginTable("tweaks", 4, flags, ImVec2(0, left))) return;
     ImGui::TableSetupColumn("what", 0, 3);
     ImGui::TableSetupColumn("change", 0, 4);
-    ImGui::TableSetupColumn("when", 0, 2);
-    ImGui::TableSetupColumn("do", 0, 2.5f);
+    // The times and the buttons are never cut; paths and values may be.
+    float times = 0;
+    bool earlier = false;
+    for (const Tweak& tweak : rows_) {
+        times = std::max(times, text_width(when(tweak)));
+        earlier = earlier || tweak.earlier;
+    }
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const auto wide = [&](const char* label) {
+        return text_width(label) + 2 * style.FramePadding.x + style.ItemSpacing.x;
+    };
+    ImGui::TableSetupColumn("when", ImGuiTableColumnFlags_WidthFixed, times);
+    ImGui::TableSetupColumn("do", ImGuiTableColumnFlags_WidthFixed,
+                            wide("keep") + (earlier ? wide("make again") : 0) + wide("drop"));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(rows_.size()));
     while (clipper.Step())

@@ -276,6 +276,32 @@ TEST_CASE_METHOD(AheadRig, "the buttons of overlays stay inside of a narrow pane
     }
 }
 
+// --- Small windows
+
+TEST_CASE_METHOD(AheadRig,
+                 "in a narrow window the inspector is below the panel and covers nothing") {
+    console::test::RasterSurface small(400, 700);
+    edit("console.inspector", true, property::Writer::console);
+    state().run("world.ball.mass");
+    state().choose(tree.child(tree.child(tree.root(), "world"), "ball"));
+    for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
+    const console::Rect panel = state().panel_rect, inspector = state().inspector_rect;
+    CHECK(panel.high.x - panel.low.x > 380);
+    REQUIRE_FALSE(inspector.empty());
+    CHECK(inspector.low.y >= panel.high.y);
+    CHECK(inspector.high.y <= 700);
+}
+
+TEST_CASE_METHOD(AheadRig, "times of frames never cover the prompt") {
+    for (int i = 1; i <= 50; ++i) log.add({.ms = {.scripts = 2}, .frame = i, .step = i});
+    property::set(tree, "view.show.timings", Value(true));
+    edit("console.scale", 2.0, property::Writer::console);
+    edit("console.height", 1.0, property::Writer::console);
+    draw(3);
+    CHECK(state().panel_rect.high.y <= state().frame_view.rect().low.y);
+    CHECK(state().panel_rect.high.y - state().panel_rect.low.y > 150);
+}
+
 // --- Times of frames
 
 TEST_CASE_METHOD(AheadRig, "the times of frames are shown and lead to the worst one") {

@@ -108,6 +108,27 @@ TEST_CASE("the log drops its oldest lines and cuts very long ones") {
     CHECK(log.lines().empty());
 }
 
+TEST_CASE("what a command has caused stands below it") {
+    Log log;
+    log.note("before");
+    const std::uint64_t begin = log.end();
+    log.note("it = world.ball");
+    log.game("printed");
+    log.command("selection { world.ball }", begin);
+    REQUIRE(log.lines().size() == 4);
+    CHECK(log.lines()[0].text == "before");
+    CHECK(log.lines()[1].text == "selection { world.ball }");
+    CHECK(log.lines()[2].text == "it = world.ball");
+    CHECK(log.lines()[3].text == "printed");
+    log.command("2", log.end());
+    CHECK(log.lines().back().text == "2");
+    // A command that clears the log leaves nothing above itself.
+    const std::uint64_t again = log.end();
+    log.clear();
+    log.command("3", again);
+    CHECK(log.lines().size() == 1);
+}
+
 TEST_CASE("a repeated line is stored once with its number") {
     Log log;
     for (int i = 0; i < 5; ++i) log.output("beep");
