@@ -99,7 +99,7 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     // In a narrow window the track needs the room of the longer texts.
     const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
     float text = text_width("0000000 · 00000.00 s   to the present ") + 24;
-    const bool narrow = room - text < 12 * em;
+    const bool narrow = room - text < 8 * em;
     if (narrow) text = text_width("00000.00 s now ") + 30;
     draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();
