@@ -660,7 +660,7 @@ function fettle_World:explode(point, radius, impulse, mask, accept) end
 ---@param point vec Center of the explosion in the world. · m
 ---@param radius number Nearer shapes get the full impulse. · m
 ---@param falloff number The impulse decreases to 0 over this distance beyond the radius. · m
----@param impulse_per_length number Impulse for each metre of a shape's outline as seen from the point. · N s
+---@param impulse_per_length number Impulse for each meter of a shape's outline as seen from the point. · N s
 ---@param mask? integer Categories to look for, as bits; all if it is left out.
 ---@param accept? any A function that gets a shape, or nil for the bounds of the world, and returns whether it counts. It may read and search, but not change anything.
 function fettle_World:explode_surfaces(point, radius, falloff, impulse_per_length, mask, accept) end
@@ -1899,7 +1899,7 @@ Timings = {}
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
 ---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
 ---@field width number How much of the world is seen from side to side. · m · any finite number · read-only
----@field zoom number Pixels a metre. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default computed · simulated, not saved
+---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default computed · simulated, not saved
 ---@field show Show What is shown over the picture, for looking into a game.
 ---@field uniforms Uniforms Values for the uniforms of `view.effect`: each property that is added here is the uniform of that name. A number is a float or an int, a boolean a bool, a vec a vec2, a color a vec3 or vec4.
 ---@field window GameWindow The window of the game. It is no part of saved games, and going back in time leaves it as it is.
@@ -1930,7 +1930,7 @@ View = {}
 ---@field blame boolean Who wrote last: what is drawn has the color of the line of a script, the console, the inspector or the physics that wrote it. · true or false · default false · not saved
 ---@field centers boolean Centers of mass. · true or false · default false · not saved
 ---@field contacts boolean Contact points, their normals and impulses. · true or false · default false · not saved
----@field grid boolean A grid of metres. · true or false · default false · not saved
+---@field grid boolean A grid of meters. · true or false · default false · not saved
 ---@field impulses boolean Impulses of contacts in the last step, as arrows with one scale for all. · true or false · default false · not saved
 ---@field islands boolean Islands: bodies that sleep and wake together, each island in a color of its own. · true or false · default false · not saved
 ---@field joints boolean Joints and their anchors. · true or false · default false · not saved
