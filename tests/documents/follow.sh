@@ -95,8 +95,9 @@ write_file() {
     printf '%s' "${block_text[i]}" >"${said%$'\n'}/${block_file[i]}"
 }
 
-# The time of day is the only part of an output that may differ from the document.
-without_clock() { sed -E 's/\b[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\b/HH:MM:SS/g'; }
+# The only parts of an output that may differ from the document: the time of day, the reader's home, which it calls ~, and the
+# number in the name of a game's folder there, which is made from the place of the game.
+without_clock() { sed -E -e 's/\b[0-2][0-9]:[0-5][0-9]:[0-5][0-9]\b/HH:MM:SS/g' -e "s|$folder/home|~|g" -e 's|(~/[a-z./]+/fettle/[a-z]+)-[0-9a-f]{8}/|\1-NUMBER/|g'; }
 
 compare_output() {
     ((has_output)) || fail "this output belongs to no commands"
@@ -149,6 +150,12 @@ draw_picture() {
             in_terminal "test -s ${mark#picture made } && pwd" || fail "the commands before wrote no ${mark#picture made }"
             words=
             cp -- "${said%$'\n'}/${mark#picture made }" "$drawn"
+            ;;
+        'picture moment '*)
+            # The file that `share` wrote in the console block before.
+            [[ $mark =~ ^picture\ moment\ ([A-Za-z0-9_-]+)(.*)$ ]] || fail "no such mark: test: $mark"
+            printf -v words '%q run ~/.local/share/fettle/*/moments/%q.fettle --headless --steps 1%s' \
+                "$finished/bin/fettle" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}"
             ;;
         picture\ *\ at\ *)
             [[ $mark =~ ^picture\ ([^ ]+)\ at\ ([0-9]+)(.*)$ ]] || fail "no such mark: test: $mark"
