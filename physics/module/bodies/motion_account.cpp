@@ -72,7 +72,8 @@ class Motion {
         for (const physics::JointShare& share : account->joints)
             push(named(share.joint), share.turn, share.twist);
         add("damping (" + path_ + ".angular_damping): ", turn.damping);
-        add("the rest (limits of speed, bounces of curved shapes, blows through joints): ", turn.rest);
+        add("the rest (limits of speed, bounces of curved shapes, blows through joints): ",
+            turn.rest);
         add("written since the step: ", body_.angular_velocity() - turn.after);
         return std::move(lines_);
     }
@@ -226,12 +227,14 @@ class Motion {
         lines_.push_back(what + text(to_value(number)) + unit_);
     }
     void add(const std::string& what, float change) {
-        if (std::fabs(change) > only_rounding * largest_) say(what + "+ ", change);
+        if (std::fabs(change) > only_rounding * largest_)
+            say(what + (change < 0 ? "- " : "+ "), std::fabs(change));
     }
     /// `twist`: angular impulse, N m s.
     void push(const std::string& by, float change, float twist) {
         if (std::fabs(change) > only_rounding * largest_)
-            lines_.push_back(by + ": + " + text(to_value(change)) + unit_ + ", angular impulse " +
+            lines_.push_back(by + (change < 0 ? ": - " : ": + ") +
+                             text(to_value(std::fabs(change))) + unit_ + ", angular impulse " +
                              text(to_value(twist)) + " N m s");
     }
     /// Lists a change unless it is 0.
