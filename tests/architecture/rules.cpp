@@ -72,7 +72,7 @@ const std::vector<Part>& parts() {
          {"ImGui", "POSIX"}},
         {"host",
          {"bindings/host", "bindings/host/include/fettle/host"},
-         {"property", "physics_c", "physics_module", "script", "app", "console"},
+         {"property", "storage", "physics_c", "physics_module", "script", "app", "console"},
          {}},
         {"fettle",
          {"fettle"},
