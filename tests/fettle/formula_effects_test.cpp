@@ -188,7 +188,8 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
     CHECK(contains(
         outcome.out,
         "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
-        "Body:apply_torque Emitter:clear Emitter:emit Interface:prefer Mover:drop Mover:jump Polygon:add_vertex "
+        "Body:apply_torque Emitter:clear Emitter:emit Interface:prefer Mover:drop Mover:jump "
+        "Polygon:add_vertex "
         "SoundSource:play "
         "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile Time:go_to "
         "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode "

@@ -16,6 +16,7 @@ namespace fettle::physics {
 
 class World;
 
+/// How much a line of the log matters.
 enum class LogLevel : uint8_t {
     note,     ///< done in another way than was asked for, with the same results
     warning,  ///< an argument of no meaning was ignored

@@ -8,6 +8,7 @@
 
 FETTLE_PHYSICS_C_BEGIN
 
+/** How much a line of the log matters. */
 enum fettle_log_level {
     FETTLE_LOG_NOTE = 0,    /* done in another way than was asked for, with the same results */
     FETTLE_LOG_WARNING = 1, /* an argument of no meaning was ignored */
