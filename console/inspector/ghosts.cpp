@@ -1,4 +1,5 @@
 #include <inspector/ghosts.h>
+#include <model/last_value.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ double length_of(const std::vector<Vec2>& points) {
 Value time_value(const property::Tree& tree, const char* name) {
     const Handle time = tree.child(tree.root(), "time");
     const property::Property* const property = time ? tree.find(time, name) : nullptr;
-    return property != nullptr ? tree.get(time, *property) : Value();
+    return property != nullptr ? last_value(tree, time, *property) : Value();
 }
 
 /// Draws a way that gets paler towards its end.

@@ -1,4 +1,5 @@
 #include <inspector/outline.h>
+#include <model/last_value.h>
 
 #include <array>
 #include <cmath>
@@ -22,7 +23,7 @@ std::optional<Value> read(const property::Tree& tree, Handle instance, std::stri
                           Type type) {
     const property::Property* property = tree.find(instance, name);
     if (property == nullptr) return std::nullopt;
-    Value value = tree.get(instance, *property);
+    Value value = last_value(tree, instance, *property);
     if (!value.is(type)) return std::nullopt;
     return value;
 }

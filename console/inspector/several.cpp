@@ -1,4 +1,5 @@
 #include <inspector/several.h>
+#include <model/last_value.h>
 
 #include <algorithm>
 #include <functional>
@@ -35,7 +36,7 @@ void place(property::Tree& tree, const std::string& name, const std::vector<Hand
         const property::Tree::CauseScope cause(tree, property::Writer::inspector);
         for (const Handle each : instances)
             if (const Property* position = position_of(tree, each))
-                tree.set(each, *position, Value(to(tree.get(each, *position).vec2())));
+                tree.set(each, *position, Value(to(last_value(tree, each, *position).vec2())));
     } catch (...) {
         tree.end_edit();
         throw;
@@ -83,7 +84,7 @@ std::vector<Handle> in_box(const property::Tree& tree, Vec2 corner, Vec2 other) 
         for (Handle above = world; above && !placed; above = tree.parent(above))
             placed = tree.class_of(above).method("at") != nullptr;
         if (!placed) return;
-        const Vec2 at = tree.get(instance, *position_of(tree, instance)).vec2();
+        const Vec2 at = last_value(tree, instance, *position_of(tree, instance)).vec2();
         if (at.within(low, high)) inside.push_back(instance);
     });
     // A shape has a position inside its body, which is no place in the world.
@@ -129,7 +130,7 @@ void align(property::Tree& tree, const std::vector<Handle>& instances, int axis)
     int count = 0;
     for (const Handle each : all)
         if (const Property* position = position_of(tree, each)) {
-            sum += tree.get(each, *position).vec2()[axis];
+            sum += last_value(tree, each, *position).vec2()[axis];
             ++count;
         }
     if (count == 0) return;

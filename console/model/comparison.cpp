@@ -1,4 +1,5 @@
 #include <model/comparison.h>
+#include <model/last_value.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ namespace {
 Value value_of_time(const property::Tree& tree, const char* name) {
     const Handle time = tree.child(tree.root(), "time");
     const property::Property* const property = time ? tree.find(time, name) : nullptr;
-    return property != nullptr ? tree.get(time, *property) : Value();
+    return property != nullptr ? last_value(tree, time, *property) : Value();
 }
 
 /// The topmost instances with a position: bodies and sprites, not what belongs to them.

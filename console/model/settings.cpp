@@ -1,3 +1,4 @@
+#include <model/last_value.h>
 #include <model/settings.h>
 
 #include <fettle/app/input.h>
@@ -116,16 +117,21 @@ Handle Settings::instance() {
     return instance_;
 }
 
+Value Settings::value(std::string_view name) {
+    const Handle console = instance();
+    return last_value(tree_, console, tree_.property(console, name));
+}
+
 bool Settings::flag(std::string_view name) {
-    return tree_.get(instance(), name).boolean();
+    return value(name).boolean();
 }
 
 float Settings::number(std::string_view name) {
-    return static_cast<float>(tree_.get(instance(), name).number());
+    return static_cast<float>(value(name).number());
 }
 
 std::string Settings::text(std::string_view name) {
-    return tree_.get(instance(), name).text();
+    return value(name).text();
 }
 
 void Settings::set(std::string_view name, const Value& value) {

@@ -22,6 +22,7 @@ class Settings {
     void set(std::string_view name, const property::Value& value);
 
   private:
+    property::Value value(std::string_view name);
     /// The instance; it is created again if it was deleted.
     property::Handle instance();
 

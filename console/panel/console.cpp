@@ -1,6 +1,7 @@
 // The console as a layer: opening, closing, selection, and links in the log.
 
 #include <fettle/console/console.h>
+#include <model/last_value.h>
 
 #include <algorithm>
 
@@ -131,7 +132,7 @@ bool Console::State::shows(std::string_view overlay) const {
     const Handle show = view ? tree.child(view, "show") : Handle{};
     const property::Property* const flag = show ? tree.find(show, overlay) : nullptr;
     return flag != nullptr && flag->type == property::Type::boolean &&
-           tree.get(show, *flag).boolean();
+           last_value(tree, show, *flag).boolean();
 }
 
 // As in the row of overlays: no edit by a person.
@@ -187,7 +188,7 @@ void Console::State::pause_time(bool paused) {
     const property::Property* property = pause_property(tree, time);
     if (property == nullptr) return;
     property::Tree::CauseScope cause(tree, property::Writer::module);
-    if (paused) time_was_paused = tree.get(time, *property).boolean();
+    if (paused) time_was_paused = last_value(tree, time, *property).boolean();
     if (!time_was_paused) tree.set(time, *property, Value(paused));
     pausing = paused;
 }

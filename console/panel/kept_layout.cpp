@@ -6,6 +6,7 @@
 
 #include <fettle/property/exception_text.h>
 
+#include <model/last_value.h>
 #include <model/utf8.h>
 #include <panel/state.h>
 
@@ -62,8 +63,8 @@ Layout Console::State::layout() const {
     Layout made;
     const property::Handle own = tree.child(tree.root(), "console");
     for (const std::string_view name : kept_settings)
-        if (own && tree.find(own, name) != nullptr)
-            made.settings.emplace(name, tree.get(own, name));
+        if (const property::Property* const kept = own ? tree.find(own, name) : nullptr)
+            made.settings.emplace(name, last_value(tree, own, *kept));
     made.pins = texts_of(observing.pins());
     made.plots = texts_of(observing.plots());
     return made;

@@ -1,3 +1,4 @@
+#include <model/last_value.h>
 #include <panel/observing.h>
 
 #include <algorithm>
@@ -251,7 +252,7 @@ void Observing::tell(const std::string& line) {
 std::int64_t Observing::time_value(const char* name, std::int64_t otherwise) const {
     const Handle time = tree_.child(tree_.root(), "time");
     const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    const Value value = property != nullptr ? tree_.get(time, *property) : Value();
+    const Value value = property != nullptr ? last_value(tree_, time, *property) : Value();
     return value.is(Type::integer) ? value.integer() : otherwise;
 }
 

@@ -1,3 +1,4 @@
+#include <model/last_value.h>
 #include <views/frame_view.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ std::vector<std::pair<std::string, double>> parts_of_physics(const property::Tre
         if (each->name.ends_with(ending) && each->name != all &&
             each->type == property::Type::number)
             found.emplace_back(each->name.substr(0, each->name.size() - ending.size()),
-                               tree.get(step, *each).number());
+                               last_value(tree, step, *each).number());
     return found;
 }
 

@@ -1,3 +1,4 @@
+#include <model/last_value.h>
 #include <views/overlay_bar.h>
 
 #include <array>
@@ -94,7 +95,8 @@ int OverlayBar::lit() const {
     const Handle of = show();
     if (!of) return count;
     for (const Property* each : tree_.class_of(of).properties())
-        if (each->type == Type::boolean && !each->read_only && tree_.get(of, *each).boolean())
+        if (each->type == Type::boolean && !each->read_only &&
+            last_value(tree_, of, *each).boolean())
             ++count;
     return count;
 }
@@ -139,7 +141,7 @@ void OverlayBar::draw() {
     if (!of) return;
     for (const Property* each : tree_.class_of(of).properties()) {
         if (each->type != Type::boolean || each->read_only) continue;
-        const bool on = tree_.get(of, *each).boolean();
+        const bool on = last_value(tree_, of, *each).boolean();
         if (!draw_button(*each, on)) continue;
         // No edit by a person: undo and the list of tweaks do not have it.
         const property::Tree::CauseScope cause(tree_, property::Writer::module);

@@ -1,3 +1,4 @@
+#include <model/last_value.h>
 #include <views/time_bar.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void tip(const Rect& bar, const std::string& text) {
 Value TimeBar::value(const char* name) const {
     const Handle time = tree_.child(tree_.root(), "time");
     const property::Property* property = time ? tree_.find(time, name) : nullptr;
-    return property != nullptr ? tree_.get(time, *property) : Value();
+    return property != nullptr ? last_value(tree_, time, *property) : Value();
 }
 
 bool TimeBar::available() const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "hosted.h"
@@ -173,6 +174,35 @@ TEST_CASE("the console uses the clipboard of the program") {
     send(game, paste);
     press(game, "enter");
     CHECK(number_at(game.get(), "sum") == 42);
+}
+
+TEST_CASE("the console goes on while formulas of its settings and of the services fail") {
+    const std::pair<std::string, std::string> all[] = {
+        {"console.memory_limit", "64"},   {"console.pauses", "true"},    {"console.ghosts", "true"},
+        {"console.font_size", "20"},      {"console.inspector", "true"}, {"time.paused", "true"},
+        {"view.show.onion_skins", "true"}};
+    for (const auto& [path, other] : all) {
+        INFO(path);
+        const Game game = make("");
+        const auto evaluate = [&game](const std::string& command) {
+            return fettle_hosted_evaluate(game.get(), command.c_str(), nullptr, nullptr);
+        };
+        require(evaluate("world.kept = Object { value = " + path + " }"));
+        require(evaluate(path + " is world.kept.value"));
+        require(fettle_console_open(game.get(), true));
+        draw(game, 2);
+        require(evaluate("world.kept:delete()"));
+        // The error of the formula itself is reported once.
+        (void)fettle_hosted_frame(game.get(), 1.0 / 60, nullptr);
+        (void)fettle_hosted_frame(game.get(), 1.0 / 60, nullptr);
+        draw(game, 2);
+        press(game, "escape");
+        type(game, "x");
+        draw(game, 2);
+        require(evaluate("1 + 1"));
+        require(evaluate(path + " = " + other));
+        require(evaluate(path));
+    }
 }
 
 }  // namespace console_test
