@@ -46,11 +46,12 @@ fettle_code fettle_hosted_handle(fettle_hosted* hosted, const fettle_hosted_inpu
                                  bool* used) {
     return outside(__func__, hosted, "get input", [&](Game& game) {
         const app::InputEvent event = input_event(needed("input", input));
+        bool taken = false;
         game.run_scripts([&] {
-            const bool taken = game.console && game.console->handle(event);
-            if (used != nullptr) *used = taken;
+            taken = game.console && game.console->handle(event);
             game.loop.feed(event, taken);
         });
+        if (used != nullptr) *used = taken;
     });
 }
 
@@ -68,10 +69,8 @@ fettle_code fettle_console_draw(fettle_hosted* hosted, float width, float height
                           "seconds = " + std::to_string(seconds) + ": expected 0 to 3600"};
         game.services.view.screen = property::Vec2(width, height);
         game.surface.begin(width, height);
-        game.run_scripts([&] {
-            console.draw(game.surface, seconds);
-            result = game.surface.picture();
-        });
+        game.run_scripts([&] { console.draw(game.surface, seconds); });
+        result = game.surface.picture();
     });
 }
 

@@ -172,10 +172,9 @@ fettle_code fettle_hosted_call_method(fettle_hosted* hosted, fettle_instance ins
                                               std::string(name) + "\"" +
                                               property::suggestion(name, of.member_names())};
         const std::vector<property::Value> values = values_of("arguments", arguments, count);
-        game.run_scripts([&] {
-            const property::Result answer = game.tree.call(self, *found, values);
-            game.given.clear();
-            if (result != nullptr) *result = game.given.result(answer);
-        });
+        property::Result answer;
+        game.run_scripts([&] { answer = game.tree.call(self, *found, values); });
+        game.given.clear();
+        if (result != nullptr) *result = game.given.result(answer);
     });
 }

@@ -10,7 +10,7 @@ namespace fettle::physics {
 
 using namespace detail;
 
-namespace {
+namespace detail {
 
 /// A function of the user threw at this place of the recording.
 struct Unanswered {};
@@ -46,6 +46,10 @@ class Answers {
     size_t next_ = 0;
     bool same_ = true;
 };
+
+}  // namespace detail
+
+namespace {
 
 void answer_contact(Answers& answers, Answer::To to, ContactEdit& edit) {
     const Answer* answer = answers.take(to, key_of(edit.shape_a.id()), key_of(edit.shape_b.id()));

@@ -89,10 +89,14 @@ ThreadPool::Helping::Helping(ThreadPool* pool)
     : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 ? pool : nullptr) {
     if (pool_ == nullptr) return;
     pool_->stop_.store(false);
+    pool_->caller_ = std::this_thread::get_id();
     pool_->host_->start(
         uint32_t(pool_->threads_ - 1),
         [](void* context, uint32_t number) {
             auto& helped = *static_cast<ThreadPool*>(context);
+            // A host without a free thread may call the task at once. It would wait for the step,
+            // and the step for it.
+            if (std::this_thread::get_id() == helped.caller_) return;
             if (number + 1 < helped.shares_.size()) helped.serve(number + 1);
         },
         pool_);

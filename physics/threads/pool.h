@@ -89,6 +89,7 @@ class ThreadPool {
     alignas(64) std::atomic<uint32_t> done_ = 0;  ///< finished blocks of all rounds, modulo 2³²
     alignas(64) std::atomic<uint32_t> sleepers_ = 0;
     TaskScheduler* const host_ = nullptr;
+    std::thread::id caller_;  ///< which has the host's threads help
     const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;

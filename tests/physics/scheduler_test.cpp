@@ -96,6 +96,15 @@ class Idler : public TaskScheduler {
     std::vector<std::function<void()>> tasks_;
 };
 
+/// Has no threads: it does each task at once.
+class Alone : public TaskScheduler {
+  public:
+    void start(uint32_t count, Task task, void* context) override {
+        for (uint32_t i = 0; i < count; ++i) task(context, i);
+    }
+    void finish() override {}
+};
+
 void heap(World& world) {
     add_floor(world);
     for (int i = 0; i < 1500; ++i)
@@ -139,6 +148,17 @@ TEST_CASE("a host that has no time for tasks changes nothing") {
         REQUIRE(helped.threads() == 1);
         run(helped, 0.1f);
     }
+}
+
+TEST_CASE("a host that does the tasks at once on the thread that steps changes nothing") {
+    World plain, helped;
+    Alone alone;
+    heap(plain);
+    heap(helped);
+    helped.set_scheduler(&alone, 4);
+    run(plain, 0.2f);
+    run(helped, 0.2f);
+    REQUIRE(helped.hash() == plain.hash());
 }
 
 TEST_CASE("a step whose callback throws has finished its tasks") {

@@ -15,7 +15,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 /// Changes below this share of the largest number are rounding errors and are not listed.
-constexpr float only_rounding = 2e-6f;
+constexpr float only_rounding = 1e-5f;
 
 class Motion {
   public:

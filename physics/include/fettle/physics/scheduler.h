@@ -24,7 +24,8 @@ class TaskScheduler {
     virtual ~TaskScheduler();
 
     /// Lets other threads call `task(context, number)` for the numbers 0 … `count` - 1, and returns
-    /// without waiting for them.
+    /// without waiting for them. On the thread that steps, a task returns at once: it does nothing
+    /// that this thread does not do itself.
     virtual void start(uint32_t count, Task task, void* context) = 0;
     /// Returns when all tasks have returned. A task that has not begun may be called now, or not at
     /// all; after this it must not be called any more.

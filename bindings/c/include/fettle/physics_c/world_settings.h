@@ -97,7 +97,8 @@ fettle_code fettle_world_set_threads(fettle_world* world, int32_t threads);
 /** A task of a step, to be called once with the context and its number. */
 typedef void (*fettle_task)(void* context, uint32_t number);
 
-/** Lets other threads call `task` for the numbers 0 to `count` - 1, without waiting for them. */
+/** Lets other threads call `task` for the numbers 0 to `count` - 1, without waiting for them. On
+   the thread that steps, a task returns at once. */
 typedef void (*fettle_start_tasks)(void* user, uint32_t count, fettle_task task, void* context);
 
 /** Returns when all tasks have returned; after this none may be called any more. */
