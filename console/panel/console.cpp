@@ -123,6 +123,7 @@ void Console::State::connect() {
     watch_list.menu = log_view.menu;
     observing.found = comparison.found = options.found;
     compare_view.close = [this] { comparison.end(); };
+    observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
     plot_view.go_to = frame_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
     frame_view.close = [this] { show_overlay("timings", false); };
 }
@@ -384,6 +385,7 @@ void Console::note(std::string_view text) {
 }
 void Console::report(const script::ScriptError& error) {
     state_->log.error(error);
+    state_->time_marks.error(error.message);
 }
 
 }  // namespace fettle::console

@@ -133,6 +133,7 @@ void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
     const float low = height - margin;
     if (inspector_rect.high.y < low - TimeBar::height()) right = 0;
+    time_marks.look();
     time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
                   ui.bold());
 }

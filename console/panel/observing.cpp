@@ -128,6 +128,7 @@ void Observing::after_step() {
     const std::vector<std::string> lines = breaks_.look();
     if (lines.empty()) return;
     for (const std::string& line : lines) tell(line);
+    if (on_break) on_break(lines.front());
     pause();
 }
 

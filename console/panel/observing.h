@@ -28,6 +28,8 @@ class Observing {
     Observing(property::Tree& tree, Log& log, Prompt& prompt)
         : tree_(tree), log_(log), prompt_(prompt), breaks_(tree) {}
 
+    /// Receives the line of a break; optional.
+    std::function<void(const std::string& line)> on_break{};
     /// Receives what breaks and searches find, in addition to the log; optional.
     std::function<void(const std::string& line)> found;
 

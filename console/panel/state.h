@@ -137,7 +137,8 @@ struct Console::State {
     LogView log_view;
     PromptView prompt_view;
     Inspector inspector;
-    TimeBar time_bar{tree, interpreter};
+    TimeMarks time_marks{tree};
+    TimeBar time_bar{tree, interpreter, time_marks};
     TweakList tweak_list;
     ContextMenu context_menu;
     Observing observing;

@@ -164,13 +164,10 @@ void TimeBar::draw_track(const Times& now, float width) {
     ImGui::InvisibleButton("track", ImVec2(std::max(1.0f, width), tall));
     track_ = item_rect();
     const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
-    const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
-    const auto x_of = [&](std::int64_t step) {
-        return left + wide * static_cast<float>(step - now.oldest) / span;
-    };
-    const float mouse = std::clamp((ImGui::GetIO().MousePos.x - left) / wide, 0.0f, 1.0f);
-    const std::int64_t under = now.oldest + std::llround(mouse * span);
+    const bool right_click = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+    const float mouse = ImGui::GetIO().MousePos.x;
+    const TimeMark* const mark = hovered || held ? mark_at(now, mouse) : nullptr;
+    const std::int64_t under = mark != nullptr ? mark->step : step_at(now, mouse);
     if (held) go_to(under);
     if (!held && asked_ == now.step) asked_ = -1;
 
@@ -179,27 +176,73 @@ void TimeBar::draw_track(const Times& now, float width) {
     const float rounding = half;
     list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(track_.high.x, y + half),
                        palette::well, rounding);
-    const float here = x_of(now.step);
+    const float here = x_of(now, now.step);
     list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(here, y + half),
                        with_alpha(palette::accent, 0.55f), rounding);
     if (now.in_past())
-        list.AddRectFilled(ImVec2(here, y - half), ImVec2(x_of(now.newest), y + half),
+        list.AddRectFilled(ImVec2(here, y - half), ImVec2(x_of(now, now.newest), y + half),
                            with_alpha(palette::note, 0.35f), rounding);
     draw_ruler(now);
+    draw_marks(now);
     const float grown = held || hovered ? 1.5f : 0;
     list.AddCircleFilled(ImVec2(here, y), knob + 2 + grown, palette::panel);
     list.AddCircleFilled(ImVec2(here, y), knob + grown,
                          now.in_past() ? palette::note : palette::accent);
     if (hovered && !held) {
-        const float at = x_of(under);
+        const float at = x_of(now, under);
         list.AddLine(ImVec2(at, y - 2 * half), ImVec2(at, y + 2 * half), palette::dim);
     }
     if (hovered || held) {
         const double back = static_cast<double>(now.newest - under) * now.dt;
         tip(rect_, "step " + std::to_string(under) +
                        (back > 0 ? ", " + seconds_text(back) + " before the present"
-                                 : std::string(", the present")));
+                                 : std::string(", the present")) +
+                       (mark != nullptr ? "\n" + mark->text : std::string()));
     }
+    if (right_click) marks_.toggle_bookmark(under);  // `mark` may end here
+}
+
+float TimeBar::x_of(const Times& now, std::int64_t step) const {
+    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
+    const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
+    return left + wide * static_cast<float>(step - now.oldest) / span;
+}
+
+std::int64_t TimeBar::step_at(const Times& now, float x) const {
+    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
+    const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
+    return now.oldest + std::llround(std::clamp((x - left) / wide, 0.0f, 1.0f) * span);
+}
+
+/// The mark that is drawn there, the uppermost if there are several; null if there is none.
+const TimeMark* TimeBar::mark_at(const Times& now, float x) const {
+    constexpr float reach = 4;  // pixels
+    const TimeMark* found = nullptr;
+    for (const auto* marks : {&marks_.edits(), &marks_.others()})
+        for (const TimeMark& mark : *marks)
+            if (mark.step >= now.oldest && mark.step <= now.newest &&
+                std::fabs(x_of(now, mark.step) - x) <= reach)
+                found = &mark;
+    return found;
+}
+
+/// Draws a stroke above the track for each mark, and a flag for a bookmark.
+void TimeBar::draw_marks(const Times& now) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float low = track_.middle().y - 5, high = track_.low.y;
+    for (const auto* marks : {&marks_.edits(), &marks_.others()})
+        for (const TimeMark& mark : *marks) {
+            if (mark.step < now.oldest || mark.step > now.newest) continue;
+            const float x = std::floor(x_of(now, mark.step));
+            const ImU32 color = mark.kind == TimeMark::Kind::error  ? palette::error
+                                : mark.kind == TimeMark::Kind::stop ? palette::number
+                                : mark.kind == TimeMark::Kind::edit ? palette::path
+                                                                    : palette::text;
+            list.AddRectFilled(ImVec2(x - 1, high), ImVec2(x + 1, low), color);
+            if (mark.kind == TimeMark::Kind::bookmark)
+                list.AddTriangleFilled(ImVec2(x + 1, high), ImVec2(x + 7, high + 3),
+                                       ImVec2(x + 1, high + 6), color);
+        }
 }
 
 /// Draws a mark every second, or at the shortest interval that leaves room between marks.

@@ -1,5 +1,7 @@
 #pragma once
-// The time bar: pause, step, go back to any stored moment, and continue from there.
+// The time bar: pause, step, go back to any stored moment, and continue from there. Marks show
+// where people edited, where scripts failed and where a condition broke; a right click sets a
+// bookmark.
 
 #include <cstdint>
 #include <string>
@@ -10,13 +12,14 @@
 #include <fettle/property/tree.h>
 
 #include <model/rect.h>
+#include <model/time_marks.h>
 
 namespace fettle::console {
 
 class TimeBar {
   public:
-    TimeBar(property::Tree& tree, const Interpreter& interpreter)
-        : tree_(tree), interpreter_(interpreter) {}
+    TimeBar(property::Tree& tree, const Interpreter& interpreter, TimeMarks& marks)
+        : tree_(tree), interpreter_(interpreter), marks_(marks) {}
 
     struct Times {
         std::int64_t step = 0, oldest = 0, newest = 0;
@@ -50,10 +53,15 @@ class TimeBar {
     void draw_step(const Times& now);
     void draw_track(const Times& now, float width);
     void draw_ruler(const Times& now) const;
+    void draw_marks(const Times& now) const;
+    float x_of(const Times& now, std::int64_t step) const;
+    std::int64_t step_at(const Times& now, float x) const;
+    const TimeMark* mark_at(const Times& now, float x) const;
     void draw_text(const Times& now, ImFont* bold, bool narrow);
 
     property::Tree& tree_;
     const Interpreter& interpreter_;
+    TimeMarks& marks_;
     Rect rect_, track_, play_, step_, return_;
     std::int64_t asked_ = -1;  // the last step that the drag requested
 };

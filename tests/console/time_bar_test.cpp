@@ -105,4 +105,49 @@ TEST_CASE("one click returns from the past to the present") {
     CHECK(present.bar().return_button().empty());
 }
 
+TEST_CASE("edits and errors have marks at their steps") {
+    Bar bar;
+    property::Tree& tree = bar.rig.tree;
+    const property::Handle time = tree.child(tree.root(), "time");
+    tree.set_step(150);
+    {
+        const property::Tree::CauseScope cause(tree, property::Writer::console);
+        tree.set(time, *tree.find(time, "paused"), Value(true));
+    }
+    tree.set_step(200);
+    script::ScriptError error;
+    error.message = "main.lua:3: no ball\nmore";
+    for (int times = 0; times < 2; ++times) bar.rig.console.report(error);
+    bar.rig.draw(40);
+    const console::TimeMarks& marks = bar.rig.state().time_marks;
+    REQUIRE(marks.edits().size() == 1);
+    CHECK(marks.edits()[0].step == 150);
+    REQUIRE(marks.others().size() == 1);
+    CHECK(marks.others()[0].step == 200);
+    CHECK(marks.others()[0].text == "main.lua:3: no ball");
+    // A click beside the mark goes to its step.
+    const console::Rect track = bar.bar().track();
+    bar.rig.click(track.middle().x + 3, track.middle().y);
+    bar.rig.draw(2);
+    CHECK(bar.rig.commands == std::vector<std::string>{"time:go_to(200)"});
+}
+
+TEST_CASE("a right click on the track sets a bookmark and removes it") {
+    Bar bar;
+    const console::Rect track = bar.bar().track();
+    const console::TimeMarks& marks = bar.rig.state().time_marks;
+    const auto right_click = [&](float x) {
+        bar.rig.button(true, x, track.middle().y, "right");
+        bar.rig.draw(2);
+        bar.rig.button(false, x, track.middle().y, "right");
+        bar.rig.draw(2);
+    };
+    right_click(track.middle().x);
+    REQUIRE(marks.others().size() == 1);
+    CHECK(marks.others()[0].step == 200);
+    CHECK(bar.rig.commands.empty());
+    right_click(track.middle().x + 2);
+    CHECK(marks.others().empty());
+}
+
 }  // namespace time_bar_test

@@ -10,7 +10,8 @@ namespace {
 
 template <class Handler>
 Watcher watcher_of(WatchKind kind, Handler& handler, WatchOptions& options) {
-    if (!handler) throw Error(ErrorKind::wrong_type, "watch: expected a handler, got none");
+    if (!handler)
+        throw Error(ErrorKind::wrong_type, "watch: expected a function as the handler, got none");
     Watcher watcher;
     watcher.kind = kind;
     watcher.label = std::move(options.label);
