@@ -70,7 +70,8 @@ class Snapshot {
     std::vector<std::byte> take_payload() &&;
 
     /// The bytes of a file: complete, with a version and a checksum of every byte. Functions are
-    /// not included: formulas are restored from their text; timers and tweens are not restored.
+    /// not included: formulas are restored from their text; handlers and timers that scripts began
+    /// later than at their start are not restored.
     std::vector<std::byte> to_bytes() const;
     /// Throws Error(damaged) for bytes that are incomplete, changed, of another version or no
     /// snapshot.
