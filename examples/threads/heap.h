@@ -19,7 +19,7 @@ inline void fill(fettle::physics::World& world) {
             .add(Box{.width = 0.8f, .height = 0.8f});
 }
 
-/// Steps for two seconds. The hash does not depend on the threads.
+/// Steps for two seconds and returns the hash of the world.
 inline unsigned long long run(fettle::physics::World& world, const char* who) {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
@@ -27,6 +27,19 @@ inline unsigned long long run(fettle::physics::World& world, const char* who) {
     const unsigned long long hash = world.hash();
     std::printf("%s: %.2f ms a step, hash %016llx\n", who, time.count() / 120, hash);
     return hash;
+}
+
+/// Runs the heap in one thread and with four tasks of the scheduler, which must end in the same
+/// bits. Returns what `main` returns. `name`: what runs the tasks.
+inline int compare(fettle::physics::TaskScheduler& scheduler, const char* name) {
+    fettle::physics::World alone, shared;
+    fill(alone);
+    fill(shared);
+    shared.set_scheduler(&scheduler, 4);
+    const unsigned long long expected = run(alone, "one thread");
+    const bool same = run(shared, name) == expected;
+    std::puts(same ? "the same to the last bit" : "different");
+    return same ? 0 : 1;
 }
 
 }  // namespace example

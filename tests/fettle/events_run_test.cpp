@@ -11,9 +11,7 @@ using namespace program_test;
 namespace {
 
 Outcome run(const std::string& script, int steps = 120) {
-    const Folder folder;
-    const std::string game = folder.write("main.lua", script);
-    return fettle(folder, {"run", game, "--headless", "--steps", std::to_string(steps)});
+    return run_script(Folder(), script, steps);
 }
 
 }  // namespace

@@ -16,10 +16,8 @@ const std::string ground =
     "world.floor = Body { type = 'static', position = vec(0, -1), Box { width = 60, height = 2 } "
     "} ";
 
-Outcome run(const std::string& script, const std::string& steps, const std::string& ask) {
-    const Folder folder;
-    const std::string game = folder.write("main.lua", script);
-    return fettle(folder, {"run", game, "--headless", "--steps", steps, "--at", steps + ":" + ask});
+Outcome run(const std::string& script, int steps, const std::string& ask) {
+    return run_script(Folder(), script, steps, {"--at", std::to_string(steps) + ":" + ask});
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ TEST_CASE("a script makes a platform that bodies can pass from below") {
                 "world.platform:on('before_solve', function(contact) "
                 "if contact.normal.y < 0.5 or contact.other.velocity.y > 0.01 then "
                 "contact.enabled = false end end)",
-            "240", "print(string.format('%.2f', world.ball.position.y))");
+            240, "print(string.format('%.2f', world.ball.position.y))");
     CHECK(done.err.empty());
     CHECK(done.out == "2.40\n");
 }
@@ -46,7 +44,7 @@ TEST_CASE("a class of a script answers questions about its bodies") {
                 "function Ice:before_solve(contact) contact.friction = 0 end "
                 "world.ice = Ice { position = vec(-5, 0.5), velocity = vec(3, 0), Box {} } "
                 "world.box = Body { position = vec(5, 0.5), velocity = vec(3, 0), Box {} } ",
-            "120", "print(world.ice.velocity.x > 2.9, math.abs(world.box.velocity.x) < 0.01)");
+            120, "print(world.ice.velocity.x > 2.9, math.abs(world.box.velocity.x) < 0.01)");
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\n");
 }
@@ -60,7 +58,7 @@ TEST_CASE("a world mixes surfaces with a function of the script and with its own
                                  "rise = { left = 0, right = 0 } "
                                  "function step() for name, y in pairs(rise) do "
                                  "rise[name] = math.max(y, world[name].velocity.y) end end",
-                             "120", "print(rise.left > 5, rise.right < 0.5)");
+                             120, "print(rise.left > 5, rise.right < 0.5)");
     CHECK(done.err.empty());
     CHECK(done.out == "true\ttrue\n");
 }
@@ -70,7 +68,7 @@ TEST_CASE("a handler in a step that writes to the tree is refused with the place
                                  "world.ball = Body { position = vec(0, 0.5), Circle {} }\n"
                                  "world.ball:on('before_solve', function(contact)\n"
                                  "world.ball.mass = 3 end)",
-                             "30", "print(1)");
+                             30, "print(1)");
     CHECK(done.status == 1);
     CHECK(contains(done.err, "before_solve"));
     CHECK(contains(done.err, "main.lua:3"));
@@ -83,7 +81,7 @@ TEST_CASE("a joint that breaks notifies the script") {
             "break_force = 7 } "
             "world.rope:on('broke', function(event) "
             "print(string.format('%.1f', event.force.y), event.instance.broken) end)",
-            "30", "print(world.ball.velocity.y < -3)");
+            30, "print(world.ball.velocity.y < -3)");
     CHECK(done.err.empty());
     CHECK(done.out == "7.9\ttrue\ntrue\n");
 }
@@ -94,7 +92,7 @@ TEST_CASE("queries use only shapes that a function of the script accepts") {
             "world.far = Body { position = vec(6, 0), Box {} } "
             "world.gravity = vec(0, 0) "
             "function no_near(shape) return shape.parent ~= world.near end",
-            "2",
+            2,
             "local hit = world:raycast(vec(0, 0), vec(9, 0), nil, nil, no_near) "
             "print(hit.body.name, world:closest(vec(0, 0), 9, nil, nil, no_near).body.name, "
             "world:raycast(vec(0, 0), vec(9, 0)).body.name, "

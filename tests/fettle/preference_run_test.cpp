@@ -19,11 +19,8 @@ const char* const game = R"(
 
 const char* const shown = "print(audio.volume, input.actions.jump[1], score)";
 
-Outcome run(const Folder& folder, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"run", folder.write("main.lua", game), "--headless",
-                                          "--steps", "20"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Outcome outcome = fettle(folder, arguments);
+Outcome run(const Folder& folder, const std::vector<std::string>& more) {
+    Outcome outcome = run_script(folder, game, 20, more);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 0);
     return outcome;

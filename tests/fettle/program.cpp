@@ -50,6 +50,14 @@ Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
     return outcome;
 }
 
+Outcome run_script(const Folder& folder, const std::string& script, int steps,
+                   const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"run", folder.write("main.lua", script), "--headless",
+                                          "--steps", std::to_string(steps)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return fettle(folder, arguments);
+}
+
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }

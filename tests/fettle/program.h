@@ -34,6 +34,10 @@ std::string quoted(const std::string& text);
 Outcome fettle(const Folder& folder, const std::vector<std::string>& arguments,
                const std::string& before = {}, const std::string& input = "/dev/null");
 
+/// Runs this script as a game for so many steps. `more`: further arguments.
+Outcome run_script(const Folder& folder, const std::string& script, int steps,
+                   const std::vector<std::string>& more = {});
+
 bool contains(const std::string& text, const std::string& part);
 
 }  // namespace program_test

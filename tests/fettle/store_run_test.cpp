@@ -15,10 +15,8 @@ namespace {
 
 /// A run of a game of which only this chunk matters.
 Outcome run(const Folder& folder, const std::string& chunk, std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments = {
-        "run", folder.write("main.lua", ""), "--headless", "--steps", "5", "--eval", chunk};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    Outcome outcome = fettle(folder, arguments);
+    more.insert(more.begin(), {"--eval", chunk});
+    Outcome outcome = run_script(folder, "", 5, more);
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 0);
     return outcome;
