@@ -40,7 +40,7 @@ fettle_code fettle_replay_create(const void* bytes, size_t size, fettle_replay**
         fettle_replay*& made = needed("replay", replay);
         if (size > 0) needed("bytes", static_cast<const char*>(bytes));
         const auto* const begin = static_cast<const std::byte*>(bytes);
-        made = std::make_unique<fettle_replay>(Replay(std::span(begin, size)), "").release();
+        made = new fettle_replay{Replay(std::span(begin, size)), ""};
     });
 }
 
