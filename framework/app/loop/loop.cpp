@@ -95,11 +95,29 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
             if (!held.expired()) timeline_.go_near(step);
         });
     };
+    services_.clock.branches = [this] { return timeline_.branches(); };
+    services_.clock.name_branch = [this](const std::string& branch, const std::string& name) {
+        timeline_.name_branch(branch, name);
+    };
+    const auto at_barrier = [this, ordered = std::make_shared<char>()](auto what) {
+        return [this, what, ordered](const std::string& branch) {
+            timeline_.require_branch(branch);
+            tree_.at_barrier([this, what, branch, held = std::weak_ptr(ordered)] {
+                // It may have been dropped since.
+                if (!held.expired() && timeline_.has_branch(branch)) (timeline_.*what)(branch);
+            });
+        };
+    };
+    services_.clock.switch_to = at_barrier(&Timeline::switch_to);
+    services_.clock.forget_branch = at_barrier(&Timeline::forget_branch);
 }
 
 Loop::~Loop() {
     if (!runtime_life_.expired()) runtime_.on_rewind({});
     services_.clock.go_to = {};
+    services_.clock.branches = {};
+    services_.clock.switch_to = services_.clock.forget_branch = {};
+    services_.clock.name_branch = {};
     services_.audio.random = {};
 }
 

@@ -81,6 +81,19 @@ std::vector<Property> timeline_settings(Clock& clock) {
              "too little, less is kept. Undo has a quarter of it at most.",
          .binding = column(clock, Native::f64, 0, [](Clock& c) { return &c.rewind_memory; }),
          .transient = true},
+        {.name = "branch_limit",
+         .type = Type::integer,
+         .default_value = 4,
+         .range = {0, 16},
+         .doc = "How many branches are kept besides the present one: what came later, where the "
+                "game went on from an earlier step. 0: none.",
+         .binding = column(clock, Native::i32, 0, [](Clock& c) { return &c.branch_limit; }),
+         .transient = true},
+        computed({.name = "branch",
+                  .type = Type::text,
+                  .doc = "The name of the present branch; time:name_branch changes it.",
+                  .binding = property::accessor(
+                      clock, [](Clock& c, property::Row) { return property::Value(c.branch); })}),
         computed({.name = "oldest",
                   .type = Type::integer,
                   .default_value = 0,
@@ -96,24 +109,110 @@ std::vector<Property> timeline_settings(Clock& clock) {
     };
 }
 
-std::vector<property::Method> travelling(Clock& clock) {
-    return {{.name = "go_to",
-             .parameters = {{.name = "step",
-                             .type = Type::integer,
-                             .doc = "From `oldest` to `newest`."}},
+using Arguments = std::span<const property::Value>;
+
+/// A method of `time` that needs a timeline. `Call` does the work.
+template <auto Call>
+property::Method travelling(Clock& clock, property::Method method) {
+    method.context = &clock;
+    method.call = [](void* context, property::Tree& tree, property::Handle, property::Row,
+                     Arguments arguments) -> property::Result {
+        const Clock& of = *static_cast<Clock*>(context);
+        if (!of.go_to) throw std::invalid_argument("this game has no timeline");
+        return Call(of, tree, arguments);
+    };
+    return method;
+}
+
+const property::Field branch_parameter{
+    .name = "branch", .type = Type::text, .doc = "The name of a branch."};
+
+const std::vector<property::Field> branch_fields = {
+    {.name = "name", .type = Type::text, .doc = "Its name."},
+    {.name = "fork",
+     .type = Type::integer,
+     .doc = "The last step that it has in common with the present branch."},
+    {.name = "newest", .type = Type::integer, .doc = "Its last step."}};
+
+property::Result go_to(const Clock& of, property::Tree& tree, Arguments arguments) {
+    tree.require_changeable("go to another step");
+    of.go_to(arguments[0].integer());
+    return property::Value();
+}
+
+property::Result branches(const Clock& of, property::Tree&, Arguments) {
+    std::vector<property::Record> all;
+    for (const Branch& branch : of.branches())
+        all.push_back({&branch_fields,
+                       {property::Value(branch.name), property::Value(branch.fork),
+                        property::Value(branch.newest)}});
+    return all;
+}
+
+property::Result switch_to(const Clock& of, property::Tree& tree, Arguments arguments) {
+    tree.require_changeable("go to another branch");
+    of.switch_to(arguments[0].text());
+    return property::Value();
+}
+
+property::Result name_branch(const Clock& of, property::Tree&, Arguments arguments) {
+    of.name_branch(arguments[1].is_nil() ? of.branch : arguments[1].text(), arguments[0].text());
+    return property::Value();
+}
+
+property::Result forget_branch(const Clock& of, property::Tree& tree, Arguments arguments) {
+    tree.require_changeable("forget a branch");
+    of.forget_branch(arguments[0].text());
+    return property::Value();
+}
+
+std::vector<property::Method> methods_of_time(Clock& clock) {
+    using property::Effect;
+    return {
+        travelling<go_to>(
+            clock, {.name = "go_to",
+                    .parameters = {{.name = "step",
+                                    .type = Type::integer,
+                                    .doc = "From `oldest` to `newest`."}},
+                    .required = 1,
+                    .doc = "Goes to that step of the past, or back to the present, at the next "
+                           "barrier. When a step is made from there, what came later becomes "
+                           "another branch.",
+                    .effect = Effect::tree}),
+        travelling<branches>(
+            clock, {.name = "branches",
+                    .returns = branch_fields,
+                    .many = true,
+                    .doc = "The branches besides the present one, the oldest first. A branch is "
+                           "what came later, where the game went on from an earlier step. It is "
+                           "kept as long as the past.",
+                    .effect = Effect::nothing}),
+        travelling<switch_to>(
+            clock,
+            {.name = "switch_to",
+             .parameters = {branch_parameter},
              .required = 1,
-             .doc = "Goes to that step of the past, or back to the present, at the next barrier. "
-                    "What came later is forgotten when a step is made from there.",
-             .context = &clock,
-             .call = [](void* context, property::Tree& tree, property::Handle, property::Row,
-                        std::span<const property::Value> arguments) -> property::Result {
-                 const Clock& of = *static_cast<Clock*>(context);
-                 tree.require_changeable("go to another step");
-                 if (!of.go_to) throw std::invalid_argument("this game has no timeline");
-                 of.go_to(arguments[0].integer());
-                 return property::Value();
-             },
-             .effect = property::Effect::tree}};
+             .doc = "Makes that branch the present one and goes to its last step, at the next "
+                    "barrier. The branch that was present is kept.",
+             .effect = Effect::tree}),
+        travelling<name_branch>(
+            clock, {.name = "name_branch",
+                    .parameters = {{.name = "name",
+                                    .type = Type::text,
+                                    .doc = "The new name, 1 to 40 bytes, of no other branch."},
+                                   {.name = "branch",
+                                    .type = Type::text,
+                                    .doc = "The old name; the present branch if it is left out."}},
+                    .required = 1,
+                    .doc = "Gives a branch a name. Where there is no room for all, branches "
+                           "without a name are dropped first.",
+                    .effect = Effect::tree}),
+        travelling<forget_branch>(clock, {.name = "forget_branch",
+                                          .parameters = {branch_parameter},
+                                          .required = 1,
+                                          .doc = "Drops a branch, at the next barrier.",
+                                          .effect = Effect::tree}),
+    };
 }
 
 std::vector<Property> kept_by_the_loop(Clock& clock) {
@@ -274,7 +373,7 @@ property::Handle define_clock(property::Tree& tree, Clock& clock) {
                      .doc = "Simulation time: how fast it passes, and how far it is.",
                      .creatable = false,
                      .properties = std::move(properties),
-                     .methods = travelling(clock)});
+                     .methods = methods_of_time(clock)});
     const property::Class& timings = tree.define(
         {.name = "Timings",
          .doc = "Where a frame's time goes, smoothed over about half a second. In a headless run "

@@ -66,6 +66,7 @@ void Timeline::forget_all() {
     log_.reset();
     keyframes_.clear();
     steps_.clear();
+    others_.clear();
     tail_ = edits_ = broken_ = {};
     logged_ = logged_since_ = 0;
     spacing_ = min_spacing;
@@ -112,8 +113,9 @@ void Timeline::begin_step() {
         take_keyframe();
     }
     begun_ = now();
-    // A step from here replaces the later steps.
+    // A step from here replaces the later steps, which become another branch.
     if (here_ < newest()) {
+        keep_branch();
         drop_after(here_);
         tail_ = std::exchange(edits_, {});
         broken_ = {};
@@ -144,7 +146,7 @@ void Timeline::end_step() {
     open_.bytes += sizeof(Step) + step_overhead;
     logged_ += open_.bytes;
     logged_since_ += open_.bytes;
-    steps_.push_back(std::move(open_));
+    steps_.push_back(std::make_shared<Step>(std::move(open_)));
     worked_ += now() - begun_;
     if (keyframe_is_due()) take_keyframe();
     trim();
@@ -244,6 +246,8 @@ Timeline::Room Timeline::room_of_packed() {
     Room found;
     for (Keyframe& frame : keyframes_)
         if (auto plain = frame.payload->settle()) found.buffer = std::move(*plain);
+    for (Other& other : others_)
+        for (Keyframe& frame : other.keyframes) (void)frame.payload->settle();
     // Memory that is far larger than the current states is not used again.
     if (!keyframes_.empty() && found.buffer.touched / 4 > keyframes_.back().payload->plain_size())
         found = {};
@@ -276,24 +280,24 @@ void Timeline::note_jump() {
     keyframes_.back().jumped_to = true;
 }
 
-void Timeline::drop(std::deque<Step>::iterator step) {
-    logged_ -= step->bytes;
+void Timeline::drop(Steps::iterator step) {
+    logged_ -= (*step)->bytes;
     steps_.erase(step);
 }
 
 void Timeline::drop_after(std::int64_t step) {
     while (!keyframes_.empty() && keyframes_.back().step > step) keyframes_.pop_back();
-    while (!steps_.empty() && steps_.back().number > step) drop(std::prev(steps_.end()));
+    while (!steps_.empty() && steps_.back()->number > step) drop(std::prev(steps_.end()));
     logged_since_ = 0;
     for (auto each = steps_.rbegin();
-         each != steps_.rend() && (keyframes_.empty() || each->number > keyframes_.back().step);
+         each != steps_.rend() && (keyframes_.empty() || (*each)->number > keyframes_.back().step);
          ++each)
-        logged_since_ += each->bytes;
+        logged_since_ += (*each)->bytes;
 }
 
 void Timeline::drop_oldest() {
     keyframes_.pop_front();
-    while (!steps_.empty() && steps_.front().number <= keyframes_.front().step)
+    while (!steps_.empty() && steps_.front()->number <= keyframes_.front().step)
         drop(steps_.begin());
 }
 
@@ -310,7 +314,9 @@ void Timeline::thin_out() {
 void Timeline::trim() {
     while (keyframes_.size() > 1 && keyframes_[1].step <= newest() - limit_of(clock_))
         drop_oldest();
+    trim_branches();
     const std::size_t room = room_ - std::min(room_, tree_.history_bytes());
+    while (!others_.empty() && memory() > room) drop_branch();
     while (keyframes_.size() > 1 && memory() > room) {
         if (spacing_ < max_spacing && keyframes_.size() > 2 && logged_ < room / 2)
             thin_out();
@@ -336,7 +342,7 @@ std::int64_t Timeline::newest() const {
     if (keyframes_.empty()) return clock_.step;
     // After a jump, the step of the last keyframe may have no entry in the log.
     const std::int64_t last = keyframes_.back().step;
-    return steps_.empty() ? last : std::max(last, steps_.back().number);
+    return steps_.empty() ? last : std::max(last, steps_.back()->number);
 }
 
 std::size_t Timeline::Keyframe::memory() const {
@@ -352,6 +358,7 @@ std::size_t Timeline::memory() const {
     std::size_t sum = logged_ + tail_.bytes + edits_.bytes + broken_.bytes +
                       (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
+    for (const Other& other : others_) sum += other.memory();
     if (keyframes_.empty()) return sum;
     // The part of the history at the first keyframe that is kept only for the timeline.
     const Keyframe& first = keyframes_.front();

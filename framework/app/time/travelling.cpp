@@ -85,27 +85,37 @@ void Timeline::branch(std::int64_t from, const std::function<void()>& change,
     const std::int64_t here = here_;
     auto frame = std::prev(keyframes_.end());
     while (frame != keyframes_.begin() && (frame->step > here || frame->step > from)) --frame;
-    std::exception_ptr problem;
-    const auto differently = [&] {
-        try {
-            for (const Step& each : steps_)
-                if (each.number > frame->step && each.number <= from) redo(each);
-            change();
-            look(from);
-            for (const Step& each : steps_) {
-                if (each.number <= from || each.number > here) continue;
-                redo(each);
-                look(each.number);
-            }
-        } catch (...) {
-            problem = std::current_exception();
+    look_elsewhere(*frame, [&] {
+        for (const auto& each : steps_)
+            if (each->number > frame->step && each->number <= from) redo(*each);
+        change();
+        look(from);
+        for (const auto& each : steps_) {
+            if (each->number <= from || each->number > here) continue;
+            redo(*each);
+            look(each->number);
         }
-    };
+    });
+}
+
+/// Restores a keyframe, calls `repeat`, and returns to where the tree was, also if `repeat` throws;
+/// then throws its exception.
+void Timeline::look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat) {
+    const std::int64_t here = here_;
+    auto back = std::prev(keyframes_.end());
+    while (back != keyframes_.begin() && back->step > here) --back;
+    std::exception_ptr problem;
     {
         const Travelling travelling(*jumps_);
-        tree_.restore(Snapshot(frame->payload->payload(), frame->memories), differently);
+        tree_.restore(Snapshot(frame.payload->payload(), frame.memories), [&] {
+            try {
+                repeat();
+            } catch (...) {
+                problem = std::current_exception();
+            }
+        });
     }
-    replay(*frame, here, {});
+    replay(*back, here, {});
     if (problem) std::rethrow_exception(problem);
 }
 
@@ -152,10 +162,10 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
     try {
         tree_.restore(from, [&] {
             if (look) look(frame.step);
-            for (const Step& each : steps_) {
-                if (each.number <= frame.step || each.number > step) continue;
-                redo(each);
-                if (look) look(each.number);
+            for (const auto& each : steps_) {
+                if (each->number <= frame.step || each->number > step) continue;
+                redo(*each);
+                if (look) look(each->number);
             }
             if (step != newest()) {
                 for (const Piece& piece : edits_.before) redo(piece);

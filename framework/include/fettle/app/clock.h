@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <fettle/app/export.h>
 #include <fettle/app/frame_log.h>
@@ -12,16 +14,24 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
+/// What came later, where the game went on from an earlier step.
+struct Branch {
+    std::string name;
+    std::int64_t fork = 0;    ///< the last step that it has in common with the present branch
+    std::int64_t newest = 0;  ///< its last step
+};
+
 struct Clock {
     // Settings that any code may write; a frame or a turn with an unusable one throws
     // (`require_usable`).
-    double dt = 1.0 / 60;        // s, one fixed step
-    double scale = 1;            // simulated seconds a real second
-    bool paused = false;         // no steps are made
-    bool step_once = false;      // one step while paused; false again after it
-    std::int32_t max_steps = 5;  // steps one frame may make to catch up
-    double rewind_limit = 60;    // s of the past that are kept; 0: none
-    double rewind_memory = 128;  // MiB that may take
+    double dt = 1.0 / 60;           // s, one fixed step
+    double scale = 1;               // simulated seconds a real second
+    bool paused = false;            // no steps are made
+    bool step_once = false;         // one step while paused; false again after it
+    std::int32_t max_steps = 5;     // steps one frame may make to catch up
+    double rewind_limit = 60;       // s of the past that are kept; 0: none
+    double rewind_memory = 128;     // MiB that may take
+    std::int32_t branch_limit = 4;  // branches that are kept besides the present one; 0: none
 
     // Kept by the loop.
     std::int64_t step = 0;           // number of fixed steps
@@ -36,6 +46,11 @@ struct Clock {
     Timings timings{};  // smoothed
     FrameLog frames{};
     std::function<void(std::int64_t step)> go_to{};  // goes to a step, where that is possible
+    std::string branch = "1";                        // the name of the present branch
+    // For the other branches, where there is a timeline (Timeline).
+    std::function<std::vector<Branch>()> branches{};
+    std::function<void(const std::string&branch)> switch_to{}, forget_branch{};
+    std::function<void(const std::string& branch, const std::string& name)> name_branch{};
 
     /// One fixed step passes.
     void advance();

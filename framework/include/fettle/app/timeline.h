@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,8 +56,8 @@ class Timeline {
     void require_between_steps(const char* what) const;
     /// Throws Error(out_of_range) outside `oldest` and `newest`.
     void require(std::int64_t step) const;
-    /// Goes to a step. Later steps are kept until the game makes a step from here. Throws as
-    /// `require` does.
+    /// Goes to a step. Later steps are kept as the newest until the game makes a step from here,
+    /// and then as a branch. Throws as `require` does.
     void go_to(std::int64_t step);
     /// As `go_to`, but to the nearest step that is kept; does nothing if none is kept.
     void go_near(std::int64_t step);
@@ -84,6 +85,31 @@ class Timeline {
     void branch(std::int64_t from, const std::function<void()>& change,
                 const std::function<void(std::int64_t step)>& look);
 
+    // --- Branches: what came later, where the game went on from an earlier step. The past that the
+    // game goes on with is the present branch; `Clock::branch` is its name. The others are kept up
+    // to `Clock::branch_limit`, as long as the past, and before the past gets shorter for lack of
+    // memory, they are dropped: first those without a name of a person, the oldest first.
+    /// The branches besides the present one, the oldest first.
+    std::vector<Branch> branches() const;
+    /// Whether there is such a branch besides the present one.
+    bool has_branch(const std::string& branch) const;
+    /// Throws Error(unknown_name) if there is none.
+    void require_branch(const std::string& branch) const;
+    /// Makes that branch the present one and goes to its last step; the one that was present is
+    /// kept. Throws Error(unknown_name) if there is no such branch, and as `go_to` does.
+    void switch_to(const std::string& branch);
+    /// Gives a branch, also the present one, another name. Throws Error(unknown_name) if there is
+    /// no such branch, and Error(bad_name) if another has that name, or it is empty, longer than 40
+    /// bytes, or has a control character.
+    void name_branch(const std::string& branch, const std::string& name);
+    /// Forgets a branch. Throws Error(unknown_name) if there is no such branch besides the present
+    /// one.
+    void forget_branch(const std::string& branch);
+    /// As `review`, for the steps of another branch, up to its last one. Throws
+    /// Error(unknown_name), too.
+    void review_branch(const std::string& branch, std::int64_t from,
+                       const std::function<void(std::int64_t step)>& look);
+
     /// The share of the time of the game's steps that keyframes may take, 0.01 by default; a
     /// smaller share makes going to a step slower.
     void set_share(double share) { share_ = share; }
@@ -93,9 +119,9 @@ class Timeline {
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
-    /// Memory in bytes, estimated: keyframes, the log between them, and the memory for the next
-    /// keyframe. At the end of a step this and the history of edits are no more than
-    /// `time.rewind_memory`, of which the history has at most a quarter.
+    /// Memory in bytes, estimated: keyframes, the log between them, both also of the branches, and
+    /// the memory for the next keyframe. At the end of a step this and the history of edits are no
+    /// more than `time.rewind_memory`, of which the history has at most a quarter.
     std::size_t memory() const;
     /// Number of keyframes.
     std::size_t keyframes() const { return keyframes_.size(); }
@@ -123,6 +149,20 @@ class Timeline {
         std::size_t history = 0, forgotten = 0;
         std::size_t memory() const;
     };
+    using Steps = std::deque<std::shared_ptr<Step>>;
+    /// Another branch, with all that is needed to go there. What it has in common with the present
+    /// one is shared.
+    struct Other {
+        std::string name;
+        bool named = false;     // by a person
+        std::int64_t fork = 0;  // the last step that it has in common with the present branch
+        std::deque<Keyframe> keyframes;
+        Steps steps;
+        Step tail;              // as `tail_`
+        std::size_t bytes = 0;  // of the steps after `fork`, and of `tail`
+        std::int64_t newest() const;
+        std::size_t memory() const;
+    };
     class FETTLE_APP_PRIVATE Jumps;
     class FETTLE_APP_PRIVATE Travelling;
 
@@ -142,7 +182,16 @@ class Timeline {
     void travel(std::int64_t step);
     void replay(const Keyframe& frame, std::int64_t step,
                 const std::function<void(std::int64_t)>& look);
-    void drop(std::deque<Step>::iterator step);
+    void drop(Steps::iterator step);
+    // --- branches.cpp
+    void keep_branch();
+    void trim_branches();
+    void drop_branch();
+    void weigh(Other& branch) const;
+    std::string new_branch_name() const;
+    std::vector<Other>::iterator other_branch(const std::string& name);
+    void exchange_with(Other& other);
+    void look_elsewhere(const Keyframe& frame, const std::function<void()>& repeat);
     void drop_after(std::int64_t step);
     void drop_oldest();
     void trim();
@@ -160,7 +209,9 @@ class Timeline {
     std::unique_ptr<property::WriteLog> log_;
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
-    std::deque<Step> steps_;
+    Steps steps_;
+    std::vector<Other> others_;  // in the order in which they were left
+    bool named_ = false;         // the present branch, by a person
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
     bool returned_ = false;

@@ -1,0 +1,220 @@
+// Branches of the past: what came later, where the game went on from an earlier step.
+
+#include <fettle/app/timeline.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
+
+#include <time/jumps.h>
+#include <time/packing.h>
+
+namespace fettle::app {
+
+namespace {
+
+constexpr std::size_t longest_branch_name = 40;  // bytes
+
+bool is_control(unsigned char c) {
+    return c < 0x20 || c == 0x7f;
+}
+
+}  // namespace
+
+std::int64_t Timeline::Other::newest() const {
+    const std::int64_t last = keyframes.back().step;
+    return steps.empty() ? last : std::max(last, steps.back()->number);
+}
+
+/// What it takes besides the present branch.
+std::size_t Timeline::Other::memory() const {
+    std::size_t sum = bytes + sizeof *this;
+    for (const Keyframe& frame : keyframes)
+        if (frame.step > fork) sum += frame.memory();
+    return sum;
+}
+
+/// The smallest number that is no name yet.
+std::string Timeline::new_branch_name() const {
+    for (std::size_t n = 1;; ++n) {
+        std::string name = std::to_string(n);
+        const auto same = [&](const Other& other) { return other.name == name; };
+        if (name != clock_.branch && std::none_of(others_.begin(), others_.end(), same))
+            return name;
+    }
+}
+
+/// Keeps what is newer than the present step as a branch; the steps that follow get a new name.
+void Timeline::keep_branch() {
+    if (clock_.branch_limit <= 0) {
+        others_.clear();
+        return;
+    }
+    for (Other& other : others_)
+        if (other.fork > here_) {
+            other.fork = here_;
+            weigh(other);
+        }
+    Other left{.name = clock_.branch,
+               .named = std::exchange(named_, false),
+               .fork = here_,
+               .keyframes = keyframes_,
+               .steps = steps_,
+               .tail = std::move(tail_)};
+    weigh(left);
+    clock_.branch = new_branch_name();
+    others_.push_back(std::move(left));
+    while (std::cmp_greater(others_.size(), clock_.branch_limit)) drop_branch();
+}
+
+void Timeline::weigh(Other& branch) const {
+    branch.bytes = branch.tail.bytes;
+    for (auto each = branch.steps.rbegin();
+         each != branch.steps.rend() && (*each)->number > branch.fork; ++each)
+        branch.bytes += (*each)->bytes;
+}
+
+/// Branches get shorter and end as the past does.
+void Timeline::trim_branches() {
+    const std::int64_t first = oldest();
+    for (Other& other : others_) {
+        while (other.keyframes.size() > 1 && other.keyframes[1].step <= first) {
+            other.keyframes.pop_front();
+            while (!other.steps.empty() &&
+                   other.steps.front()->number <= other.keyframes.front().step)
+                other.steps.pop_front();
+            if (other.keyframes.front().step > other.fork) weigh(other);
+        }
+    }
+    std::erase_if(others_, [&](const Other& other) { return other.newest() <= first; });
+}
+
+/// Drops the oldest branch that no person has named, or else the oldest.
+void Timeline::drop_branch() {
+    const auto unnamed = std::find_if(others_.begin(), others_.end(),
+                                      [](const Other& other) { return !other.named; });
+    others_.erase(unnamed == others_.end() ? others_.begin() : unnamed);
+}
+
+std::vector<Branch> Timeline::branches() const {
+    std::vector<Branch> all;
+    for (const Other& other : others_) all.push_back({other.name, other.fork, other.newest()});
+    return all;
+}
+
+bool Timeline::has_branch(const std::string& branch) const {
+    return std::any_of(others_.begin(), others_.end(),
+                       [&](const Other& other) { return other.name == branch; });
+}
+
+void Timeline::require_branch(const std::string& branch) const {
+    if (has_branch(branch)) return;
+    if (branch == clock_.branch)
+        throw property::Error(property::ErrorKind::unknown_name,
+                              "the branch \"" + branch + "\" is the present one");
+    std::vector<std::string> names;
+    for (const Other& other : others_) names.push_back(other.name);
+    throw property::Error(property::ErrorKind::unknown_name,
+                          "there is no branch \"" + branch + "\"" +
+                              (names.empty() ? std::string(": there are no other branches")
+                                             : property::suggestion(branch, names)));
+}
+
+std::vector<Timeline::Other>::iterator Timeline::other_branch(const std::string& name) {
+    require_branch(name);
+    return std::find_if(others_.begin(), others_.end(),
+                        [&](const Other& other) { return other.name == name; });
+}
+
+void Timeline::name_branch(const std::string& branch, const std::string& name) {
+    const bool present = branch == clock_.branch;
+    if (!present) require_branch(branch);
+    if (name.empty() || name.size() > longest_branch_name ||
+        std::any_of(name.begin(), name.end(), is_control))
+        throw property::Error(property::ErrorKind::bad_name,
+                              "a branch needs a name of 1 to 40 bytes in one line");
+    if (name != branch && (name == clock_.branch || has_branch(name)))
+        throw property::Error(property::ErrorKind::bad_name,
+                              "there is a branch \"" + name + "\" already");
+    if (present) {
+        clock_.branch = name;
+        named_ = true;
+    } else {
+        Other& other = *other_branch(branch);
+        other.name = name;
+        other.named = true;
+    }
+}
+
+void Timeline::forget_branch(const std::string& branch) {
+    others_.erase(other_branch(branch));
+}
+
+/// The present branch becomes `other`, and `other` what the present one was.
+void Timeline::exchange_with(Other& other) {
+    std::swap(clock_.branch, other.name);
+    std::swap(named_, other.named);
+    std::swap(keyframes_, other.keyframes);
+    std::swap(steps_, other.steps);
+    std::swap(tail_, other.tail);
+    edits_ = broken_ = {};
+    failed_ = -1;
+    logged_ = logged_since_ = 0;
+    for (const auto& step : steps_) {
+        logged_ += step->bytes;
+        if (step->number > keyframes_.back().step) logged_since_ += step->bytes;
+    }
+    clock_.oldest = keyframes_.front().step;
+    clock_.newest = newest();
+    // Where another branch leaves the one that is now present.
+    for (Other& each : others_) {
+        if (&each != &other) {
+            std::int64_t common = std::min(each.fork, other.fork);
+            auto own = steps_.begin();
+            for (const auto& step : each.steps) {
+                while (own != steps_.end() && (*own)->number < step->number) ++own;
+                if (own != steps_.end() && *own == step) common = std::max(common, step->number);
+            }
+            each.fork = common;
+        }
+        weigh(each);
+    }
+}
+
+void Timeline::switch_to(const std::string& branch) {
+    require_between_steps("another branch cannot be gone to");
+    settle();
+    const auto found = other_branch(branch);
+    exchange_with(*found);
+    try {
+        travel(newest());
+    } catch (...) {
+        // If the tree has changed, the timeline began anew.
+        if (!jumps_->arrived) exchange_with(*found);
+        throw;
+    }
+    // The branch that was left is the one that was left last.
+    std::rotate(found, std::next(found), others_.end());
+}
+
+void Timeline::review_branch(const std::string& branch, std::int64_t from,
+                             const std::function<void(std::int64_t step)>& look) {
+    require_between_steps("the past cannot be looked at");
+    settle();
+    const Other& other = *other_branch(branch);
+    auto frame = std::prev(other.keyframes.end());
+    while (frame != other.keyframes.begin() && frame->step > from) --frame;
+    look_elsewhere(*frame, [&] {
+        if (frame->step >= from) look(frame->step);
+        for (const auto& each : other.steps) {
+            if (each->number <= frame->step) continue;
+            redo(*each);
+            if (each->number >= from) look(each->number);
+        }
+    });
+}
+
+}  // namespace fettle::app
