@@ -12,7 +12,8 @@ using property::Value;
 
 namespace {
 
-constexpr std::size_t compared_in_a_frame = 50;
+// Of one property. Numbers are read without making values, so more of them are.
+constexpr std::size_t compared_in_a_frame = 50, numbers_in_a_frame = 1000;
 
 }  // namespace
 
@@ -39,16 +40,30 @@ std::string MixedValues::look(const property::Tree& tree, const Property& proper
         row.differ = false;
         row.low = row.high = number ? value.as_double() : 0;
     }
-    const std::size_t end = std::min(row.next + compared_in_a_frame, others_.size());
+    const std::size_t end =
+        std::min(row.next + (number ? numbers_in_a_frame : compared_in_a_frame), others_.size());
     for (; row.next < end; ++row.next) {
         const Handle other = others_[row.next];
-        const Property* found = same(tree, other, property);
-        if (found == nullptr) continue;
-        const Value theirs = tree.peek(other, *found);
-        row.differ = row.differ || theirs != value;
-        if (!number || !theirs.is_numeric()) continue;
-        row.low = std::min(row.low, theirs.as_double());
-        row.high = std::max(row.high, theirs.as_double());
+        if (!tree.alive(other)) continue;
+        const property::Class& of = tree.class_of(other);
+        if (row.of != &of) {
+            const Property* found = same(tree, other, property);
+            // What a class does not declare differs from instance to instance.
+            row.of = found != nullptr && found->owner != nullptr ? &of : nullptr;
+            row.found = found;
+        }
+        if (row.found == nullptr) continue;
+        double theirs = 0;
+        if (number && tree.read(other, *row.found, theirs)) {
+            row.differ = row.differ || theirs != value.as_double();
+        } else {
+            const Value read = tree.peek(other, *row.found);
+            row.differ = row.differ || read != value;
+            if (!number || !read.is_numeric()) continue;
+            theirs = read.as_double();
+        }
+        row.low = std::min(row.low, theirs);
+        row.high = std::max(row.high, theirs);
     }
     if (row.next == others_.size()) {
         row.next = 0;

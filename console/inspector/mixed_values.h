@@ -30,6 +30,8 @@ class MixedValues {
     struct Comparison {
         std::size_t next = 0;                   // whom to compare in the next frame
         bool differ = false, differed = false;  // in this round; in the last complete one
+        const property::Class* of = nullptr;    // of the last one, if it declares the property
+        const property::Property* found = nullptr;
         double low = 0, high = 0, lowest = 0, highest = 0;
     };
 

@@ -10,6 +10,9 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 #include <fettle/property/pose.h>
+#include <fettle/property/spelling.h>
+
+#include <model/branches.h>
 
 namespace fettle::console {
 
@@ -65,11 +68,31 @@ void Comparison::ask(const std::string& path, const Value& value, double seconds
         throw property::Error(
             property::ErrorKind::out_of_range,
             "ab: " + property::number_text(seconds) + " seconds: expected a time from 0.1 to 60");
+    end();
     asked_ = {path, value, seconds};
+}
+
+void Comparison::ask_branch(const std::string& name) {
+    const std::vector<OtherBranch> all = other_branches(tree_);
+    const auto other = name.empty() ? (all.empty() ? all.end() : std::prev(all.end()))
+                                    : std::ranges::find(all, name, &OtherBranch::name);
+    if (other == all.end()) {
+        std::vector<std::string> names;
+        for (const OtherBranch& each : all) names.push_back(each.name);
+        throw property::Error(
+            property::ErrorKind::unknown_name,
+            "compare_branch: " +
+                (all.empty()
+                     ? std::string("there are no other branches of the past")
+                     : "there is no branch \"" + name + "\"" + property::suggestion(name, names)));
+    }
+    end();
+    asked_branch_ = AskedBranch{other->name, other->fork, other->newest};
 }
 
 void Comparison::end() {
     asked_.reset();
+    asked_branch_.reset();
     a_.clear();
     b_.clear();
 }
@@ -93,11 +116,14 @@ Comparison::Moment Comparison::moment(std::int64_t step) const {
     return made;
 }
 
-void Comparison::between_frames(const Review& review, const Branch& branch) {
-    if (!asked_) return;
+void Comparison::between_frames(const Review& review, const Branch& branch,
+                                const ReviewBranch& other) {
+    if (asked_) compare_change(review, branch);
+    if (asked_branch_) compare_branches(review, other);
+}
+
+void Comparison::compare_change(const Review& review, const Branch& branch) {
     const Asked asked = *std::exchange(asked_, std::nullopt);
-    a_.clear();
-    b_.clear();
     const std::int64_t first = first_step(asked);
     if (!review || !branch || first >= static_cast<std::int64_t>(tree_.step()))
         return log_.error("ab: there is no past to compare with");
@@ -114,17 +140,69 @@ void Comparison::between_frames(const Review& review, const Branch& branch) {
         end();
         return log_.error("ab: " + property::exception_text(error));
     }
-    // The past before a restored snapshot is not reviewed.
-    const std::size_t both = std::min(a_.size(), b_.size());
-    a_.erase(a_.begin(), a_.end() - static_cast<std::ptrdiff_t>(both));
-    b_.erase(b_.begin(), b_.end() - static_cast<std::ptrdiff_t>(both));
+    cut_to_common_steps();
+    original_ = "as it was";
     change_ = asked.path + " = " + written;
     ++number_;
-    tell_difference();
+    tell_difference("ab " + change_);
+}
+
+/// Only moments that both have are compared.
+void Comparison::cut_to_common_steps() {
+    if (!shown()) return end();
+    const std::int64_t first = std::max(a_.front().step, b_.front().step);
+    const std::int64_t last = std::min(a_.back().step, b_.back().step);
+    for (auto* side : {&a_, &b_})
+        std::erase_if(*side,
+                      [&](const Moment& each) { return each.step < first || each.step > last; });
+}
+
+void Comparison::compare_branches(const Review& review, const ReviewBranch& other) {
+    const AskedBranch asked = *std::exchange(asked_branch_, std::nullopt);
+    if (!review || !other) return log_.error("compare_branch: this game keeps no past");
+    const std::int64_t here = static_cast<std::int64_t>(tree_.step());
+    const auto poses = static_cast<std::int64_t>(std::max<std::size_t>(1, placed(tree_).size()));
+    const std::int64_t steps = std::max<std::int64_t>(1, most_poses / poses);
+    const std::int64_t last = std::min({here, asked.newest, asked.fork + steps});
+    if (last <= asked.fork)
+        return log_.error("compare_branch: the game is at step " + std::to_string(here) +
+                          ", before the branches part after step " + std::to_string(asked.fork));
+    NotedValues of_a, of_b;
+    const auto into = [&](std::vector<Moment>& side, NotedValues& values) {
+        return [&, last](std::int64_t step) {
+            if (step <= last) side.push_back(moment(step));
+            if (step == last) values = NotedValues(tree_);
+        };
+    };
+    try {
+        other(asked.name, asked.fork, into(b_, of_b));
+        review(asked.fork, into(a_, of_a));
+    } catch (const std::exception& error) {
+        end();
+        return log_.error("compare_branch: " + property::exception_text(error));
+    }
+    cut_to_common_steps();
+    if (!shown()) return log_.error("compare_branch: the branches have no step in common");
+    original_ = "branch " + value_of_time(tree_, "branch").text();
+    change_ = "branch " + asked.name;
+    ++number_;
+    tell_difference("A " + original_ + ", B " + change_);
+    tell_values(of_a, of_b);
+}
+
+/// Lists values that differ and do not come from the simulation.
+void Comparison::tell_values(const NotedValues& a, const NotedValues& b) {
+    constexpr std::size_t most_lines = 20;
+    const std::vector<std::string> lines = differences(tree_, a, b);
+    for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) tell(lines[i]);
+    if (lines.size() > most_lines)
+        tell("… " + std::to_string(lines.size() - most_lines) + " more differences");
+    if (!a.complete() || !b.complete())
+        tell("only the first " + std::to_string(NotedValues::most) + " values were compared");
 }
 
 /// Says how many instances end elsewhere, and which one is the farthest.
-void Comparison::tell_difference() {
+void Comparison::tell_difference(const std::string& what) {
     if (!shown()) return;
     std::size_t moved = 0, only_one = 0;
     const Pose* farthest = nullptr;
@@ -139,7 +217,7 @@ void Comparison::tell_difference() {
         if (way > apart) ++moved;
         if (way > most) most = way, farthest = &pose;
     }
-    std::string line = "ab " + change_ + " since step " + std::to_string(a_.front().step) + ": " +
+    std::string line = what + " since step " + std::to_string(a_.front().step) + ": " +
                        std::to_string(moved) + " of " + std::to_string(b_.back().poses.size()) +
                        " end elsewhere";
     if (moved > 0 && tree_.alive(farthest->instance))

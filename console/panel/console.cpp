@@ -60,6 +60,15 @@ Console::State::State(property::Tree& the_tree, Interpreter the_interpreter, Opt
         functions.ab = [this](const std::string& path, const Value& value, double seconds) {
             path.empty() ? comparison.end() : comparison.ask(path, value, seconds);
         };
+        functions.compare_branch = [this](const std::string& name) { comparison.ask_branch(name); };
+        functions.bookmark = [this](const std::string& name, std::optional<std::int64_t> step) {
+            time_marks.bookmark(name, step);
+        };
+        functions.unbookmark = [this](const std::string& name) {
+            return time_marks.unbookmark(name);
+        };
+        functions.bookmarks = [this] { return time_marks.bookmarks(); };
+        functions.play_back = [this](double seconds) { time_bar.play_back(seconds); };
         functions.share = options.share;
         if (options.replay) functions.exec = {};
         interpreter.serve(std::move(functions));
@@ -123,6 +132,8 @@ void Console::State::connect() {
     watch_list.menu = log_view.menu;
     observing.found = comparison.found = options.found;
     compare_view.close = [this] { comparison.end(); };
+    time_bar.run = context_menu.run;
+    time_bar.insert = context_menu.insert;
     observing.on_break = [this](const std::string& line) { time_marks.stop(line); };
     plot_view.go_to = frame_view.go_to = [this](std::int64_t step) { time_bar.go_to(step); };
     frame_view.close = [this] { show_overlay("timings", false); };
@@ -314,7 +325,7 @@ void Console::between_frames() {
     s.observing.between_frames(s.options.review);
     s.export_plots();
     s.ghosts.watch(s.settings.flag("ghosts"));
-    s.comparison.between_frames(s.options.review, s.options.branch);
+    s.comparison.between_frames(s.options.review, s.options.branch, s.options.review_branch);
     s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
     s.onion_skins.between_frames(s.options.review);
 }
@@ -337,6 +348,7 @@ void Console::draw(app::Surface& surface, double seconds) {
     s.width = std::min(surface.width(), largest);
     s.height = std::min(surface.height(), largest);
     s.follow_settings();
+    s.time_bar.play_on(seconds);
     if (!s.was_open) return;
     s.frame(seconds);
     s.ui.draw(surface);

@@ -109,7 +109,7 @@ bool Console::State::inspector_is_beside() {
 float Console::State::panel_height() {
     const float em = ImGui::GetFontSize();
     float below = 2 * margin;
-    if (settings.flag("time_bar") && time_bar.available()) below += TimeBar::height() + margin;
+    if (settings.flag("time_bar") && time_bar.available()) below += time_bar.height() + margin;
     const bool plotted = !observing.plots().empty();
     if (plotted) below += least_plot * em + margin;
     if (!observing.pins().empty() && (!plotted || width < stacked_below * em))
@@ -132,7 +132,7 @@ float Console::State::free_above() const {
 void Console::State::draw_time_bar(float right) {
     if (!settings.flag("time_bar") || !time_bar.available()) return time_bar.hide();
     const float low = height - margin;
-    if (inspector_rect.high.y < low - TimeBar::height()) right = 0;
+    if (inspector_rect.high.y < low - time_bar.height()) right = 0;
     time_marks.look();
     time_bar.draw(ImVec2(margin, low), width - 2 * margin - right, settings.number("opacity"),
                   ui.bold());

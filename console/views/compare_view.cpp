@@ -139,7 +139,7 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     };
     draw_side(below(left), tree, runs, false, seen);
     draw_side(below(right), tree, runs, true, seen);
-    draw_title(left, "A", "as it was", palette::dim);
+    draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
     char text[48];
     std::snprintf(text, sizeof text, "step %lld  %.2f s",

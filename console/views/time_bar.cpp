@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -25,14 +26,6 @@ std::string seconds_text(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f s", seconds);
     return text;
-}
-
-/// Draws a tooltip above the bar, because below it would cover the bar.
-void tip(const Rect& bar, const std::string& text) {
-    const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
-    const float x = std::max(ImGui::GetIO().MousePos.x, bar.low.x + half);
-    ImGui::SetNextWindowPos(ImVec2(x, bar.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
-    ImGui::SetTooltip("%s", text.c_str());
 }
 
 }  // namespace
@@ -58,6 +51,8 @@ TimeBar::Times TimeBar::times() const {
     now.step = value("step").integer();
     now.oldest = std::min(value("oldest").integer(), now.step);
     now.newest = std::max(value("newest").integer(), now.step);
+    now.end = now.newest;
+    for (const OtherBranch& branch : branches_) now.end = std::max(now.end, branch.newest);
     const Value dt = value("dt");
     now.dt = dt.is(Type::number) ? dt.number() : 1.0 / 60;
     now.paused = value("paused").boolean();
@@ -71,6 +66,39 @@ void TimeBar::set(const char* name, bool on) {
     tree_.set(time, name, Value(on));
 }
 
+void TimeBar::play_back(double seconds) {
+    const Times now = times();
+    if (now.newest <= now.oldest) return;
+    std::int64_t from = now.step;
+    if (!now.in_past()) {
+        const double steps = std::min(seconds / now.dt, static_cast<double>(now.newest));
+        from = std::max(now.oldest, now.newest - static_cast<std::int64_t>(std::llround(steps)));
+    }
+    playing_ = true;
+    played_to_ = static_cast<double>(from);
+    go_to(from);
+}
+
+void TimeBar::play_on(double seconds) {
+    if (!playing_) return;
+    const Times now = times();
+    if (!now.paused || played_to_ >= static_cast<double>(now.newest)) {
+        playing_ = false;
+        return;
+    }
+    played_to_ =
+        std::min(played_to_ + std::max(0.0, seconds) / now.dt, static_cast<double>(now.newest));
+    go_to(static_cast<std::int64_t>(played_to_));
+}
+
+/// The marks are those of the present branch.
+void TimeBar::follow_branch() {
+    std::map<std::string, std::int64_t> others;
+    for (const OtherBranch& branch : branches_) others.emplace(branch.name, branch.fork);
+    const Value name = value("branch");
+    if (name.is(Type::text)) marks_.follow(name.text(), others);
+}
+
 // It runs as a command, so that a recording of the run contains it.
 void TimeBar::go_to(std::int64_t step) {
     if (step == asked_) return;
@@ -82,20 +110,28 @@ void TimeBar::go_to(std::int64_t step) {
 // --- Appearance
 // -----------------------------------------------------------------------------------------------------
 
-float TimeBar::height() {
-    return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().WindowPadding.y + 14;
+float TimeBar::height() const {
+    return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().WindowPadding.y + 14 +
+           static_cast<float>(branches_.size()) * lane_height();
 }
 
 void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
+    branches_ = other_branches(tree_);
+    follow_branch();
     const Times now = times();
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height()));
     ImGui::SetNextWindowSize(ImVec2(std::max(120.0f, width), height()));
     ImGui::SetNextWindowBgAlpha(opacity);
     ImGui::Begin("##time", nullptr, flags);
     rect_ = window_rect();
+    draw_branch_menu();
+    const float lanes = static_cast<float>(branches_.size()) * lane_height();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lanes);
     draw_play(now);
     ImGui::SameLine();
     draw_step(now);
+    ImGui::SameLine();
+    draw_play_back(now);
     ImGui::SameLine();
     // In a narrow window the track needs the room of the longer texts.
     const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
@@ -105,7 +141,21 @@ void TimeBar::draw(ImVec2 corner, float width, float opacity, ImFont* bold) {
     draw_track(now, std::max(40.0f, room - text));
     ImGui::SameLine();
     draw_text(now, bold, narrow);
+    draw_lanes(now);
     ImGui::End();
+}
+
+/// Draws a tooltip above the bar, because below it would cover the bar.
+void TimeBar::tip(const std::string& text) const {
+    const float half = text_width(text) / 2 + ImGui::GetStyle().WindowPadding.x;
+    const float x = std::max(ImGui::GetIO().MousePos.x, rect_.low.x + half);
+    ImGui::SetNextWindowPos(ImVec2(x, rect_.low.y - 4), ImGuiCond_Always, ImVec2(0.5f, 1));
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
+/// Of a branch: high enough to be hit.
+float TimeBar::lane_height() {
+    return std::max(16.0f, ImGui::GetTextLineHeight() + 2);
 }
 
 bool TimeBar::icon(const char* id, Rect& place) {
@@ -132,11 +182,12 @@ void TimeBar::draw_play(const Times& now) {
                                ImVec2(c.x + side * r * 0.55f + r * 0.3f, c.y + r), palette::text);
     }
     if (ImGui::IsItemHovered())
-        tip(rect_, now.in_past() ? "go on from here: what came later is forgotten"
-                   : now.paused  ? "go on"
-                                 : "pause");
+        tip(now.in_past() ? "go on from here: what came later becomes another branch"
+            : now.paused  ? "go on"
+                          : "pause");
     if (!pressed) return;
     asked_ = -1;
+    playing_ = false;
     set("paused", !now.paused);
 }
 
@@ -149,7 +200,7 @@ void TimeBar::draw_step(const Times& now) {
     list.AddTriangleFilled(ImVec2(c.x - r, c.y - r), ImVec2(c.x - r, c.y + r),
                            ImVec2(c.x + r * 0.5f, c.y), color);
     list.AddRectFilled(ImVec2(c.x + r * 0.65f, c.y - r), ImVec2(c.x + r * 1.1f, c.y + r), color);
-    if (ImGui::IsItemHovered()) tip(rect_, now.in_past() ? "one step on, as it was" : "one step");
+    if (ImGui::IsItemHovered()) tip(now.in_past() ? "one step on, as it was" : "one step");
     if (!pressed) return;
     if (now.in_past()) {
         go_to(now.step + 1);
@@ -157,6 +208,31 @@ void TimeBar::draw_step(const Times& now) {
         set("paused", true);
         set("step_once", true);
     }
+}
+
+void TimeBar::draw_play_back(const Times& now) {
+    const bool pressed = icon("play back", play_back_);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 c = play_back_.middle();
+    const float r = (play_back_.high.y - play_back_.low.y) * 0.22f;
+    // An arrow that goes round.
+    const ImU32 color = playing_ ? palette::accent : palette::text;
+    constexpr float from = -0.5f, to = 4.4f;  // rad
+    list.PathArcTo(c, r, from, to, 20);
+    list.PathStroke(color, 0, 1.6f);
+    const ImVec2 tip_of(c.x + r * std::cos(from), c.y + r * std::sin(from));
+    list.AddTriangleFilled(ImVec2(tip_of.x - r * 0.75f, tip_of.y - r * 0.15f),
+                           ImVec2(tip_of.x + r * 0.65f, tip_of.y - r * 0.05f),
+                           ImVec2(tip_of.x + r * 0.05f, tip_of.y - r * 0.95f), color);
+    if (ImGui::IsItemHovered())
+        tip(playing_        ? "stop here"
+            : now.in_past() ? "play what follows, as it was"
+                            : "play the whole past again, as it was");
+    if (!pressed) return;
+    if (playing_)
+        playing_ = false;
+    else
+        play_back(static_cast<double>(now.newest - now.oldest) * now.dt);
 }
 
 void TimeBar::draw_track(const Times& now, float width) {
@@ -168,14 +244,18 @@ void TimeBar::draw_track(const Times& now, float width) {
     const float mouse = ImGui::GetIO().MousePos.x;
     const TimeMark* const mark = hovered || held ? mark_at(now, mouse) : nullptr;
     const std::int64_t under = mark != nullptr ? mark->step : step_at(now, mouse);
-    if (held) go_to(under);
+    if (held) {
+        playing_ = false;
+        go_to(under);
+    }
     if (!held && asked_ == now.step) asked_ = -1;
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = track_.middle().y, half = 4;
     const float rounding = half;
-    list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(track_.high.x, y + half),
-                       palette::well, rounding);
+    const float end = now.end > now.newest ? x_of(now, now.newest) : track_.high.x;
+    list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(end, y + half), palette::well,
+                       rounding);
     const float here = x_of(now, now.step);
     list.AddRectFilled(ImVec2(track_.low.x, y - half), ImVec2(here, y + half),
                        with_alpha(palette::accent, 0.55f), rounding);
@@ -194,24 +274,26 @@ void TimeBar::draw_track(const Times& now, float width) {
     }
     if (hovered || held) {
         const double back = static_cast<double>(now.newest - under) * now.dt;
-        tip(rect_, "step " + std::to_string(under) +
-                       (back > 0 ? ", " + seconds_text(back) + " before the present"
-                                 : std::string(", the present")) +
-                       (mark != nullptr ? "\n" + mark->text : std::string()));
+        tip("step " + std::to_string(under) +
+            (back > 0 ? ", " + seconds_text(back) + " before the present"
+                      : std::string(", the present")) +
+            (mark != nullptr ? "\n" + mark->text : std::string()));
     }
     if (right_click) marks_.toggle_bookmark(under);  // `mark` may end here
 }
 
 float TimeBar::x_of(const Times& now, std::int64_t step) const {
-    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
+    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.end - now.oldest));
     const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
     return left + wide * static_cast<float>(step - now.oldest) / span;
 }
 
 std::int64_t TimeBar::step_at(const Times& now, float x) const {
-    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.newest - now.oldest));
+    const auto span = static_cast<float>(std::max<std::int64_t>(1, now.end - now.oldest));
     const float left = track_.low.x + knob, wide = track_.high.x - knob - left;
-    return now.oldest + std::llround(std::clamp((x - left) / wide, 0.0f, 1.0f) * span);
+    const std::int64_t step =
+        now.oldest + std::llround(std::clamp((x - left) / wide, 0.0f, 1.0f) * span);
+    return std::min(step, now.newest);
 }
 
 /// The mark that is drawn there, the uppermost if there are several; null if there is none.
@@ -247,7 +329,7 @@ void TimeBar::draw_marks(const Times& now) const {
 
 /// Draws a mark every second, or at the shortest interval that leaves room between marks.
 void TimeBar::draw_ruler(const Times& now) const {
-    const double span = static_cast<double>(now.newest - now.oldest) * now.dt;
+    const double span = static_cast<double>(now.end - now.oldest) * now.dt;
     const double wide = track_.high.x - track_.low.x - 2 * knob;
     if (!(span > 0) || wide <= 0) return;
     double apart = 1;
@@ -256,8 +338,9 @@ void TimeBar::draw_ruler(const Times& now) const {
     if (apart * wide / span < 8) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = track_.middle().y + 8;
-    for (double back = 0; back <= span; back += apart) {
-        const auto x = static_cast<float>(track_.high.x - knob - back / span * wide);
+    const double later = static_cast<double>(now.end - now.newest) * now.dt;  // than the present
+    for (double back = 0; back <= span - later; back += apart) {
+        const auto x = static_cast<float>(track_.high.x - knob - (back + later) / span * wide);
         const bool tenth = std::fmod(back, 10 * apart) == 0;
         list.AddLine(ImVec2(x, y), ImVec2(x, y + (tenth ? 5.0f : 3.0f)),
                      tenth ? palette::dim : palette::faint);
@@ -276,7 +359,11 @@ void TimeBar::draw_text(const Times& now, ImFont* bold, bool narrow) {
     const std::string step = "  step " + std::to_string(now.step);
     if (!now.in_past()) {
         return_ = {};
-        if (!narrow) console::draw_text(list, at, palette::dim, step);
+        if (narrow) return;
+        at.x += console::draw_text(list, at, palette::dim, step);
+        if (branches_.empty()) return;
+        const float room = rect_.high.x - at.x - ImGui::GetStyle().WindowPadding.x;
+        if (room > 0) draw_text_fit(list, at, palette::accent, "  " + value("branch").text(), room);
         return;
     }
     at.x += 10;
@@ -286,7 +373,7 @@ void TimeBar::draw_text(const Times& now, ImFont* bold, bool narrow) {
     const bool pressed =
         ImGui::InvisibleButton("return", ImVec2(wide, ImGui::GetTextLineHeight() + 6));
     return_ = item_rect();
-    if (narrow && ImGui::IsItemHovered()) tip(rect_, "to the present");
+    if (narrow && ImGui::IsItemHovered()) tip("to the present");
     list.AddRectFilled(return_.low, return_.high,
                        ImGui::IsItemHovered() ? palette::hover : palette::raised,
                        ImGui::GetStyle().FrameRounding);

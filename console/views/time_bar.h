@@ -1,16 +1,20 @@
 #pragma once
-// The time bar: pause, step, go back to any stored moment, and continue from there. Marks show
-// where people edited, where scripts failed and where a condition broke; a right click sets a
-// bookmark.
+// The time bar: pause, step, play back, go back to any stored moment, and continue from there.
+// Marks show where people edited, where scripts failed and where a condition broke; a right click
+// sets a bookmark. Above it, the other branches of the past have a lane each.
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <imgui.h>
 
 #include <fettle/console/interpreter.h>
 #include <fettle/property/tree.h>
 
+#include <model/branches.h>
 #include <model/rect.h>
 #include <model/time_marks.h>
 
@@ -21,8 +25,13 @@ class TimeBar {
     TimeBar(property::Tree& tree, const Interpreter& interpreter, TimeMarks& marks)
         : tree_(tree), interpreter_(interpreter), marks_(marks) {}
 
+    /// Runs a command as if it were typed; and puts text into the prompt.
+    std::function<void(const std::string& command)> run{};
+    std::function<void(const std::string& text)> insert{};
+
     struct Times {
         std::int64_t step = 0, oldest = 0, newest = 0;
+        std::int64_t end = 0;  // the last step of all branches
         double dt = 0;
         bool paused = false;
         bool in_past() const { return step < newest; }
@@ -31,19 +40,29 @@ class TimeBar {
 
     /// Whether the game stores its past.
     bool available() const;
-    static float height();
+    float height() const;
     /// Draws a window of that width with its lower left corner at `corner`.
     void draw(ImVec2 corner, float width, float opacity, ImFont* bold);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = {}; }
     /// Pauses the game and goes to a step.
     void go_to(std::int64_t step);
+    /// Shows the last seconds up to the newest step once more; in the past, what follows.
+    void play_back(double seconds);
+    /// Call once a frame, with its length in seconds: goes on with playing back.
+    void play_on(double seconds);
+    bool plays_back() const { return playing_; }
 
     // Rectangles of the parts, for tests.
     const Rect& track() const { return track_; }
     const Rect& play_button() const { return play_; }
     const Rect& step_button() const { return step_; }
     const Rect& return_button() const { return return_; }
+    const Rect& play_back_button() const { return play_back_; }
+    /// Of the branches, in their order.
+    const std::vector<Rect>& lanes() const { return lanes_; }
+    /// An entry of the menu of a branch.
+    Rect menu_entry(const std::string& label) const;
 
   private:
     property::Value value(const char* name) const;
@@ -51,6 +70,15 @@ class TimeBar {
     bool icon(const char* id, Rect& place);
     void draw_play(const Times& now);
     void draw_step(const Times& now);
+    void draw_play_back(const Times& now);
+    void follow_branch();
+    void draw_lanes(const Times& now);
+    void draw_lane(const Times& now, const OtherBranch& branch, const Rect& lane);
+    void draw_branch_menu();
+    void draw_entries(const std::string& name);
+    bool entry(const char* label, const char* tip_text);
+    void tip(const std::string& text) const;
+    static float lane_height();
     void draw_track(const Times& now, float width);
     void draw_ruler(const Times& now) const;
     void draw_marks(const Times& now) const;
@@ -62,8 +90,15 @@ class TimeBar {
     property::Tree& tree_;
     const Interpreter& interpreter_;
     TimeMarks& marks_;
-    Rect rect_, track_, play_, step_, return_;
-    std::int64_t asked_ = -1;  // the last step that the drag requested
+    Rect rect_, track_, play_, step_, play_back_, return_;
+    std::int64_t asked_ = -1;            // the last step that the drag requested
+    std::vector<OtherBranch> branches_;  // as they were at the last picture
+    std::vector<Rect> lanes_;
+    std::string menu_of_;  // the branch whose menu is open
+    bool opens_menu_ = false;
+    std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
+    bool playing_ = false;
+    double played_to_ = 0;  // step, with the part of the next one
 };
 
 }  // namespace fettle::console

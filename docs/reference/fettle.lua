@@ -1837,9 +1837,17 @@ function fettle_Emitter:on(event, handler) end
 ---@overload fun(members?: table): Emitter
 Emitter = {}
 
+---The branches besides the present one, the oldest first. A branch is what came later, where the game went on from an earlier step. It is kept as long as the past.
+---@class Time.branches.result
+---@field name string Its name.
+---@field fork integer The last step that it has in common with the present branch.
+---@field newest integer Its last step.
+
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Time : Object
 ---@field alpha number How far the picture is between the last two steps. · 0 to 1 · read-only, simulated
+---@field branch string The name of the present branch; time:name_branch changes it. · any text · read-only, simulated
+---@field branch_limit integer How many branches are kept besides the present one: what came later, where the game went on from an earlier step. 0: none. · 0 to 16 · default 4 · not saved
 ---@field dropped_steps integer Steps that were due but given up, since frames took too long. · any integer · read-only, simulated
 ---@field dt number Length of a fixed step. Smaller steps are more exact and cost more. · s · 0.00001 to 1 · default 0.016666666666666666
 ---@field fps number Frames a second, smoothed. 0 in a headless run. · 1/s · any finite number · read-only, simulated
@@ -1858,9 +1866,26 @@ Emitter = {}
 ---@field timings Timings Where a frame's time goes, smoothed over about half a second. In a headless run a frame is a turn, and the half second is one of the simulation.
 local fettle_Time = {}
 
----Goes to that step of the past, or back to the present, at the next barrier. What came later is forgotten when a step is made from there.
+---The branches besides the present one, the oldest first. A branch is what came later, where the game went on from an earlier step. It is kept as long as the past.
+---@return Time.branches.result[]
+function fettle_Time:branches() end
+
+---Drops a branch, at the next barrier.
+---@param branch string The name of a branch.
+function fettle_Time:forget_branch(branch) end
+
+---Goes to that step of the past, or back to the present, at the next barrier. When a step is made from there, what came later becomes another branch.
 ---@param step integer From `oldest` to `newest`.
 function fettle_Time:go_to(step) end
+
+---Gives a branch a name. Where there is no room for all, branches without a name are dropped first.
+---@param name string The new name, 1 to 40 bytes, of no other branch.
+---@param branch? string The old name; the present branch if it is left out.
+function fettle_Time:name_branch(name, branch) end
+
+---Makes that branch the present one and goes to its last step, at the next barrier. The branch that was present is kept.
+---@param branch string The name of a branch.
+function fettle_Time:switch_to(branch) end
 
 ---Simulation time: how fast it passes, and how far it is.
 ---@class Class.Time : Class
@@ -3027,6 +3052,15 @@ function alias(word, command) end
 ---@param command? string
 function bind(key, command) end
 
+---Sets a bookmark on the time bar of the console: at the present step if step is left out. The same name again moves it. Bookmarks end with the run, because another run has other steps.
+---@param name? string
+---@param step? integer
+function bookmark(name, step) end
+
+---The steps of the bookmarks by their names: time:go_to(bookmarks().start) goes to one.
+---@return table
+function bookmarks() end
+
 ---Pauses the game after the step in which the condition becomes true, and prints its old and new value and who wrote it. A value that is no boolean breaks when it changes. Without a condition all breaks end.
 ---@param condition? string|fun(): any
 function break_when(condition) end
@@ -3045,6 +3079,10 @@ function clear() end
 ---@return color
 ---@overload fun(r: number, g: number, b: number, a?: number): color
 function color(name) end
+
+---Shows the present branch of the past and another one side by side, from the step where they part, and lists the values that differ at their last common step. Without a name it is the branch that was left last; ab() ends it. time:branches() lists the branches.
+---@param branch? string
+function compare_branch(branch) end
 
 ---An angle in radians.
 ---@param degrees number
@@ -3115,6 +3153,10 @@ function load_game(slot) end
 ---@param what string|fun(): any
 ---@param ... string|fun(): any
 function pin(what, ...) end
+
+---In the console: shows the last seconds once more, as they were, and then pauses at the present. Without seconds, or with more than is kept, it begins with the oldest step that is kept. In the past it shows what follows.
+---@param seconds? number
+function play_back(seconds) end
 
 ---Shows values over time, of numbers, vectors and booleans, with the past as far as it is kept: plot("world.ball.velocity"). Without an argument the plot ends.
 ---@param ... string|fun(): any
@@ -3219,6 +3261,10 @@ function tween.sequence(tweens) end
 
 ---Reverses the latest edit.
 function undo() end
+
+---Removes a bookmark; all of them without a name.
+---@param name? string
+function unbookmark(name) end
 
 ---Removes an entry from the watch list; without an argument, all.
 ---@param what? string

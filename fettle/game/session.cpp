@@ -285,6 +285,10 @@ void Session::make_console(app::Clipboard* clipboard) {
                          const auto& look) { loop_->timeline().review(from, look); },
         .branch = [this](std::int64_t from, const auto& change,
                          const auto& look) { loop_->timeline().branch(from, change, look); },
+        .review_branch =
+            [this](const std::string& branch, std::int64_t from, const auto& look) {
+                loop_->timeline().review_branch(branch, from, look);
+            },
         .share = [this](const std::string& name) { return share(name); },
         .script =
             [this](const std::string& file) {

@@ -110,4 +110,69 @@ TEST_CASE_METHOD(CompareRig, "what cannot be compared is refused") {
     CHECK(logged("ab: no branch"));
 }
 
+namespace {
+
+/// The same game with another branch of the past, in which the mass is 3 from step 60 on.
+struct TwoBranches : CompareRig {
+    static inline const std::vector<property::Field> fields = {
+        {.name = "name", .type = property::Type::text},
+        {.name = "fork", .type = property::Type::integer},
+        {.name = "newest", .type = property::Type::integer}};
+
+    TwoBranches() {
+        property::ClassDescriptor time;
+        time.name = "TimeWithBranches";
+        time.properties.push_back({.name = "branch",
+                                   .type = property::Type::text,
+                                   .default_value = Value(std::string("light"))});
+        time.methods.push_back(
+            {.name = "branches",
+             .returns = fields,
+             .many = true,
+             .call = [](void*, property::Tree&, property::Handle, property::Row,
+                        std::span<const Value>) -> property::Result {
+                 return std::vector<property::Record>{
+                     {&fields, {Value(std::string("heavy")), Value(60), Value(90)}}};
+             },
+             .effect = property::Effect::nothing});
+        tree.destroy(tree.child(tree.root(), "time"));
+        tree.create(tree.define(std::move(time)), tree.root(), "time");
+        state().options.review_branch = [this](const std::string&, std::int64_t from,
+                                               const auto& look) {
+            property::set(tree, "world.ball.mass", Value(3.0));
+            for (std::int64_t step = from; step <= 90; ++step) {
+                place(step);
+                look(step);
+            }
+            property::set(tree, "world.ball.mass", Value(1.0));
+            place(now);
+        };
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part with what differs") {
+    runs().ask_branch("");
+    console.between_frames();
+    REQUIRE(runs().shown());
+    CHECK(runs().a().size() == 31);
+    CHECK(runs().b().size() == 31);
+    CHECK(runs().a().front().step == 60);
+    CHECK(runs().original() == "branch light");
+    CHECK(runs().change() == "branch heavy");
+    CHECK(logged("A branch light, B branch heavy since step 60: 1 of"));
+    CHECK(logged("world.ball.mass: A 1 kg, B 3 kg"));
+    draw(3);
+    save("two_branches");
+    CHECK_THROWS_WITH(runs().ask_branch("heawy"),
+                      "compare_branch: there is no branch \"heawy\" (did you mean \"heavy\"?)");
+    now = 50;
+    place(now);
+    runs().ask_branch("heavy");
+    console.between_frames();
+    CHECK(logged("before the branches part"));
+    CHECK_FALSE(runs().shown());
+}
+
 }  // namespace compare_test

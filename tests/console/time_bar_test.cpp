@@ -11,10 +11,35 @@ using property::Value;
 
 namespace {
 
+/// The method `branches` of `time`, with the branches of the test.
+struct Told {
+    std::vector<console::OtherBranch> all;
+};
+const std::vector<property::Field> told_fields = {
+    {.name = "name", .type = property::Type::text},
+    {.name = "fork", .type = property::Type::integer},
+    {.name = "newest", .type = property::Type::integer}};
+
+property::Method branches_method(Told& told) {
+    return {.name = "branches",
+            .returns = told_fields,
+            .many = true,
+            .context = &told,
+            .call = [](void* context, property::Tree&, property::Handle, property::Row,
+                       std::span<const Value>) -> property::Result {
+                std::vector<property::Record> all;
+                for (const console::OtherBranch& each : static_cast<Told*>(context)->all)
+                    all.push_back(
+                        {&told_fields, {Value(each.name), Value(each.fork), Value(each.newest)}});
+                return all;
+            },
+            .effect = property::Effect::nothing};
+}
+
 /// A game at step 300 that can go back to step 100; `commands` are the requested ones.
 struct Bar {
     Rig rig;
-    explicit Bar(std::int64_t step = 300, bool paused = false) {
+    explicit Bar(std::int64_t step = 300, bool paused = false, Told* told = nullptr) {
         property::Tree& tree = rig.tree;
         tree.destroy(tree.child(tree.root(), "time"));
         property::ClassDescriptor time;
@@ -30,6 +55,12 @@ struct Bar {
             {.name = "paused", .type = property::Type::boolean, .default_value = Value(paused)});
         time.properties.push_back(
             {.name = "step_once", .type = property::Type::boolean, .default_value = Value(false)});
+        if (told != nullptr) {
+            time.properties.push_back({.name = "branch",
+                                       .type = property::Type::text,
+                                       .default_value = Value(std::string("2"))});
+            time.methods.push_back(branches_method(*told));
+        }
         tree.create(tree.define(std::move(time)), tree.root(), "time");
         rig.key("grave");
         rig.draw(3);
@@ -148,6 +179,111 @@ TEST_CASE("a right click on the track sets a bookmark and removes it") {
     CHECK(bar.rig.commands.empty());
     right_click(track.middle().x + 2);
     CHECK(marks.others().empty());
+}
+
+namespace {
+
+/// A bar of a game at step 300 with the branch "1", which parts after step 200 and ends at 400.
+struct Branched {
+    Told told{{{"1", 200, 400}}};
+    Bar bar{300, true, &told};
+    void right_click(const console::Rect& place) {
+        const ImVec2 at = place.middle();
+        bar.rig.move(at.x, at.y);
+        bar.rig.draw();
+        bar.rig.button(true, at.x, at.y, "right");
+        bar.rig.button(false, at.x, at.y, "right");
+        bar.rig.draw(3);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("each branch has a lane of the time bar with a menu") {
+    Branched with;
+    Bar& bar = with.bar;
+    REQUIRE(bar.bar().lanes().size() == 1);
+    CHECK(bar.bar().lanes()[0].high.y - bar.bar().lanes()[0].low.y >= 16);
+    CHECK(bar.bar().times().end == 400);
+    const float tall = bar.bar().height();
+    bar.click(bar.bar().lanes()[0]);
+    bar.rig.draw(2);
+    REQUIRE_FALSE(bar.rig.commands.empty());
+    CHECK(bar.rig.commands.back() == "compare_branch(\"1\")");
+    with.right_click(bar.bar().lanes()[0]);
+    REQUIRE_FALSE(bar.bar().menu_entry("Go there").empty());
+    bar.rig.save("branch_menu");
+    bar.click(bar.bar().menu_entry("Go there"));
+    bar.rig.draw(2);
+    CHECK(bar.rig.commands.back() == "time:switch_to(\"1\")");
+    with.right_click(bar.bar().lanes()[0]);
+    bar.click(bar.bar().menu_entry("Name …"));
+    bar.rig.draw(2);
+    CHECK(bar.rig.input() == "time:name_branch(\"\", \"1\")");
+    with.told.all.clear();
+    bar.rig.draw(2);
+    CHECK(bar.bar().lanes().empty());
+    CHECK(bar.bar().height() < tall);
+}
+
+TEST_CASE("the track reaches no step beyond the newest of the present branch") {
+    Branched with;
+    const console::Rect track = with.bar.bar().track();
+    with.bar.rig.button(true, track.high.x - 6, track.middle().y);
+    with.bar.rig.draw(2);
+    with.bar.rig.button(false, track.high.x - 6, track.middle().y);
+    with.bar.rig.draw(2);
+    REQUIRE_FALSE(with.bar.rig.commands.empty());
+    CHECK(with.bar.rig.commands.back() == "time:go_to(300)");
+}
+
+TEST_CASE("playing back shows each step of the past again and ends at the present") {
+    Bar bar;
+    bar.click(bar.bar().play_back_button());
+    bar.rig.draw();
+    CHECK(bar.paused());
+    REQUIRE_FALSE(bar.rig.commands.empty());
+    CHECK(bar.rig.commands.front() == "time:go_to(100)");
+    CHECK(bar.bar().plays_back());
+    bar.bar().play_on(0.5);  // the test's steps are 1/60 s
+    CHECK(bar.rig.commands.back() ==
+          "time:go_to(" + std::to_string(100 + 30 + bar.rig.commands.size() - 2) + ")");
+    bar.bar().play_on(1e9);
+    CHECK(bar.rig.commands.back() == "time:go_to(300)");
+    bar.rig.draw(2);
+    CHECK_FALSE(bar.bar().plays_back());
+    bar.bar().play_back(1);
+    CHECK(bar.rig.commands.back() == "time:go_to(240)");
+    bar.click(bar.bar().play_back_button());  // stops
+    bar.rig.draw();
+    CHECK_FALSE(bar.bar().plays_back());
+}
+
+TEST_CASE("bookmarks have names and each branch has its own marks") {
+    Rig rig;
+    console::TimeMarks& marks = rig.state().time_marks;
+    marks.bookmark("start", 10);
+    marks.bookmark("", std::nullopt);
+    marks.bookmark("start", 20);
+    using All = std::vector<std::pair<std::string, std::int64_t>>;
+    const auto now = static_cast<std::int64_t>(rig.tree.step());
+    CHECK(marks.bookmarks() == All{{"bookmark 1", now}, {"start", 20}});
+    CHECK(marks.unbookmark("bookmark 1") == 1);
+    CHECK(marks.unbookmark("stop") == 0);
+    CHECK_THROWS_AS(marks.bookmark("a\nb", 1), property::Error);
+    CHECK_THROWS_AS(marks.bookmark("early", -1), property::Error);
+    marks.follow("1", {});
+    marks.bookmark("late", 90);
+    marks.follow("2", {{"1", 50}});  // the game went on from step 50
+    CHECK(marks.bookmarks() == All{{"start", 20}});
+    marks.bookmark("other", 60);
+    marks.follow("1", {{"2", 50}});
+    CHECK(marks.bookmarks() == All{{"start", 20}, {"late", 90}});
+    marks.follow("first", {{"2", 50}});  // another name
+    CHECK(marks.bookmarks() == All{{"start", 20}, {"late", 90}});
+    marks.follow("2", {{"first", 50}});
+    CHECK(marks.bookmarks() == All{{"start", 20}, {"other", 60}});
+    CHECK(marks.unbookmark("") == 2);
 }
 
 }  // namespace time_bar_test

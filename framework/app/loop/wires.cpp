@@ -4,6 +4,7 @@
 
 #include <fettle/app/view.h>
 #include <fettle/property/error.h>
+#include <fettle/property/label.h>
 #include <fettle/property/path.h>
 #include <fettle/property/pose.h>
 
@@ -110,7 +111,7 @@ void draw_wires(property::Painter& painter, const Tree& tree) {
         const Vec2 middle = drawn ? Vec2(0.5 * (*wire.from + wire.to)) : wire.to;
         const Vec2 way = drawn ? Vec2(wire.to - *wire.from) : Vec2(0, 0);
         const Vec2 at = middle + 0.06 * Vec2(-way.y, way.x) + Vec2(0, (22 + below) * pixel);
-        painter.text(at, wire.label, 15 * pixel, pale_wire);
+        property::draw_label(painter, at, wire.label, 15 * pixel, pale_wire);
     }
 }
 

@@ -70,17 +70,17 @@ void add_members(Machine& machine, const Class& of, std::vector<std::string>& li
     std::vector<std::vector<std::string>> rows;
     for (const Property* property : of.properties()) {
         if (property->hidden) continue;
-        rows.push_back({"  ." + property->name, property_facts(machine.tree, *property),
-                        cut(property->doc, 70)});
+        rows.push_back(
+            {"  ." + property->name, property_facts(machine.tree, *property), property->doc});
     }
     std::sort(rows.begin(), rows.end());
     std::vector<std::vector<std::string>> methods;
     for (const Method* method : of.methods())
-        methods.push_back({"  :" + signature(*method), cut(method->doc, 70)});
+        methods.push_back({"  :" + signature(*method), method->doc});
     std::sort(methods.begin(), methods.end());
     std::vector<std::vector<std::string>> events;
     for (const property::Event* event : of.events())
-        events.push_back({"  " + event->name, cut(event->doc, 70)});
+        events.push_back({"  " + event->name, event->doc});
     std::sort(events.begin(), events.end());
     const auto add = [&](const char* title, const std::vector<std::vector<std::string>>& part) {
         if (part.empty()) return;
@@ -142,7 +142,7 @@ std::vector<std::string> type_help(const TypeDoc& type) {
         rows.push_back({"  " + separator +
                             (member.is_function() ? plain_signatures(member.signature)
                                                   : std::string(member.name)),
-                        cut(member.doc, 70)});
+                        std::string(member.doc)});
     }
     for (std::string& line : columns(rows)) lines.push_back(std::move(line));
     return lines;
@@ -338,7 +338,7 @@ class Search {
     void look(const std::string& name, const std::string& shown, const std::string& doc) {
         const bool by_name = lower(name).find(word_) != std::string::npos;
         if (!by_name && lower(doc).find(word_) == std::string::npos) return;
-        (by_name ? names_ : docs_).push_back({"  " + shown, cut(doc, 80)});
+        (by_name ? names_ : docs_).push_back({"  " + shown, doc});
     }
 
     std::vector<std::string> lines() {

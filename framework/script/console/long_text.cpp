@@ -195,7 +195,7 @@ std::vector<std::string> description_lines(lua_State* L, int index, const Descri
             if (push_described(L, -1)) {
                 const int record = lua_gettop(L);
                 rows.push_back({"  " + cell(record, "name"), cell(record, "type"),
-                                cell(record, "unit"), cut(cell(record, "doc"), 70)});
+                                cell(record, "unit"), cell(record, "doc")});
                 lua_pop(L, 1);
             } else {
                 rows.push_back({"  " + short_text(L, -1)});

@@ -1,7 +1,10 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  plot(...)  break_when(condition)  last_time(condition)
 //   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
-//   export_plot(kind)  ab(path, value)  share(file)
+//   export_plot(kind)  ab(path, value)  share(file)  compare_branch(name)
+//   bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
+
+#include <cmath>
 
 #include <fettle/property/path.h>
 #include <fettle/property/storage/assets.h>
@@ -95,6 +98,64 @@ int ab(lua_State* L) {
     const property::Value value = to_value(L, 2);
     const double seconds = lua_isnoneornil(L, 3) ? 4 : check_number(L, 3, "ab: seconds");
     if (function != nullptr) (*function)(path, value, seconds);
+    return 0;
+}
+
+int compare_branch(lua_State* L) {
+    const std::string branch = lua_isnoneornil(L, 1)
+                                   ? std::string()
+                                   : check_text(L, 1, "compare_branch: needs the name of a branch");
+    const auto* function =
+        served(machine_of(L), &ConsoleFunctions::compare_branch, "compare_branch");
+    if (function != nullptr) (*function)(branch);
+    return 0;
+}
+
+int bookmark(lua_State* L) {
+    const std::string name =
+        lua_isnoneornil(L, 1) ? std::string() : check_text(L, 1, "bookmark: the name is a text");
+    std::optional<std::int64_t> step;
+    if (!lua_isnoneornil(L, 2)) {
+        int whole = 0;
+        step = lua_tointegerx(L, 2, &whole);
+        if (whole == 0) refuse_type(L, 2, "bookmark: expected the number of a step");
+    }
+    const auto* function = served(machine_of(L), &ConsoleFunctions::bookmark, "bookmark");
+    if (function != nullptr) (*function)(name, step);
+    return 0;
+}
+
+int unbookmark(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string name = lua_isnoneornil(L, 1)
+                                 ? std::string()
+                                 : check_text(L, 1, "unbookmark: needs the name of a bookmark");
+    const auto* function = served(machine, &ConsoleFunctions::unbookmark, "unbookmark");
+    if (function != nullptr && (*function)(name) == 0)
+        print_line(machine,
+                   name.empty() ? "there is no bookmark" : "there is no bookmark \"" + name + "\"");
+    return 0;
+}
+
+int bookmarks(lua_State* L) {
+    const auto* function = served(machine_of(L), &ConsoleFunctions::bookmarks, "bookmarks");
+    lua_newtable(L);
+    if (function == nullptr) return 1;
+    for (const auto& [name, step] : (*function)()) {
+        push_text(L, name);
+        lua_pushinteger(L, step);
+        lua_rawset(L, -3);
+    }
+    return 1;
+}
+
+int play_back(lua_State* L) {
+    const double seconds =
+        lua_isnoneornil(L, 1) ? HUGE_VAL : check_number(L, 1, "play_back: seconds");
+    if (!(seconds > 0))
+        throw Error(ErrorKind::out_of_range, "play_back: expected a time in seconds, more than 0");
+    const auto* function = served(machine_of(L), &ConsoleFunctions::play_back, "play_back");
+    if (function != nullptr) (*function)(seconds);
     return 0;
 }
 
@@ -205,6 +266,11 @@ void open_console_functions(lua_State* L) {
     add_function<selection>(L, "selection");
     add_function<ab>(L, "ab");
     add_function<share>(L, "share");
+    add_function<compare_branch>(L, "compare_branch");
+    add_function<bookmark>(L, "bookmark");
+    add_function<unbookmark>(L, "unbookmark");
+    add_function<bookmarks>(L, "bookmarks");
+    add_function<play_back>(L, "play_back");
 }
 
 }  // namespace fettle::script

@@ -135,6 +135,9 @@ int call_method(lua_State* L) {
                                  std::span(values.data(), static_cast<std::size_t>(given)));
     }();
     if (acceptance) acceptance->finish();
+    // The console would print nil for a call that returns nothing.
+    const auto* const value = std::get_if<Value>(&result);
+    if (method.returns.empty() && value != nullptr && value->is_nil()) return 0;
     push_result(L, result);
     return 1;
 }

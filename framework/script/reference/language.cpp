@@ -22,6 +22,12 @@ const std::vector<GlobalDoc>& global_docs() {
          "Runs the command whenever the key goes down, also while the console is closed: "
          "bind(\"f5\", \"rewind(5)\"). Keys have the names of the class Keys. The game does not "
          "get the key. Without a command the key is the game's again."},
+        {"bookmark", "bookmark(name?: string, step?: integer)",
+         "Sets a bookmark on the time bar of the console: at the present step if step is left out. "
+         "The same name again moves it. Bookmarks end with the run, because another run has "
+         "other steps."},
+        {"bookmarks", "bookmarks(): table",
+         "The steps of the bookmarks by their names: time:go_to(bookmarks().start) goes to one."},
         {"break_when", "break_when(condition?: string|fun(): any)",
          "Pauses the game after the step in which the condition becomes true, and prints its old "
          "and new value and who wrote it. A value that is no boolean breaks when it changes. "
@@ -37,6 +43,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "A color by name, as \"#rgb\" or \"#rrggbb\", with one or two digits more for its "
          "opacity, "
          "or from channels between 0 and 1."},
+        {"compare_branch", "compare_branch(branch?: string)",
+         "Shows the present branch of the past and another one side by side, from the step where "
+         "they part, and lists the values that differ at their last common step. Without a name "
+         "it is the branch that was left last; ab() ends it. time:branches() lists the branches."},
         {"deg", "deg(degrees: number): number", "An angle in radians."},
         {"delete_save", "delete_save(slot: string)", "Removes a saved game."},
         {"drop_tweaks", "drop_tweaks(pattern: string)",
@@ -85,6 +95,10 @@ const std::vector<GlobalDoc>& global_docs() {
         {"pin", "pin(what: string|fun(): any, ...: string|fun(): any)",
          "Adds a path or an expression to the watch list of the console: "
          "pin(\"world.ball.mass\")."},
+        {"play_back", "play_back(seconds?: number)",
+         "In the console: shows the last seconds once more, as they were, and then pauses at the "
+         "present. Without seconds, or with more than is kept, it begins with the oldest step "
+         "that is kept. In the past it shows what follows."},
         {"plot", "plot(...: string|fun(): any)",
          "Shows values over time, of numbers, vectors and booleans, with the past as far as it is "
          "kept: plot(\"world.ball.velocity\"). Without an argument the plot ends."},
@@ -162,6 +176,8 @@ const std::vector<GlobalDoc>& global_docs() {
         {"tween.sequence", "tween.sequence(tweens: any[]): TweenGroup",
          "Runs tweens and groups one after the other; a number is a pause in seconds."},
         {"undo", "undo()", "Reverses the latest edit."},
+        {"unbookmark", "unbookmark(name?: string)",
+         "Removes a bookmark; all of them without a name."},
         {"unpin", "unpin(what?: string)",
          "Removes an entry from the watch list; without an argument, all."},
         {"vec",

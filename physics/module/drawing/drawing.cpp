@@ -1,7 +1,10 @@
 // Drawing: shapes between the last two poses of their bodies, and optional marks on top.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fettle/property/label.h>
 
 #include <bindings/bindings.h>
 #include <drawing/drawing.h>
@@ -130,11 +133,14 @@ void draw_joints(physics::World& world, Painter& painter, double alpha) {
 }
 
 void draw_names(const property::Tree& tree, physics::World& world, Painter& painter, double alpha) {
+    // Readable from far, and no larger than needed from near.
+    const double pixel = 1 / painter.pixels_per_unit();
+    const double height = std::clamp(0.35, 13 * pixel, 20 * pixel);
     for (const physics::Body& body : world.bodies()) {
         const Vec2 at = Frame(world, body.index(), alpha).point(body.center());
         const Handle self = unpack(body.user_data());
         if (painter.sees(at, at) && tree.alive(self))
-            painter.text(at, tree.get(self, "name").text(), 0.35, {1, 1, 1, 1});
+            property::draw_label(painter, at, tree.get(self, "name").text(), height, {1, 1, 1, 1});
     }
 }
 

@@ -57,6 +57,11 @@ struct Options {
     std::function<void(std::int64_t from, const std::function<void()>& change,
                        const std::function<void(std::int64_t step)>& look)>
         branch{};
+    /// As `review`, for the steps of another branch of the past (app::Timeline::review_branch).
+    /// Without it, `compare_branch` is refused.
+    std::function<void(const std::string& branch, std::int64_t from,
+                       const std::function<void(std::int64_t step)>& look)>
+        review_branch{};
     /// Writes this moment into a file, and returns what it wrote. Without it, `share` is refused.
     std::function<std::string(const std::string& file)> share{};
     /// Returns the text of a script of the game, "main.lua"; throws if it cannot be read. Without

@@ -2,8 +2,11 @@
 // Values that a person observes (pinned, plotted, awaited), and the functions of scripts that a
 // console carries out.
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fettle/property/value.h>
@@ -41,6 +44,17 @@ struct ConsoleFunctions {
     /// Shows the last seconds twice: as they were, and with that value of the property from their
     /// beginning on. Without a path: ends that.
     std::function<void(const std::string& path, const property::Value& value, double seconds)> ab{};
+    /// Shows the present branch of the past and another one, and what differs between them; "" is
+    /// the branch that was left last.
+    std::function<void(const std::string& branch)> compare_branch{};
+    /// Marks a step on the time bar, the present one if there is none; "" gets a name.
+    std::function<void(const std::string& name, std::optional<std::int64_t> step)> bookmark{};
+    /// Returns how many were removed; "" is all of them.
+    std::function<std::size_t(const std::string& name)> unbookmark{};
+    /// The names with their steps.
+    std::function<std::vector<std::pair<std::string, std::int64_t>>()> bookmarks{};
+    /// Shows these seconds of the past once more, as they were.
+    std::function<void(double seconds)> play_back{};
     /// Writes this moment of the game into a file; returns what was written.
     std::function<std::string(const std::string& file)> share{};
     /// Runs the command when the key goes down; an empty command ends it.

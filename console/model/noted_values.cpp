@@ -1,0 +1,71 @@
+#include <model/noted_values.h>
+
+#include <algorithm>
+
+namespace fettle::console {
+
+NotedValues::NotedValues(const property::Tree& tree) {
+    std::size_t noted = 0;
+    tree.each_below(tree.root(), [&](property::Handle instance) {
+        if (instance == tree.root() || !complete_) return;
+        std::vector<Noted>& values = instances_[tree.path(instance)];
+        for (const property::Property* const each : tree.properties(instance)) {
+            if (each->simulated || each->transient || each->read_only || each->hidden) continue;
+            if (noted++ == most) {
+                complete_ = false;
+                return;
+            }
+            values.push_back({each->name, tree.peek(instance, *each), each->unit});
+        }
+    });
+}
+
+namespace {
+
+using Values = std::vector<NotedValues::Noted>;
+
+std::string text_of(const property::Tree& tree, const NotedValues::Noted* noted) {
+    if (noted == nullptr) return "none";
+    std::string text = tree.text(noted->value, property::Precision::single_precision);
+    if (!noted->unit.empty()) text += " " + noted->unit;
+    return text;
+}
+
+const NotedValues::Noted* find_noted(const Values& values, const std::string& name) {
+    const auto found = std::ranges::find(values, name, &NotedValues::Noted::name);
+    return found == values.end() ? nullptr : &*found;
+}
+
+void add_differences(const property::Tree& tree, const std::string& path, const Values& a,
+                     const Values& b, std::vector<std::string>& lines) {
+    const auto add = [&](const std::string& name, const NotedValues::Noted* of_a,
+                         const NotedValues::Noted* of_b) {
+        lines.push_back(path + "." + name + ": A " + text_of(tree, of_a) + ", B " +
+                        text_of(tree, of_b));
+    };
+    for (const NotedValues::Noted& of_a : a) {
+        const NotedValues::Noted* const of_b = find_noted(b, of_a.name);
+        if (of_b == nullptr || !(of_b->value == of_a.value)) add(of_a.name, &of_a, of_b);
+    }
+    for (const NotedValues::Noted& of_b : b)
+        if (find_noted(a, of_b.name) == nullptr) add(of_b.name, nullptr, &of_b);
+}
+
+}  // namespace
+
+std::vector<std::string> differences(const property::Tree& tree, const NotedValues& a,
+                                     const NotedValues& b) {
+    std::vector<std::string> lines;
+    for (const auto& [path, values] : a.instances()) {
+        const auto other = b.instances().find(path);
+        if (other == b.instances().end())
+            lines.push_back(path + ": in A only");
+        else
+            add_differences(tree, path, values, other->second, lines);
+    }
+    for (const auto& [path, values] : b.instances())
+        if (!a.instances().contains(path)) lines.push_back(path + ": in B only");
+    return lines;
+}
+
+}  // namespace fettle::console
