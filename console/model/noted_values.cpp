@@ -36,12 +36,22 @@ const NotedValues::Noted* find_noted(const Values& values, const std::string& na
     return found == values.end() ? nullptr : &*found;
 }
 
+/// What differs in a property: the first instance, and in how many it does.
+struct Difference {
+    std::string line;
+    std::size_t instances = 0;
+};
+
 void add_differences(const property::Tree& tree, const std::string& path, const Values& a,
-                     const Values& b, std::vector<std::string>& lines) {
+                     const Values& b, std::vector<std::string>& names,
+                     std::map<std::string, Difference>& found) {
     const auto add = [&](const std::string& name, const NotedValues::Noted* of_a,
                          const NotedValues::Noted* of_b) {
-        lines.push_back(path + "." + name + ": A " + text_of(tree, of_a) + ", B " +
-                        text_of(tree, of_b));
+        Difference& difference = found[name];
+        if (difference.instances++ > 0) return;
+        names.push_back(name);
+        difference.line =
+            path + "." + name + ": A " + text_of(tree, of_a) + ", B " + text_of(tree, of_b);
     };
     for (const NotedValues::Noted& of_a : a) {
         const NotedValues::Noted* const of_b = find_noted(b, of_a.name);
@@ -55,16 +65,23 @@ void add_differences(const property::Tree& tree, const std::string& path, const 
 
 std::vector<std::string> differences(const property::Tree& tree, const NotedValues& a,
                                      const NotedValues& b) {
-    std::vector<std::string> lines;
-    for (const auto& [path, values] : a.instances()) {
-        const auto other = b.instances().find(path);
-        if (other == b.instances().end())
-            lines.push_back(path + ": in A only");
-        else
-            add_differences(tree, path, values, other->second, lines);
+    std::vector<std::string> names, lines;  // of properties, in the order of the lines
+    std::map<std::string, Difference> found;
+    for (const auto& [path, values] : a.instances())
+        if (const auto other = b.instances().find(path); other != b.instances().end())
+            add_differences(tree, path, values, other->second, names, found);
+    for (const std::string& name : names) {
+        const auto& [line, instances] = found[name];
+        lines.push_back(line + (instances > 1 ? "; and in " + std::to_string(instances - 1) +
+                                                    (instances == 2 ? " other" : " others")
+                                              : ""));
     }
-    for (const auto& [path, values] : b.instances())
-        if (!a.instances().contains(path)) lines.push_back(path + ": in B only");
+    const auto add_lone = [&](const NotedValues& one, const NotedValues& other, const char* where) {
+        for (const auto& [path, values] : one.instances())
+            if (!other.instances().contains(path)) lines.push_back(path + where);
+    };
+    add_lone(a, b, ": in A only");
+    add_lone(b, a, ": in B only");
     return lines;
 }
 

@@ -152,6 +152,19 @@ struct TwoBranches : CompareRig {
 
 }  // namespace
 
+TEST_CASE("a property that differs in many instances is one line") {
+    Rig rig;
+    const console::NotedValues a(rig.tree);
+    const property::Handle world = rig.tree.child(rig.tree.root(), "world");
+    for (const char* name : {"ball", "crate"})
+        rig.tree.set(rig.tree.child(world, name), "mass", Value(7.0));
+    rig.tree.create(rig.tree.class_named("Body"), world, "late");
+    const auto lines = differences(rig.tree, a, console::NotedValues(rig.tree));
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0] == "world.ball.mass: A 1 kg, B 7 kg; and in 1 other");
+    CHECK(lines[1] == "world.late: in B only");
+}
+
 TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part with what differs") {
     runs().ask_branch("");
     console.between_frames();
