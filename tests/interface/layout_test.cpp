@@ -88,6 +88,20 @@ TEST_CASE("text that is too long wraps or is cut") {
     CHECK(s.size("l").y > 2.5 * cut);
 }
 
+TEST_CASE("a button or a toggle that wraps its text is as high as its lines") {
+    Placed s(R"(game.p = Column { size = vec(200, 0), align = "start",
+        Button { size = vec(200, 0), text = "one two three four five six seven eight nine ten" },
+        Toggle { size = vec(200, 0), text = "one two three four five six seven eight nine ten" } })");
+    for (const std::string name : {"p.button", "p.toggle"}) {
+        INFO(name);
+        const double one = s.size(name).y;
+        const int few = s.draw().letters;
+        s.set(name + ".overflow", Value("wrap"));
+        CHECK(s.size(name).y > 1.5 * one);
+        CHECK(s.draw().letters > few);
+    }
+}
+
 TEST_CASE("nothing is laid out unless something changed") {
     Placed s(R"(game.p = Panel { Column { Label { text = "a" }, Button { text = "b" } } })");
     s.draw();

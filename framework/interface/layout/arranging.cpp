@@ -147,7 +147,7 @@ void Layout::write(Widget& widget) {
     }
     // One pixel of the screen more, because both edges are rounded to such pixels.
     widget.lines = fitted(media_, lettering, *text, width + 1 / scale_,
-                          widget.overflow == "wrap" && widget.kind == Kind::label);
+                          widget.overflow == "wrap" && widget.kind != Kind::progress_bar);
     const auto fit = static_cast<std::size_t>(
         std::max(1.0, std::floor((widget.box.height() + 1) / lettering.line_height())));
     if (widget.lines.size() > fit && !(widget.kind == Kind::label)) widget.lines.resize(fit);

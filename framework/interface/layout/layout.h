@@ -59,6 +59,7 @@ class Layout {
     property::Vec2 natural(Widget& widget, double width);
     property::Vec2 natural_line(Widget& widget, double width, int along);
     property::Vec2 natural_panel(Widget& widget, double width);
+    property::Vec2 natural_control(Widget& widget, double width);
     property::Vec2 natural_list(Widget& widget, double width);
     property::Vec2 natural_text(Widget& widget, double width);
 

@@ -34,13 +34,9 @@ Vec2 Layout::natural(Widget& widget, double width) {
             return natural_line(widget, width, 1);
         case Kind::list:
             return natural_list(widget, width);
-        case Kind::button: {
-            const double text =
-                std::ceil(lettering.width(media_, widget.listening ? widget.prompt : widget.text));
-            const double icon = widget.image.empty() ? 0 : control - 2 * measure::button_y;
-            const double gap = icon > 0 && text > 0 ? 8 : 0;
-            return {text + icon + gap + 2 * measure::button_x, control};
-        }
+        case Kind::button:
+        case Kind::toggle:
+            return natural_control(widget, width);
         case Kind::label:
             return natural_text(widget, width);
         case Kind::image: {
@@ -50,10 +46,6 @@ Vec2 Layout::natural(Widget& widget, double width) {
         }
         case Kind::slider:
             return {measure::control_width, std::max(control, 2 * measure::knob + 4)};
-        case Kind::toggle: {
-            const double text = std::ceil(lettering.width(media_, widget.text));
-            return {measure::switch_width + (text > 0 ? text + 12 : 0), control};
-        }
         case Kind::text_field:
             return {measure::control_width, control};
         case Kind::progress_bar:
@@ -61,6 +53,26 @@ Vec2 Layout::natural(Widget& widget, double width) {
                     widget.text.empty() ? measure::bar : lettering.line_height() + 4};
     }
     return {0, 0};
+}
+
+/// A button or a toggle: a text of one line or more beside a picture or a switch.
+Vec2 Layout::natural_control(Widget& widget, double width) {
+    const Lettering lettering = Lettering::of(widget);
+    const double edge = 2 * measure::button_y;
+    const double control = std::round(lettering.line_height() + edge);
+    const std::string& text = widget.listening ? widget.prompt : widget.text;
+    double beside = measure::switch_width + (text.empty() ? 0 : 12);
+    if (widget.kind == Kind::button) {
+        const double icon = widget.image.empty() ? 0 : control - edge;
+        beside = icon + (icon > 0 && !text.empty() ? 8 : 0) + 2 * measure::button_x;
+    }
+    if (widget.overflow != "wrap")
+        return {std::ceil(lettering.width(media_, text)) + beside, control};
+    const auto lines = fitted(media_, lettering, text, width - beside, true);
+    double widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, lettering.width(media_, line));
+    const auto count = static_cast<double>(std::max<std::size_t>(1, lines.size()));
+    return {std::ceil(widest) + beside, std::round(count * lettering.line_height() + edge)};
 }
 
 Vec2 Layout::natural_panel(Widget& widget, double width) {
