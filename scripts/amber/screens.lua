@@ -95,7 +95,8 @@ end
 
 function menus.settings()
     return Panel { modal = true, cancelled = back, Column { headline("Settings", 46),
-        volume("Music", "music"), volume("Effects", "effects"), Toggle { text = "Full screen", bind = "view.window.fullscreen" },
+        volume("Music", "music"), volume("Effects", "effects"), Row { Label { text = "Turn back", grow = 1 },
+            Button { size = vec(340, 0), font_size = 17, overflow = "wrap", bind = "input.actions.rewind" } }, Toggle { text = "Full screen", bind = "view.window.fullscreen" },
         item("Erase scores", erase), item("Back", back) } }
 end
 
@@ -127,8 +128,8 @@ function menus.won(game)
 end
 
 function menus.finale(game)
-    return Panel { modal = true, cancelled = game.title, Column { headline("Out of time", 96),
-        words("The last drop is home.\nThe wheels turn on without you.", 32, cream), headline(total(), 40), item("Title", game.title) } }
+    return Panel { modal = true, cancelled = game.title, Column { headline("All are home", 96),
+        words("The last drop has come home.\nThe wheels turn on without you.", 32, cream), headline(total(), 40), item("Title", game.title) } }
 end
 
 -- A menu comes in; when a level is won, its sparks and points are counted up.
@@ -146,7 +147,7 @@ end
 function screens.draw_play(pen, past)
     pen.text(vec(-11.6, 6.9), screens.game.level .. "  " .. world.level.title, 0.62, cream, "left", "bold")
     for k = 1, 3 do pen.image("art/spark.png", vec(9.6 + k * 0.65, 6.85), 0.4, nil, nil, k <= screens.game.sparks and full or missing) end
-    pen.text(vec(11.6, -7.1), "R again    P pause", 0.34, faded(dim, 0.8), "right")
+    pen.text(vec(11.6, -7.05), input.gamepad_1.connected and "Y again    Start pause" or "R again    P pause", 0.42, color("#cfc4ec"), "right")
     local long = math.min(10, past / 2)
     pen.box(vec(0, -7.15), 10.2, 0.22, faded(ink, 0.6))
     pen.box(vec(-5 + long / 2, -7.15), long, 0.12, things.pale)

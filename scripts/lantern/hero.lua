@@ -48,7 +48,8 @@ function Hero:take(worth)                        -- a gem, or a heart, which is 
     night.streak = bodies.now - night.streak_at < 0.5 and math.min(night.streak + 1, 14) or 0
     night.streak_at, night.score, self.xp = bodies.now, night.score + 2 * worth, self.xp + worth
     sounds.gem:play { pitch = 2 ^ (night.streak / 12) }
-    local offer = self.xp >= self:need() and night.menu == "" and night.running and arms.offer() or {}
+    local over = night.rest > 0 and night.arena == 3    -- the last boss is beaten: there is nothing left to choose for
+    local offer = self.xp >= self:need() and night.menu == "" and night.running and not over and arms.offer() or {}
     if #offer == 0 then return end
     self.xp, self.level = self.xp - self:need(), self.level + 1
     night.choices, night.menu = offer, "choose"

@@ -3,14 +3,8 @@ Night = class("Night", Object) {
     running = false, menu = "", choices = { "sparks" }, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false,
     rest = 0.0, streak = 0, streak_at = 0.0, won = false, rank = 0, open = 0.0, curtain = 0.0, title = "", subtitle = "", said = -9.0,
 }
-game.night, game.settings = Night {}, Object { effects = 0.8, music = 0.5, shake = true }
-for name, value in pairs(store.settings or {}) do settings[name] = value end
-for _, name in ipairs { "effects", "music", "shake" } do
-    settings:watch(name, function() store.settings = { effects = settings.effects, music = settings.music, shake = settings.shake } end)
-end
-audio.buses.effects.volume = formula(function() return settings.effects end)
-audio.buses.music.volume = formula(function() return settings.music end)
-
+game.night, game.settings = Night {}, Object { shake = true }
+audio.buses.effects.volume, audio.buses.music.volume = 0.8, 0.5      -- until the player moves the sliders, which are bound to them
 local bodies, effects, arenas, enemies = require "bodies", require "effects", require "arenas", require "enemies"
 require "hero"
 require "weapons"

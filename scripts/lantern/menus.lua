@@ -6,6 +6,7 @@ theme.accent, theme.focus, theme.control = color("#e8743f"), color("#ffd98aa0"),
 
 Menu = class("Menu", Column) { modal = true, anchor = "center", align = "center", back = "" }
 Item = class("Item", Button) { look = "quiet", min_size = vec(420, 0), go = "" }
+Shake = class("Shake", Toggle) { changed = function() interface:prefer("game.settings.shake", settings.shake) end }
 
 local actions = {
     begin = function() night:begin() end,
@@ -16,8 +17,7 @@ local actions = {
     quit = function() quit() end,
 }
 
--- Does an action, or takes a gift, or opens the menu of that name.
-local function go(to)
+local function go(to)                            -- does an action, or takes a gift, or opens the menu of that name
     sounds.blip:play()
     if actions[to] then return actions[to]() end
     if world.arms:has(to) then arms.take(to) end
@@ -52,7 +52,12 @@ function menu.draw(pen)
     local size, chosen = view.screen, interface.focus
     pen.screen(function()
         pen.image("art/dark.png", size / 2, 1.25 * size.x, 1.45 * size.y, 0, arenas[night.arena].ink)
-        if night.menu == "title" then pen.image("art/glow.png", vec(size.x / 2, 0.22 * size.y), 0.8 * size.x, 0.5 * size.y, 0, "#ff9a4a55")
+        if night.running then
+            pen.push() pen.linear(vec(0, 0), vec(0, 0.17 * size.y), { "#05030ce0", "#05030c00" })     -- a shade behind the texts
+            pen.box(vec(size.x / 2, 0.085 * size.y), size.x, 0.17 * size.y, "white") pen.pop() end
+        if night.menu == "title" then
+            pen.box(vec(size.x / 2, 0.94 * size.y), size.x, 0.12 * size.y, "#05030cc0")
+            pen.image("art/glow.png", vec(size.x / 2, 0.22 * size.y), 0.8 * size.x, 0.5 * size.y, 0, "#ff9a4a55")
         elseif night.menu ~= "" then pen.box(size / 2, size.x, size.y, "#070414b0") end
         if chosen then
             local around = chosen.screen_size

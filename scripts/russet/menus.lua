@@ -37,6 +37,11 @@ function menus.title()
     time.paused = false
     go_to_scene("Title", { transition = "fade" })
 end
+-- What is on the screen at this edge, and as large a part of it on every screen.
+function menus.overlay(level, anchor, z, name)
+    local layer = level:add(Layer { space = "screen", anchor = anchor, z = z }, name)
+    return layer:add(Sprite { scale = formula(function() return math.min(view.screen.x / 1000, view.screen.y / 750) end) }, "scaled")
+end
 -- The title stands over the beginning of the first level.
 class("Title", World) {}
 function Title:enter()
@@ -44,9 +49,9 @@ function Title:enter()
     self:add(Tilemap { map = "levels/1.tmj", pixels_per_unit = 16 }, "map")
     for _, thing in ipairs(self.map.things:children()) do if not thing:is_a("Coin") then thing:delete() end end
     fx.backdrop(self, 1)
-    self:add(Layer { space = "screen", anchor = "top", z = 50 }, "logo")
+    menus.overlay(self, "top", 50, "logo")
     for i, letter in ipairs { "R", "U", "S", "S", "E", "T" } do
-        self.logo:add(Text { text = letter, font = "bold", size = 96, outline = dark, outline_width = 0.09,
+        self.logo.scaled:add(Text { text = letter, font = "bold", size = 96, outline = dark, outline_width = 0.09,
             color = color(i % 2 == 0 and "#ffcf4a" or "#ee8434"), position = vec((i - 3.5) * 84, 100) }, "letter_" .. i)
     end
     self:add(Sprite { image = "art/fox.png", columns = 11, animation = "3-8", frames_per_second = 13, smooth = false,
@@ -58,12 +63,12 @@ function Title:enter()
     for _, more in ipairs { button("scores", "Best scores", menus.scores), button("settings", "Settings", menus.settings),
         button("leave", "Quit", quit, "quiet") } do list[#list + 1] = more end
     open("menu", list, nil, { modal = false, color = color("#2b1d2ec0") })
-    game.menu.column.new:focus()
+    game.menu.column.modal = true                -- not the panel, which would shade the title
 end
 function Title:step()
     view.center = vec(12 + 3 * math.sin(time.now * 0.15), 6.5)
     self.cub.position = vec((time.now * 4) % 17 - 6, 3.95)
-    for i = 1, 6 do self.logo["letter_" .. i].position = vec((i - 3.5) * 84, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i)) end
+    for i = 1, 6 do self.logo.scaled["letter_" .. i].position = vec((i - 3.5) * 84, 100 + 9 * math.sin(2.2 * time.now - 0.7 * i)) end
     self.air.position = view.center
 end
 function Title:leave() close("menu") end
@@ -80,7 +85,7 @@ function menus.settings()
     local function back() close("settings") end
     open("settings", { head("Settings"), row("Music", Slider { name = "music", bind = "audio.buses.music.volume", max = 1, step = 0.1 }),
         row("Sounds", Slider { name = "effects", bind = "audio.buses.effects.volume", max = 1, step = 0.1 }),
-        row("Jump", Button { name = "jump", bind = "input.actions.jump", size = vec(210, 0) }),
+        row("Jump", Button { name = "jump", bind = "input.actions.jump", size = vec(280, 0), font_size = 15, overflow = "wrap" }),
         Toggle { text = "Full screen", bind = "view.window.fullscreen" }, button("back", "Back", back, "accent") }, back)
 end
 function menus.pause()
@@ -126,9 +131,7 @@ function menus.hud(level)
     local function icon(layer, image, x, frames)
         return layer:add(Sprite { image = "art/" .. image .. ".png", columns = frames, smooth = false, position = vec(x, 34), scale = 2.4 })
     end
-    local left = level:add(Layer { space = "screen", anchor = "top_left", z = 55 }, "hud")
-    local right = level:add(Layer { space = "screen", anchor = "top_right", z = 55 })
-    local banner = level:add(Layer { space = "screen", anchor = "center", z = 60 })
+    local left, right, banner = menus.overlay(level, "top_left", 55), menus.overlay(level, "top_right", 55), menus.overlay(level, "center", 60)
     for i = 1, 3 do
         icon(left, "heart", 4 + 38 * i, 1).tint = formula(function() return color(hearts >= i and "#ffffff" or "#2b1d2e90") end)
     end
@@ -138,7 +141,6 @@ function menus.hud(level)
     text(left, 350, 34, 28, 0, formula(function() return "x " .. lives end))
     text(right, -24, 34, 28, 1, formula(function() return clock(level) .. string.format("      %06d", points) end))
     text(banner, 0, -120, 54, 0.5, level.number .. "  " .. fx.places[level.number].name)
-    banner:after(1.6, function(layer) layer:tween("opacity", 0, 0.6) end)
-    banner:after(2.4, banner.delete)
+    banner.parent:after(1.6, function(layer) layer:tween("opacity", 0, 0.6):on("finished", function() layer:delete() end) end)
 end
 return menus

@@ -153,7 +153,7 @@ test("levels that are not reached cannot be played, and scores are erased when a
     expect(screens.name):is("pause")
     screens.open("settings", "title")
     t:steps(2)
-    for _ = 1, 3 do t:tap("down") end
+    for _ = 1, 4 do t:tap("down") end
     t:steps(20)
     t:tap("enter")
     expect(store.unlocked):is(2)

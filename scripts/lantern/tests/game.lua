@@ -167,8 +167,11 @@ test("a pause stands still, and its settings are kept", function(t)
     expect(night.menu):is("settings")
     t:tap("left")
     t:steps(2)
-    expect(settings.effects):near(0.7)
-    expect(store.settings.effects):near(0.7)
+    expect(audio.buses.effects.volume):near(0.7)
+    for _ = 1, 3 do t:tap("down") end
+    t:steps(2)
+    t:tap("enter")
+    expect(settings.shake):is(false)
     t:tap("escape")
     t:steps(12)
     expect(night.clock):is(clock)
@@ -176,6 +179,23 @@ test("a pause stands still, and its settings are kept", function(t)
     t:steps(30)
     expect(time.paused):is(false)
     expect(night.clock):above(clock)
+    t:rewind(1)
+    expect(night.clock):below(clock)
+    expect(audio.buses.effects.volume):near(0.7)
+    expect(settings.shake):is(false)
+end)
+
+test("who has beaten the last boss sees the morning without another choice", function(t)
+    night.first = 3
+    begin(t)
+    while night.menu == "choose" do choose(t) end
+    night.clock = 80.0
+    t:wait_until(function() return world.swarm:has("boss") end)
+    world.hero.mercy = 100.0
+    world.swarm.boss:hurt(100000, vec(0, 0))
+    t:wait_until(function() return night.menu ~= "" end, 10)
+    expect(night.menu):is("over")
+    expect(night.won):is(true)
 end)
 
 test("enough gems are a level, and a gift is chosen", function(t)
