@@ -135,7 +135,7 @@ picture_size='--eval "view.window.size = vec(960, 600)"'
 # draw_picture: makes the picture that the document shows as its mark says, and compares it with the one in the repository,
 # or writes that one.
 draw_picture() {
-    local mark=${block_mark[i]} kept drawn=$folder/drawn.${block_file[i]##*.} words
+    local mark=${block_mark[i]} kept drawn=$folder/drawn.${block_file[i]##*.} words pictures
     kept=$(cd -- "$(dirname -- "$where")" && realpath -m -- "${block_file[i]}")
     rm -f -- "$drawn"
     case $mark in
@@ -171,9 +171,10 @@ draw_picture() {
         *) fail "a picture needs a mark that says how it is drawn: <!-- test: picture GAME at STEP -->" ;;
     esac
     if [[ $mark == 'picture session '* ]]; then
-        # A moving picture is not compared, so its last frame is enough.
-        if ((!draw)) && [[ $drawn == *.webp ]]; then drawn=$folder/drawn.png; fi
-        "$here/draw_session.sh" "${mark#picture session }" "$checkout" "$finished" "$folder/frames" "$drawn" ||
+        # A moving picture is not compared, so nothing is drawn.
+        pictures=("$folder/frames" "$drawn")
+        if ((!draw)) && [[ $drawn == *.webp ]]; then pictures=(); fi
+        "$here/draw_session.sh" "${mark#picture session }" "$checkout" "$finished" ${pictures[@]+"${pictures[@]}"} ||
             fail "the session went wrong"
     elif [[ -n $words ]]; then
         printf -v words "LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s '-screen 0 1280x800x24 -noreset' %s %s --screenshot %q" "$words" "$picture_size" "$drawn"

@@ -1,6 +1,6 @@
 // fettle_pictures compare KEPT DRAWN              succeeds if the two pictures look the same
 // fettle_pictures session FILE PROJECT FOLDER     plays a session, and writes its frames into
-// FOLDER; into a file whose name ends in .png, only the last one
+// FOLDER; into a file whose name ends in .png, only the last one. Without FOLDER, nothing is drawn
 
 #include <cmath>
 #include <cstdio>
@@ -51,9 +51,10 @@ int main(int argc, char** argv) {
     try {
         const std::string command = argc > 1 ? argv[1] : "";
         if (command == "compare" && argc == 4) return compare(argv[2], argv[3]);
-        if (command == "session" && argc == 5) return session(argv[2], argv[3], argv[4]);
+        if (command == "session" && (argc == 4 || argc == 5))
+            return session(argv[2], argv[3], argc == 5 ? argv[4] : "");
         std::puts(
-            "usage: fettle_pictures compare KEPT DRAWN | session FILE PROJECT FOLDER|PICTURE");
+            "usage: fettle_pictures compare KEPT DRAWN | session FILE PROJECT [FOLDER|PICTURE]");
         return 2;
     } catch (const std::exception& error) {
         std::printf("%s\n", error.what());

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "games/undrawn_screen.h"
+
 namespace fettle::pictures {
 
 namespace {
@@ -24,12 +26,22 @@ bool is_picture(const std::filesystem::path& frames) {
     return frames.extension() == ".png";
 }
 
+namespace {
+
+std::unique_ptr<app::Screen> screen_for(const std::filesystem::path& frames, unsigned width,
+                                        unsigned height) {
+    if (frames.empty()) return std::make_unique<bench::UndrawnScreen>(width, height);
+    return app::make_picture(width, height);
+}
+
+}  // namespace
+
 Play::Play(const std::filesystem::path& game, const std::string& prepare, unsigned width,
            unsigned height, std::filesystem::path frames)
     : options_(options_for(game, prepare)),
       session_(options_, nullptr,
                [this](const script::ScriptError& error) { error_ = error.message; }),
-      screen_(app::make_picture(width, height)),
+      screen_(screen_for(frames, width, height)),
       folder_(std::move(frames)),
       x_(static_cast<float>(width) / 2),
       y_(static_cast<float>(height) / 2) {

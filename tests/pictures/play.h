@@ -24,7 +24,7 @@ class Play {
   public:
     /// Runs a game in a picture of this size; `prepare` is Lua that runs before its second step.
     /// Each frame becomes a file of the folder `frames`; none does if that is the name of a
-    /// picture.
+    /// picture. If `frames` is empty, nothing is drawn.
     Play(const std::filesystem::path& game, const std::string& prepare, unsigned width,
          unsigned height, std::filesystem::path frames);
 
