@@ -2,6 +2,8 @@
 #include <fettle/physics/outlines.h>
 #include <geometry/decomposition.h>
 #include <geometry/vector.h>
+#include <standalone/farthest_point.h>
+#include <standalone/line_ends.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,33 +17,47 @@ using namespace detail;
 
 namespace {
 
-/// Marks the points of `first` … `last` that remain between two points that do. The index of a
-/// closed line goes round.
-void mark_corners(std::span<const Vec2> points, size_t first, size_t last, float straight,
-                  std::vector<bool>& remains) {
-    const size_t count = points.size();
-    std::vector<std::pair<size_t, size_t>> open = {{first, last}};
-    while (!open.empty()) {
-        const auto [begin, end] = open.back();
-        open.pop_back();
-        const Vec2 from = points[begin % count], way = points[end % count] - from;
-        const float whole = length_squared(way);
-        float farthest = straight * straight;
-        size_t corner = begin;
-        for (size_t i = begin + 1; i < end; ++i) {
-            const Vec2 p = points[i % count] - from;
-            const float t = whole > 0.0f ? clamp(dot(p, way) / whole, 0.0f, 1.0f) : 0.0f;
-            const float squared = length_squared(p - t * way);
-            if (squared <= farthest) continue;
-            farthest = squared;
-            corner = i;
+/// Marks the points of a line that remain between two points that do. The index of a closed line
+/// goes round.
+class Corners {
+  public:
+    Corners(std::span<const Vec2> points, float straight)
+        : remains(points.size()), points_(points), within_(straight * straight), parts_(points) {}
+
+    void mark(size_t first, size_t last) {
+        const size_t count = points_.size();
+        std::vector<std::pair<size_t, size_t>> open = {{first, last}};
+        while (!open.empty()) {
+            const auto [begin, end] = open.back();
+            open.pop_back();
+            const size_t corner = farthest_between(begin, end);
+            if (corner == begin) continue;
+            remains[corner % count] = true;
+            open.emplace_back(begin, corner);
+            open.emplace_back(corner, end);
         }
-        if (corner == begin) continue;
-        remains[corner % count] = true;
-        open.emplace_back(begin, corner);
-        open.emplace_back(corner, end);
     }
-}
+
+    std::vector<bool> remains;
+
+  private:
+    /// `begin` if all points between are near enough to the straight way from it to `end`.
+    size_t farthest_between(size_t begin, size_t end) const {
+        const size_t count = points_.size(), wrapped = std::max(begin + 1, count);
+        const Vec2 from = points_[begin % count];
+        const FarthestPoint::Segment straight{from, points_[end % count] - from};
+        const auto found = parts_.search(begin + 1, std::min(end, count), straight, {within_, 0});
+        const auto beyond = end > wrapped ? parts_.search(wrapped - count, end - count, straight,
+                                                          {found.squared, 0})
+                                          : found;
+        if (beyond.squared > found.squared) return beyond.index + count;
+        return found.squared > within_ ? found.index : begin;
+    }
+
+    std::span<const Vec2> points_;
+    float within_;  ///< m²
+    FarthestPoint parts_;
+};
 
 }  // namespace
 
@@ -51,7 +67,8 @@ std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool clo
     for (const Vec2& p : points) check_point("points", p);
     const size_t count = points.size();
     if (count < 3) return {points.begin(), points.end()};
-    std::vector<bool> remains(count);
+    Corners corners(points, straight);
+    std::vector<bool>& remains = corners.remains;
     if (closed) {
         // Two corners for certain: the leftmost of the lowest points, and the farthest from it.
         size_t low = 0, far = 0;
@@ -64,11 +81,11 @@ std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool clo
                 far = i;
         remains[low] = remains[far] = true;
         const size_t ahead = far > low ? far : far + count;
-        mark_corners(points, low, ahead, straight, remains);
-        mark_corners(points, far, low > far ? low : low + count, straight, remains);
+        corners.mark(low, ahead);
+        corners.mark(far, low > far ? low : low + count);
     } else {
         remains[0] = remains[count - 1] = true;
-        mark_corners(points, 0, count - 1, straight, remains);
+        corners.mark(0, count - 1);
     }
     std::vector<Vec2> kept;
     for (size_t i = 0; i < count; ++i)
@@ -77,59 +94,6 @@ std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool clo
 }
 
 namespace {
-
-/// Finds the ends of lines that are near to a point.
-class LineEnds {
-  public:
-    struct End {
-        uint32_t line = 0;
-        bool last = false;  ///< the last point of the line, not the first
-    };
-
-    LineEnds(std::span<const std::vector<Vec2>> lines, float reach)
-        : lines_(lines), reach_(reach), used_(lines.size()) {
-        for (uint32_t i = 0; i < lines.size(); ++i)
-            for (const bool last : {false, true}) sorted_.push_back({i, last});
-        std::stable_sort(sorted_.begin(), sorted_.end(),
-                         [this](const End& a, const End& b) { return place(a).x < place(b).x; });
-    }
-
-    Vec2 place(const End& end) const {
-        return end.last ? lines_[end.line].back() : lines_[end.line].front();
-    }
-    bool is_used(uint32_t line) const { return used_[line]; }
-    void use(uint32_t line) { used_[line] = true; }
-
-    /// The nearest end of an unused line. `last`: the end that keeps the direction of its line.
-    const End* nearest(Vec2 to, bool last) const {
-        const End* best = nullptr;
-        float least = 0.0f;
-        auto at = std::lower_bound(sorted_.begin(), sorted_.end(), to.x - reach_,
-                                   [this](const End& end, float x) { return place(end).x < x; });
-        for (; at != sorted_.end() && place(*at).x <= to.x + reach_; ++at) {
-            if (used_[at->line]) continue;
-            const float squared = length_squared(place(*at) - to);
-            if (squared > reach_ * reach_) continue;
-            if (best != nullptr && !comes_before(*at, squared, *best, least, last)) continue;
-            best = &*at;
-            least = squared;
-        }
-        return best;
-    }
-
-  private:
-    static bool comes_before(const End& a, float squared_a, const End& b, float squared_b,
-                             bool last) {
-        if (squared_a != squared_b) return squared_a < squared_b;
-        if ((a.last == last) != (b.last == last)) return a.last == last;
-        return a.line < b.line;
-    }
-
-    std::span<const std::vector<Vec2>> lines_;
-    float reach_;
-    std::vector<bool> used_;
-    std::vector<End> sorted_;  ///< from left to right
-};
 
 /// Extends a line at its end by all lines that begin or end there.
 void extend(std::vector<Vec2>& line, LineEnds& ends, std::span<const std::vector<Vec2>> lines,

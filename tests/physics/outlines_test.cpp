@@ -1,6 +1,7 @@
 #include <fettle/physics/outlines.h>
 #include <fettle/physics/physics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -66,6 +67,100 @@ TEST_CASE("nearly straight points are dropped") {
     const std::vector<Vec2> square = {{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2.001f}, {0, 2}, {0, 1}};
     CHECK(without_straight_points(square, true, 0.01f).size() == 4);
     CHECK(without_straight_points(square, true, 0.0f).size() == 5);
+}
+
+namespace {
+
+/// The algorithm of Douglas and Peucker as it is written down: all points between two corners are
+/// looked at.
+void keep_corners(const std::vector<Vec2>& points, size_t begin, size_t end, float straight,
+                  std::vector<bool>& kept) {
+    float farthest = straight * straight;
+    size_t corner = begin;
+    const Vec2 from = points[begin], way = points[end] - from;
+    for (size_t i = begin + 1; i < end; ++i) {
+        const Vec2 p = points[i] - from;
+        const float whole = way.dot(way);
+        const float t = whole > 0 ? std::clamp(p.dot(way) / whole, 0.0f, 1.0f) : 0;
+        const float squared = (p - t * way).length_squared();
+        if (squared > farthest) farthest = squared, corner = i;
+    }
+    if (corner == begin) return;
+    kept[corner] = true;
+    keep_corners(points, begin, corner, straight, kept);
+    keep_corners(points, corner, end, straight, kept);
+}
+
+/// A way of which each stroke is shorter than the one before, in any direction.
+std::vector<Vec2> zigzag(int count, float angle) {
+    std::vector<Vec2> points;
+    const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    for (int i = 0; i < count; ++i) {
+        const float height = (i % 2 == 0 ? 1.0f : -1.0f) * (2.0f - float(i) / float(count));
+        points.push_back(0.1f * float(i) * along + height * across);
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("what remains of a line is what a search of all its points keeps") {
+    std::mt19937 random(3);
+    const auto number = [&random] { return float(random() % 2001) / 1000 - 1; };
+    for (int run = 0; run < 60; ++run) {
+        std::vector<Vec2> points;
+        Vec2 at;
+        const int count = 3 + int(random() % 700);
+        for (int i = 0; i < count; ++i) {
+            if (run % 3 == 0) at = {0.05f * float(i), number()};
+            if (run % 3 == 1) at += Vec2(number(), number());
+            if (run % 3 == 2) at = {std::sin(0.02f * float(i)), std::cos(0.02f * float(i)) * at.x};
+            points.push_back(at);
+        }
+        CAPTURE(run, count);
+        for (const float straight : {0.0f, 0.03f, 0.5f}) {
+            std::vector<bool> kept(points.size());
+            kept.front() = kept.back() = true;
+            keep_corners(points, 0, points.size() - 1, straight, kept);
+            std::vector<Vec2> expected;
+            for (size_t i = 0; i < points.size(); ++i)
+                if (kept[i]) expected.push_back(points[i]);
+            REQUIRE(without_straight_points(points, false, straight) == expected);
+        }
+    }
+}
+
+TEST_CASE("lines of a hundred thousand strokes are made simpler and joined in seconds") {
+    // Each search of all points would be 10^10 steps, which take minutes.
+    for (const float angle : {0.0f, 0.7f}) {
+        const std::vector<Vec2> points = zigzag(200'000, angle);
+        CHECK(without_straight_points(points, false, 0.01f).size() == points.size());
+        CHECK(without_straight_points(points, true, 0.01f).size() == points.size());
+        CHECK(without_straight_points(points, false, 5.0f).size() == 2);
+    }
+    Lines star, near, column;
+    for (int i = 0; i < 100'000; ++i) {
+        const float angle = 6.28f * float(i) / 100'000;
+        const Vec2 out(std::cos(angle), std::sin(angle));
+        star.push_back({{0, 0}, 1000.0f * out});
+        near.push_back({4e-4f * out, 1000.0f * out});
+        column.push_back({{0, 0.01f * float(i)}, {1, 0.01f * float(i)}});
+    }
+    CHECK(join_lines(star).size() == 50'000);
+    CHECK(join_lines(near).size() == 50'000);
+    CHECK(join_lines(column).size() == 100'000);
+}
+
+TEST_CASE("where many ends meet the nearest are joined and then those of the same direction") {
+    const Lines equal = {{{-1, 0}, {0, 0}}, {{-1, 1}, {0, 0}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 1}}};
+    const auto pairs = join_lines(equal);
+    REQUIRE(pairs.size() == 2);
+    CHECK(pairs[0].points == std::vector<Vec2>{{-1, 0}, {1, 0}});
+    CHECK(pairs[1].points == std::vector<Vec2>{{-1, 1}, {0, 0}, {1, 1}});
+    const Lines nearer = {{{-1, 0}, {0, 0}}, {{0.05f, 0}, {1, 1}}, {{1, -1}, {0.02f, 0}}};
+    const auto chains = join_lines(nearer, {.reach = 0.1f});
+    REQUIRE(chains.size() == 2);
+    CHECK(chains[0].points.back() == Vec2(1, -1));
 }
 
 TEST_CASE("lines that shrink to a point are dropped") {
