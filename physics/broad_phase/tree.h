@@ -90,7 +90,7 @@ class Tree {
     /// Calls `visit(item, far)` for every leaf whose box meets the segment from + t·(to - from)
     /// with t <= far; `visit` returns the new `far`: smaller to clip, 0 to stop.
     template <typename Visit>
-    void cast(Vec2 from, Vec2 to, Visit&& visit) const;
+    void cast(const Position& from, const Position& to, Visit&& visit) const;
 
     /// True if every parent contains its children, has moved if one of them has, and every link is
     /// mutual.
@@ -390,16 +390,18 @@ void Tree::pairs_of_leaf(int32_t leaf, const Box4& before, FindOverlaps overlaps
 }
 
 template <typename Visit>
-void Tree::cast(Vec2 from, Vec2 to, Visit&& visit) const {
+void Tree::cast(const Position& start, const Position& to, Visit&& visit) const {
     if (root_ == none) return;
-    const Vec2 d = to - from;
+    const Vec2 from = Vec2(start), d = to - start;
+    const float slack = 2.0f * max(rounding_of(start), rounding_of(to));
     const Vec2 across = normalized(Vec2{-d.y, d.x});
     const Vec2 abs_across = {std::fabs(across.x), std::fabs(across.y)};
     float far = 1.0f;
     auto swept = [&] {
         const Vec2 end = from + far * d;
-        return Box4{{min(from.x, end.x), min(from.y, end.y)},
-                    {max(from.x, end.x), max(from.y, end.y)}};
+        return grow(Box4{{min(from.x, end.x), min(from.y, end.y)},
+                         {max(from.x, end.x), max(from.y, end.y)}},
+                    slack);
     };
     Box4 reach = swept();
     Stack<int32_t> stack;
@@ -411,8 +413,8 @@ void Tree::cast(Vec2 from, Vec2 to, Visit&& visit) const {
         // projected half size.
         const Vec2 center = 0.5f * (node.box.low + node.box.high);
         const Vec2 half = 0.5f * (node.box.high - node.box.low);
-        if (std::fabs(dot(across, from - center)) > dot(abs_across, half) * 1.00001f + 1e-6f)
-            continue;
+        const float near = dot(abs_across, half) * 1.00001f + (1e-6f + slack);
+        if (std::fabs(dot(across, from - center)) > near) continue;
         if (node.is_leaf()) {
             const float nearer = visit(node.item(), far);
             if (nearer <= 0.0f) return;

@@ -26,6 +26,16 @@ std::string text(float value) {
 std::string text(const Vec2& v) {
     return "(" + text(v.x) + ", " + text(v.y) + ")";
 }
+#ifdef FETTLE_PHYSICS_DOUBLE
+std::string text(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.12g", value);
+    return buffer;
+}
+std::string text(const Position& p) {
+    return "(" + text(p.x) + ", " + text(p.y) + ")";
+}
+#endif
 
 const char* name_of(ShapeType type) {
     constexpr const char* names[] = {"a circle",   "a box",
@@ -87,7 +97,7 @@ int check_simd_width(const char* what, int value) {
     return value;
 }
 
-const Vec2& check_coordinates(const char* what, const Vec2& value) {
+const Position& check_coordinates(const char* what, const Position& value) {
     const float limit = greatest_coordinate;
     if (!(std::fabs(value.x) <= limit && std::fabs(value.y) <= limit)) {
         refuse(what, text(value), "coordinates between -" + text(limit) + " and " + text(limit));

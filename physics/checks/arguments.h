@@ -25,6 +25,10 @@ inline const Vec2& check_finite(const char* what, const Vec2& value) {
         refuse_infinite(what, value);
     return value;
 }
+inline void check_finite_point(const char* what, const Position& value) {
+    if (!value.is_finite()) [[unlikely]]
+        refuse_infinite(what, Vec2(value));
+}
 /// A direction; any length above 0 is valid.
 const Vec2& check_direction(const char* what, const Vec2& value);
 [[noreturn]] void refuse_negative(const char* what, float value);
@@ -59,9 +63,14 @@ Enum check_enumerator(const char* what, Enum value, Enum last) {
         refuse_enumerator(what, int(value), int(last));
     return value;
 }
-const Vec2& check_coordinates(const char* what, const Vec2& value);  ///< within ±1e8
-const Vec2& check_point(const char* what, const Vec2& value);        ///< a point of a body: within
-                                                                     ///< ±1e6
+const Position& check_coordinates(const char* what, const Position& value);  ///< within ±1e8
+#ifdef FETTLE_PHYSICS_DOUBLE
+inline const Vec2& check_coordinates(const char* what, const Vec2& value) {
+    check_coordinates(what, Position(value));
+    return value;
+}
+#endif
+const Vec2& check_point(const char* what, const Vec2& value);  ///< a point of a body: within ±1e6
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
 const Aabb& check_box(const char* what, const Aabb& value);

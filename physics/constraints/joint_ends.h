@@ -82,8 +82,8 @@ struct JointEnds {
 /// of mass.
 struct JointFrame {
     Rotation a;
-    Vec2 center_a, center_b;
-    Vec2 anchor_a;  ///< in the coordinates of body a
+    Position center_a, center_b;
+    Position anchor_a;  ///< in the coordinates of body a
     double angle_a = 0.0, angle_b = 0.0;
 };
 

@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 /// A side of the bounds of a world, solid where normal·p <= depth.
 struct BorderPlane {
     Vec2 normal;
-    float depth = 0.0f;
+    WorldCoordinate depth = 0;
 };
 
 inline BorderPlane border_plane(const Aabb& bounds, uint32_t side) {

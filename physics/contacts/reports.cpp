@@ -13,6 +13,19 @@ namespace {
 /// Number of words, of 64 contacts each, in a task of a thread.
 constexpr size_t words_at_a_time = 8;
 
+/// True for a contact with the border whose first anchor is not from the origin of the world, where
+/// the body of the border is, but from the center of b: so it is precise far from the origin.
+bool is_border(const ObjectState& objects, const ContactRecord& c) {
+    return double_positions && objects.forms[c.shape_a].kind == FormKind::border;
+}
+
+/// A point of a manifold in the world, from its two anchors.
+Position point_of(const ObjectState& objects, const ContactRecord& c, Vec2 anchor_a,
+                  Vec2 anchor_b) {
+    if (is_border(objects, c)) return objects.bodies[c.body_b].center + anchor_b;
+    return objects.bodies[c.body_a].center + anchor_a;
+}
+
 }  // namespace
 
 std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns& columns,
@@ -21,12 +34,12 @@ std::optional<ContactHitEvent> hit_of(const ObjectState& objects, const Columns&
     const ContactRecord& record = objects.contacts[contact];
     if (!record.hit_events || !record.touching) return {};
     float speed = 0.0f;
-    Vec2 point;
+    Position point;
     for (int k = 0; k < record.manifold.count; ++k) {
         const ManifoldPoint& p = record.manifold.points[k];
         const bool met = p.normal_impulse > 0.0f || p.separation <= touch_distance ||
                          (extra != nullptr && extra->greatest[k] > 0.0f);
-        const Vec2 here = objects.bodies[record.body_a].center + p.anchor_a;
+        const Position here = point_of(objects, record, p.anchor_a, p.anchor_b);
         const float approach = met ? approach_speed(objects, columns, record, here) : 0.0f;
         if (approach <= speed) continue;
         speed = approach;
@@ -83,7 +96,7 @@ void report_persisting(const ObjectState& objects, const Columns& columns,
             objects.contact_links[slot].began == step || c.manifold.count == 0)
             continue;
         if (!reports_for_pair(objects, slot)) continue;
-        const Vec2 point = middle_of(objects, c);
+        const Position point = middle_of(objects, c);
         float impulse = 0.0f;
         for (int k = 0; k < c.manifold.count; ++k)
             impulse += c.manifold.points[k].normal_impulse * float(substeps);
@@ -119,7 +132,8 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     const float share_a = a_moves == b_moves ? 0.5f : a_moves ? 1.0f : 0.0f;
     for (int k = 0; k < c.manifold.count; ++k) {
         const ManifoldPoint& p = c.manifold.points[k];
-        const Vec2 on_a = a.center + p.anchor_a, on_b = b.center + p.anchor_b;
+        const Position on_b = b.center + p.anchor_b;
+        const Position on_a = is_border(objects, c) ? on_b : a.center + p.anchor_a;
         contact.points[size_t(k)] = {on_b + share_a * (on_a - on_b), p.separation, p.normal_impulse,
                                      p.tangent_impulse, uint16_t(p.feature)};
         if (substep > 0.0f) contact.normal_force += p.normal_impulse / substep;
@@ -127,15 +141,15 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
     return contact;
 }
 
-Vec2 middle_of(const ObjectState& objects, const ContactRecord& c) {
-    const Manifold& m = c.manifold;
-    Vec2 middle = m.points[0].anchor_a;
-    if (m.count == 2) middle = 0.5f * (m.points[0].anchor_a + m.points[1].anchor_a);
-    return objects.bodies[c.body_a].center + middle;
+Position middle_of(const ObjectState& objects, const ContactRecord& c) {
+    const ManifoldPoint* const points = c.manifold.points;
+    if (c.manifold.count != 2) return point_of(objects, c, points[0].anchor_a, points[0].anchor_b);
+    return point_of(objects, c, 0.5f * (points[0].anchor_a + points[1].anchor_a),
+                    0.5f * (points[0].anchor_b + points[1].anchor_b));
 }
 
 float approach_speed(const ObjectState& objects, const Columns& columns, const ContactRecord& c,
-                     Vec2 point) {
+                     const Position& point) {
     const auto velocity_of = [&](uint32_t body) {
         const BodyState& state = columns.states[body];
         return state.velocity + cross(state.angular_velocity, point - objects.bodies[body].center);
@@ -143,7 +157,7 @@ float approach_speed(const ObjectState& objects, const Columns& columns, const C
     return max(0.0f, dot(c.manifold.normal, velocity_of(c.body_a) - velocity_of(c.body_b)));
 }
 
-float impact_mass(const ObjectState& objects, const ContactRecord& c, Vec2 point) {
+float impact_mass(const ObjectState& objects, const ContactRecord& c, const Position& point) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     const float lever_a = cross(point - a.center, c.manifold.normal);
     const float lever_b = cross(point - b.center, c.manifold.normal);

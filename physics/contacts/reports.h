@@ -33,15 +33,15 @@ Contact view_of(const ObjectState& objects, const Columns& columns, float subste
 // Point, speed and effective mass of an impact.
 
 /// Middle of the points of the manifold, world axes.
-Vec2 middle_of(const ObjectState& objects, const ContactRecord& contact);
+Position middle_of(const ObjectState& objects, const ContactRecord& contact);
 
 /// Speed along the normal, m/s. Until the poses are finished, the states contain the velocities
 /// before the step.
 float approach_speed(const ObjectState& objects, const Columns& columns,
-                     const ContactRecord& contact, Vec2 point);
+                     const ContactRecord& contact, const Position& point);
 
 /// Impulse per approach speed: the effective mass along the normal, 1 / (n·M⁻¹·n), times one plus
 /// the restitution.
-float impact_mass(const ObjectState& objects, const ContactRecord& contact, Vec2 point);
+float impact_mass(const ObjectState& objects, const ContactRecord& contact, const Position& point);
 
 }  // namespace fettle::physics::detail

@@ -67,7 +67,7 @@ void report(const Touching& touching, const ContactRecord& c, bool begins) {
         return;
     }
     if (begins) {
-        const Vec2 point = middle_of(objects, c);
+        const Position point = middle_of(objects, c);
         const float speed = approach_speed(objects, columns, c, point);
         events.contact_begin.push_back({a, b, body_a, body_b, point, c.manifold.normal, speed,
                                         speed * impact_mass(objects, c, point), c.friction,

@@ -9,7 +9,24 @@
 namespace fettle::physics::detail {
 namespace {
 
-void collide_ellipse_half_plane(const BorderPlane& plane, const EllipseForm& ellipse, Vec2 center,
+/// A half-plane and the center of a body, both relative to the same origin.
+struct HalfPlane {
+    Vec2 normal;
+    float depth = 0.0f;
+};
+struct BesideHalfPlane {
+    HalfPlane plane;
+    Vec2 center;
+};
+
+/// The origin is that of the world. In double precision it is the center of the body.
+BesideHalfPlane seen_from(const BorderPlane& border, const Position& center) {
+    if (double_positions)
+        return {{border.normal, float(border.depth - dot(border.normal, center))}, {}};
+    return {{border.normal, float(border.depth)}, Vec2(center)};
+}
+
+void collide_ellipse_half_plane(const HalfPlane& plane, const EllipseForm& ellipse, Vec2 center,
                                 float margin, Manifold& m) {
     const Vec2 deepest = ellipse.support(-plane.normal);
     const float separation = dot(plane.normal, deepest + center) - plane.depth;
@@ -26,10 +43,10 @@ void collide_ellipse_half_plane(const BorderPlane& plane, const EllipseForm& ell
 
 void collide_unusual(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
                      const ContactRecord& c, float margin, bool held, Manifold& m) {
-    const Vec2 center_b = objects.bodies[c.body_b].center;
     const Solid b = solid_of(objects, columns, c.shape_b);
     if (objects.forms[c.shape_a].kind == FormKind::border) {  // the border is always shape a
-        const BorderPlane plane = border_plane(*settings.bounds, c.shape_a);
+        const BorderPlane border = border_plane(*settings.bounds, c.shape_a);
+        const auto [plane, center_b] = seen_from(border, objects.bodies[c.body_b].center);
         if (b.kind == FormKind::ellipse)
             collide_ellipse_half_plane(plane, ellipse_of(b.form), center_b, margin, m);
         else if (b.kind == FormKind::large)
@@ -39,7 +56,8 @@ void collide_unusual(const ObjectState& objects, const Columns& columns, const W
         return;
     }
     const Solid a = solid_of(objects, columns, c.shape_a);
-    collide(a, b, center_b - objects.bodies[c.body_a].center, margin, held, m);
+    collide(a, b, objects.bodies[c.body_b].center - objects.bodies[c.body_a].center, margin, held,
+            m);
 }
 
 }  // namespace fettle::physics::detail

@@ -32,7 +32,8 @@ struct Sweep {
 /// conservative advancement. 1 if they never come nearer, `start` if they are nearer then.
 float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start = 0.0f);
 /// The same for a half-plane that is solid where normal·p <= depth.
-float time_of_impact(const Sweep& sweep, Vec2 normal, float depth, float gap, float start = 0.0f);
+float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
+                     float start = 0.0f);
 
 /// Distance from a point to the surface of a shape, negative inside; `p` relative to the shape's
 /// center of mass.

@@ -107,12 +107,13 @@ float time_of_impact(const Sweep& a, const Sweep& b, float gap, float start) {
     });
 }
 
-float time_of_impact(const Sweep& sweep, Vec2 normal, float depth, float gap, float start) {
+float time_of_impact(const Sweep& sweep, Vec2 normal, WorldCoordinate depth, float gap,
+                     float start) {
     Turning turning(sweep);
     const Sweep plane = {{}, standing({}), 0.0f};
     return advance(sweep, plane, gap, start, [&](float t) {
         const float reached = reach(turning.at(t), -normal);
-        return Gap{dot(normal, sweep.motion.center(t)) - reached - depth, -normal};
+        return Gap{float(dot(normal, sweep.motion.center(t)) - reached - depth), -normal};
     });
 }
 

@@ -60,12 +60,12 @@ void apply_bounds(const Editing& e) {
             continue;
         }
         const float far = 2.0f * greatest_coordinate;
-        const Aabb& b = *e.settings.bounds;
+        const Box4 b = box_of(*e.settings.bounds);
         Box4 box = {{-far, -far}, {far, far}};
-        if (side == 0) box.high.x = b.min.x;
-        if (side == 1) box.low.x = b.max.x;
-        if (side == 2) box.high.y = b.min.y;
-        if (side == 3) box.low.y = b.max.y;
+        if (side == 0) box.high.x = b.low.x;
+        if (side == 1) box.low.x = b.high.x;
+        if (side == 2) box.high.y = b.low.y;
+        if (side == 3) box.low.y = b.high.y;
         e.broad_phase.boxes[side] = e.broad_phase.fat_boxes[side] =
             e.broad_phase.paired_boxes[side] = box;
     }

@@ -74,8 +74,8 @@ void mark_refiltered(ObjectState& objects, const Columns& columns, BroadPhaseSta
     const BodyState& state = columns.states[body];
     Box4 box = no_box;
     for (const Vec2 point : objects.outline_of(shape)) {
-        const Vec2 place = state.position + rotate({state.cosine, state.sine}, point);
-        box = unite(box, {place, place});
+        const Position place = state.position + rotate({state.cosine, state.sine}, point);
+        box = unite(box, box_of(place, place));
     }
     moving_tree.query(grow(box, speculative_margin),
                       [&](uint32_t other) { mark_moved(objects, broad_phase, other); });
@@ -337,7 +337,8 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     if (is_given(record.given_inertia)) inertia = double(record.given_inertia);
 
     const BodyState& state = e.columns.states[body];
-    const Vec2 old_center = record.center, old_local_center = record.local_center;
+    const Position old_center = record.center;
+    const Vec2 old_local_center = record.local_center;
     record.mass = float(mass);
     record.inertia = float(inertia);
     record.extent = extent;

@@ -39,11 +39,11 @@ class PosedForm {
     PosedForm& operator=(const PosedForm&) = delete;
 
     std::span<const Solid> solids() const { return solids_; }
-    Vec2 center() const { return center_; }  ///< the point in the world, m
-    float extent() const;                    ///< distance of the farthest point from it, m
+    Position center() const { return center_; }  ///< the point in the world, m
+    float extent() const;                        ///< distance of the farthest point from it, m
 
   private:
-    Vec2 center_;
+    Position center_;
     std::vector<Solid> solids_;
     std::vector<Vec2> vertices_, normals_;
     std::vector<float> offsets_;

@@ -7,7 +7,7 @@ namespace fettle::physics::detail {
 /// The motion of a body in a step, which lasts from 0 to 1. The body moves uniformly between
 /// `since` and `until`, and stands before and after.
 struct Motion {
-    Vec2 from;      ///< center of mass at `since`
+    Position from;  ///< center of mass at `since`
     Vec2 velocity;  ///< m per step
     /// Rotation at `since`, relative to the pose in which the vertices of its shapes are, rad.
     float angle = 0.0f;
@@ -15,13 +15,13 @@ struct Motion {
     float since = 0.0f, until = 1.0f;
 
     float passed(float t) const { return clamp(t, since, until) - since; }
-    Vec2 center(float t) const { return from + passed(t) * velocity; }
+    Position center(float t) const { return from + passed(t) * velocity; }
     /// Relative to the pose of the vertices.
     double rotation(float t) const { return double(angle) + double(turn) * double(passed(t)); }
     bool moves_after(float t) const { return t < until; }
 };
 
-inline Motion standing(Vec2 center, float angle = 0.0f) {
+inline Motion standing(Position center, float angle = 0.0f) {
     Motion motion;
     motion.from = center;
     motion.angle = angle;

@@ -94,4 +94,71 @@ inline float perimeter(const Box4& a) {
     return 2.0f * ((a.high.x - a.low.x) + (a.high.y - a.low.y));
 }
 
+// Points of the world, which have double precision with FETTLE_PHYSICS_DOUBLE. Boxes have single
+// precision always. They are rounded outwards, so that no overlap is missed.
+
+#ifdef FETTLE_PHYSICS_DOUBLE
+inline constexpr bool double_positions = true;
+/// n·p.
+inline double dot(Vec2 n, const Position& p) {
+    return double{n.x} * p.x + double{n.y} * p.y;
+}
+inline double bounded(double v, float limit) {
+    if (v > double{limit}) return double{limit};
+    if (v < -double{limit}) return -double{limit};
+    return v == v ? v : 0.0;
+}
+inline Position bounded(const Position& p, float limit) {
+    return {bounded(p.x, limit), bounded(p.y, limit)};
+}
+/// The greatest float that is not above `v`.
+inline float rounded_down(double v) {
+    const auto nearest = float(v);
+    return double{nearest} > v ? std::nextafter(nearest, -INFINITY) : nearest;
+}
+/// The smallest float that is not below `v`.
+inline float rounded_up(double v) {
+    return -rounded_down(-v);
+}
+inline Vec2 rounded_down(const Position& p) {
+    return {rounded_down(p.x), rounded_down(p.y)};
+}
+inline Vec2 rounded_up(const Position& p) {
+    return {rounded_up(p.x), rounded_up(p.y)};
+}
+inline Position middle(const Position& a, const Position& b) {
+    return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
+/// At least the distance of a point from where its coordinates are rounded to single precision.
+inline float rounding_of(const Position& p) {
+    return std::numeric_limits<float>::epsilon() * float(std::fmax(std::fabs(p.x), std::fabs(p.y)));
+}
+#else
+inline constexpr bool double_positions = false;
+inline Vec2 middle(Vec2 a, Vec2 b) {
+    return 0.5f * (a + b);
+}
+constexpr float rounding_of(Vec2) {
+    return 0.0f;
+}
+inline Vec2 rounded_down(Vec2 p) {
+    return p;
+}
+inline Vec2 rounded_up(Vec2 p) {
+    return p;
+}
+#endif
+
+/// The box from one corner to the other.
+inline Box4 box_of(const Position& low, const Position& high) {
+    return {rounded_down(low), rounded_up(high)};
+}
+inline Box4 box_of(const Aabb& box) {
+    return box_of(box.min, box.max);
+}
+/// A box around a point, given relative to the point.
+inline Box4 box_around(const Position& point, const Box4& relative) {
+    return box_of(point + relative.low, point + relative.high);
+}
+
 }  // namespace fettle::physics::detail

@@ -9,7 +9,7 @@ namespace detail {
 
 struct GrooveSettings {
     static constexpr JointType type = JointType::groove;
-    Vec2 end = {1.0f, 0.0f};  ///< in the coordinates of body a; the groove begins at the anchor
+    Position end = {1.0f, 0.0f};  ///< in the coordinates of body a; the groove begins at the anchor
 
     void check() const { check_coordinates("end", end); }
 };
@@ -35,7 +35,7 @@ constinit const JointKind groove_joint = JointFunctions<GrooveConstraint>::kind(
 
 using namespace detail;
 
-FETTLE_JOINT_VECTOR(Groove, end, end)
+FETTLE_JOINT_POSITION(Groove, end, end)
 
 float GrooveJoint::translation() const {
     return translation_along(*this, end() - anchor_a());

@@ -189,17 +189,17 @@ FETTLE_JOINT_READ(uint64_t, user_data)
     void Joint::set_body_##letter(const Body& body) {                                        \
         set_body(side, body, __func__);                                                      \
     }                                                                                        \
-    Vec2 Joint::anchor_##letter() const {                                                    \
+    Position Joint::anchor_##letter() const {                                                \
         return live().joints[id_.index].anchors[side];                                       \
     }                                                                                        \
-    void Joint::set_anchor_##letter(const Vec2& anchor) {                                    \
+    void Joint::set_anchor_##letter(const Position& anchor) {                                \
         WorldData& data = edited(__func__);                                                  \
         data.joints[id_.index].anchors[side] = check_coordinates("anchor_" #letter, anchor); \
         wake_joint(data.activity(), id_.index);                                              \
     }                                                                                        \
-    Vec2 Joint::world_anchor_##letter() const {                                              \
+    Position Joint::world_anchor_##letter() const {                                          \
         const Body body = body_##letter();                                                   \
-        return body ? body.world_point(anchor_##letter()) : anchor_##letter();               \
+        return body ? body.world_point(Vec2(anchor_##letter())) : anchor_##letter();         \
     }
 FETTLE_JOINT_SIDE(a, 0)
 FETTLE_JOINT_SIDE(b, 1)

@@ -87,6 +87,8 @@ Settings& Joint::edit(const char* of, const char* function) const {
 #define FETTLE_JOINT_NUMBER(Of, name, member) FETTLE_JOINT_PROPERTY(Of, float, float, name, member)
 #define FETTLE_JOINT_VECTOR(Of, name, member) \
     FETTLE_JOINT_PROPERTY(Of, Vec2, const Vec2&, name, member)
+#define FETTLE_JOINT_POSITION(Of, name, member) \
+    FETTLE_JOINT_PROPERTY(Of, Position, const Position&, name, member)
 // Defines a force or a torque of the last step, from a member of the impulses.
 #define FETTLE_JOINT_FORCE(Of, name, member)                                                  \
     float Of##Joint::name() const {                                                           \

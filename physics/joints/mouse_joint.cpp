@@ -81,11 +81,11 @@ void MouseJoint::set_body(const Body& body) {
     own<MouseSettings>();
     set_body_b(body);
 }
-void MouseJoint::set_anchor(const Vec2& anchor) {
+void MouseJoint::set_anchor(const Position& anchor) {
     own<MouseSettings>();
     set_anchor_b(anchor);
 }
-void MouseJoint::set_target(const Vec2& target) {
+void MouseJoint::set_target(const Position& target) {
     own<MouseSettings>();
     set_anchor_a(check_coordinates("target", target));
 }

@@ -17,7 +17,7 @@ namespace detail {
 
 struct PulleySettings {
     static constexpr JointType type = JointType::pulley;
-    Vec2 ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
+    Position ground_a = {-1.0f, 1.0f}, ground_b = {1.0f, 1.0f};  ///< world
     float ratio = 1.0f;
     float length = 2.0f;  ///< of a's part plus ratio times b's part
 
@@ -118,8 +118,8 @@ constinit const JointKind pulley_joint = JointFunctions<PulleyConstraint>::kind(
 
 using namespace detail;
 
-FETTLE_JOINT_VECTOR(Pulley, ground_a, ground_a)
-FETTLE_JOINT_VECTOR(Pulley, ground_b, ground_b)
+FETTLE_JOINT_POSITION(Pulley, ground_a, ground_a)
+FETTLE_JOINT_POSITION(Pulley, ground_b, ground_b)
 FETTLE_JOINT_NUMBER(Pulley, ratio, ratio)
 FETTLE_JOINT_NUMBER(Pulley, length, length)
 FETTLE_JOINT_FORCE(Pulley, tension, tension)

@@ -24,7 +24,7 @@ void check(const MoverDef& def) {
     check_not_negative("push_force", def.push_force);
 }
 
-Mover::Mover(const MoverDef& def, const Vec2& position) {
+Mover::Mover(const MoverDef& def, const Position& position) {
     set_definition(def);
     set_position(position);
 }
@@ -34,7 +34,7 @@ void Mover::set_definition(const MoverDef& def) {
     def_ = def;
 }
 
-void Mover::set_position(const Vec2& position) {
+void Mover::set_position(const Position& position) {
     state_.position = check_coordinates("position", position);
     state_.on_ground = false;
     state_.ground_normal = {};
@@ -54,9 +54,9 @@ constexpr float most_motion = 500.0f;  ///< m in one step
 constexpr int most_ways = 2000;
 
 /// The box around the capsule anywhere between two positions.
-Box4 box_between(const Capsule& capsule, Vec2 a, Vec2 b, float margin) {
+Box4 box_between(const Capsule& capsule, const Position& a, const Position& b, float margin) {
     const float reach = capsule.height + margin;
-    return grow({{min(a.x, b.x), min(a.y, b.y)}, {max(a.x, b.x), max(a.y, b.y)}}, reach);
+    return grow(box_of(a.min(b), a.max(b)), reach);
 }
 
 /// Speed of the surface of a conveyor belt, along its surface.
@@ -95,7 +95,8 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
 
     const Capsule capsule(def_, def_.height);
     Obstacles obstacles(world, def_, capsule);
-    const Vec2 up = capsule.up, start = state_.position;
+    const Vec2 up = capsule.up;
+    const Position start = state_.position;
     Vec2 wanted = bounded(velocity, 1e6f);
     const bool stood = state_.on_ground && !state_.climbing;
     const bool lifts = dot(wanted, up) > 0.05f;
@@ -229,7 +230,7 @@ bool Mover::fits(const World& world, float height) const {
     check_range("height", height, 2.0f * def_.radius, 1000.0f);
     const Capsule capsule(def_, height);
     Obstacles obstacles(world, def_, capsule);
-    const Vec2 at = state_.position;
+    const Position at = state_.position;
     const auto left_out =
         world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
     obstacles.find(box_between(capsule, at, at, def_.skin), at, none, 0.0f, left_out);
@@ -251,7 +252,7 @@ std::vector<MoverPlane> Mover::planes(const World& world, float distance) const 
     check_range("distance", distance, 0.0f, 1000.0f);
     const Capsule capsule(def_, def_.height);
     Obstacles obstacles(world, def_, capsule);
-    const Vec2 at = state_.position;
+    const Position at = state_.position;
     obstacles.find(box_between(capsule, at, at, distance), at, none, 0.0f, std::nullopt);
     std::vector<Plane> found;
     obstacles.planes_at(at, distance, none, found);

@@ -68,7 +68,7 @@ void Moving::slide(Vec2 way) {
 }
 
 void Moving::advance(Vec2 way) {
-    const Vec2 start = position;
+    const Position start = position;
     const std::optional<Plane> wall_before = wall;
     slide(way);
     if (settings_.step_height <= 0.0f) return;
@@ -84,7 +84,7 @@ void Moving::advance(Vec2 way) {
 
 /// True if it would climb a step from where it is. It stays there.
 bool Moving::will_step_up(Vec2 way) {
-    const Vec2 here = position;
+    const Position here = position;
     const std::optional<Plane> step_before = step;
     const bool will = step_up(here, way);
     put_back(here);
@@ -93,8 +93,9 @@ bool Moving::will_step_up(Vec2 way) {
 }
 
 /// Up, forward and down again: a step if there is ground that is higher. False if there is none.
-bool Moving::step_up(Vec2 start, Vec2 way) {
-    const Vec2 slid = position, up = capsule_.up;
+bool Moving::step_up(const Position& start, Vec2 way) {
+    const Position slid = position;
+    const Vec2 up = capsule_.up;
     const float wanted = length(way), gap = 0.5f * settings_.skin;
     const Vec2 ahead = (1.0f / wanted) * way;
     uint32_t hit = none;
@@ -122,14 +123,14 @@ bool Moving::step_up(Vec2 start, Vec2 way) {
 
 /// A plane not far above the feet that is not too steep, or the edge of one towards which the mover
 /// goes: the capsule is round and touches the edge of a step before it stands on it.
-bool Moving::walkable(const Plane& plane, Vec2 feet, Vec2 way) {
+bool Moving::walkable(const Plane& plane, const Position& feet, Vec2 way) {
     const float height = dot(plane.point - feet, capsule_.up);
     if (height > settings_.step_height + settings_.skin) return false;
     if (cosine(plane) >= settings_.least_cosine) return true;
     const Vec2 aside = lateral(plane.normal);
     if (cosine(plane) <= 0.01f || dot(aside, way) >= 0.0f) return false;
     const Vec2 inwards = normalized(-aside);
-    const Vec2 above = plane.point + 0.02f * inwards + 0.05f * capsule_.up;
+    const Position above = plane.point + 0.02f * inwards + 0.05f * capsule_.up;
     const auto normal = obstacles_.ray(above, -0.1f * capsule_.up);
     return normal && dot(*normal, capsule_.up) >= settings_.least_cosine;
 }
@@ -154,7 +155,7 @@ std::optional<Plane> Moving::ground() {
 }
 
 bool Moving::settle(float reach) {
-    const Vec2 start = position;
+    const Position start = position;
     Vec2 way = -reach * capsule_.up;
     uint32_t kept = none;
     for (int round = 0; round < most_slides && length(way) > 1e-5f; ++round) {

@@ -18,14 +18,16 @@ struct MoveSettings {
 /// A dynamic body that a mover runs into, or stands on.
 struct Push {
     uint32_t body = none;
-    Vec2 point, normal;
+    Position point;
+    Vec2 normal;
 };
 
 /// A mover on its way through one step: it moves in short ways, and after each of them it stands
 /// clear of all obstacles.
 class Moving {
   public:
-    Moving(Obstacles& obstacles, const Capsule& capsule, const MoveSettings& settings, Vec2 start)
+    Moving(Obstacles& obstacles, const Capsule& capsule, const MoveSettings& settings,
+           const Position& start)
         : position(start), obstacles_(obstacles), capsule_(capsule), settings_(settings) {}
 
     /// A short way, at most half of the radius long.
@@ -39,22 +41,22 @@ class Moving {
     /// The velocity without the parts that obstacles at its place stop.
     Vec2 clipped(Vec2 velocity);
 
-    Vec2 position;
+    Position position;
     std::vector<Push> pushes;
     std::optional<Plane> wall, ceiling;
     std::optional<Plane> step;  ///< the last step that it climbed
 
   private:
     void slide(Vec2 way);
-    void put_back(Vec2 to) {
+    void put_back(const Position& to) {
         obstacles_.put_aside(length(position - to));
         position = to;
     }
-    bool step_up(Vec2 start, Vec2 way);
+    bool step_up(const Position& start, Vec2 way);
     bool will_step_up(Vec2 way);
     void note_hits(Vec2 way, float overlap_allowed);
     std::vector<Bound> bounds(Vec2 way, bool with_distance) const;
-    bool walkable(const Plane& plane, Vec2 feet, Vec2 way);
+    bool walkable(const Plane& plane, const Position& feet, Vec2 way);
     float cosine(const Plane& plane) const { return dot(plane.normal, capsule_.up); }
     bool is_steep(const Plane& plane) const {
         return cosine(plane) > 0.01f && cosine(plane) < settings_.least_cosine;

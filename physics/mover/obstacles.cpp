@@ -47,7 +47,7 @@ float Capsule::lowest(Vec2 direction) const {
     return min(dot(direction, ends_[0]), dot(direction, ends_[1])) - radius;
 }
 
-Vec2 motion_of(const WorldData& data, uint32_t body, Vec2 point, float dt) {
+Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt) {
     const BodyState& state = data.states[body];
     const float turn = clamp(dt * state.angular_velocity, -1.5f, 1.5f);
     const Vec2 arm = point - data.bodies[body].center;
@@ -62,7 +62,7 @@ Obstacles::Obstacles(const World& world, const MoverDef& def, const Capsule& cap
     filter_.group = def.group;
 }
 
-void Obstacles::find(Box4 box, Vec2 position, uint32_t carrier, float dt,
+void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float dt,
                      std::optional<ShapeId> left_out) {
     all_.clear();
     time_ = 0.0f;
@@ -102,7 +102,7 @@ void Obstacles::find(Box4 box, Vec2 position, uint32_t carrier, float dt,
     }
 }
 
-void Obstacles::add(uint32_t shape, Vec2 position, uint32_t carrier, float dt) {
+void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, float dt) {
     Obstacle& made = all_.emplace_back();
     made.solid = data_.solid(shape);
     made.shape = shape;
@@ -180,7 +180,7 @@ Plane Obstacles::deepest(const Obstacle& obstacle, Vec2 offset) const {
     return plane;
 }
 
-std::optional<Plane> Obstacles::plane(uint32_t index, Vec2 position) const {
+std::optional<Plane> Obstacles::plane(uint32_t index, const Position& position) const {
     const Obstacle& obstacle = all_[index];
     Plane plane;
     plane.obstacle = index;
@@ -214,7 +214,8 @@ std::optional<Plane> Obstacles::plane(uint32_t index, Vec2 position) const {
     return plane;
 }
 
-void Obstacles::planes_at(Vec2 position, float reach, uint32_t kept, std::vector<Plane>& planes) {
+void Obstacles::planes_at(const Position& position, float reach, uint32_t kept,
+                          std::vector<Plane>& planes) {
     planes.clear();
     for (uint32_t i = 0; i < all_.size(); ++i) {
         if (all_[i].clear > reach) continue;
@@ -244,7 +245,7 @@ void Obstacles::planes_at(Vec2 position, float reach, uint32_t kept, std::vector
     if (planes.size() > most) planes.resize(most);
 }
 
-float Obstacles::cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit) {
+float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t& hit) {
     hit = none;
     float first = 1.0f;
     const float way = length(motion);
@@ -274,7 +275,7 @@ float Obstacles::cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit) {
     return first;
 }
 
-std::optional<Vec2> Obstacles::ray(Vec2 from, Vec2 motion) const {
+std::optional<Vec2> Obstacles::ray(const Position& from, Vec2 motion) const {
     std::optional<Vec2> normal;
     float nearest = 1.0f;
     for (const Obstacle& obstacle : all_) {

@@ -42,20 +42,21 @@ class Capsule {
 /// A solid shape near a mover.
 struct Obstacle {
     Solid solid;
-    Vec2 center;  ///< center of mass of its body
-    Vec2 shift;   ///< its motion in the step
+    Position center;  ///< center of mass of its body
+    Vec2 shift;       ///< its motion in the step
     uint32_t shape = none, body = none;
     bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
     bool one_sided = false;
     bool dynamic = false;
     Vec2 front;  ///< of a one-sided obstacle
-    float depth = 0.0f;
+    WorldCoordinate depth = 0;
     float clear = 0.0f;  ///< the mover may move by this before it can be near
 };
 
 /// A plane of an obstacle, relative to a position of the mover.
 struct Plane {
-    Vec2 normal, point;
+    Vec2 normal;
+    Position point;
     float separation = 0.0f;
     uint32_t obstacle = 0;
     bool deep = false;  ///< the line of the capsule is inside
@@ -68,26 +69,30 @@ class Obstacles {
     Obstacles(const World& world, const MoverDef& def, const Capsule& capsule);
 
     /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
-    void find(Box4 box, Vec2 position, uint32_t carrier, float dt, std::optional<ShapeId> left_out);
+    void find(Box4 box, const Position& position, uint32_t carrier, float dt,
+              std::optional<ShapeId> left_out);
     void set_time(float time);
     /// To be called when the mover was moved by this distance (m) in another way.
     void put_aside(float distance);
     float farthest_shift() const;  ///< m: of the obstacle that moves most in the step
     /// The planes within `reach` at this position, nearest first. A corner that is flush with a
     /// nearer plane is left out, unless its obstacle is `kept`.
-    void planes_at(Vec2 position, float reach, uint32_t kept, std::vector<Plane>& planes);
+    void planes_at(const Position& position, float reach, uint32_t kept,
+                   std::vector<Plane>& planes);
     /// The share of a motion after which an obstacle is nearer than `gap`; `hit`: this obstacle.
-    float cast(Vec2 position, Vec2 motion, float gap, uint32_t& hit);
+    float cast(const Position& position, Vec2 motion, float gap, uint32_t& hit);
     /// The normal of the first surface that a ray meets.
-    std::optional<Vec2> ray(Vec2 from, Vec2 motion) const;
+    std::optional<Vec2> ray(const Position& from, Vec2 motion) const;
     /// The plane of one obstacle. None if it does not act on a mover at this position.
-    std::optional<Plane> plane(uint32_t obstacle, Vec2 position) const;
+    std::optional<Plane> plane(uint32_t obstacle, const Position& position) const;
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
     WorldData& data() const { return data_; }
 
   private:
-    void add(uint32_t shape, Vec2 position, uint32_t carrier, float dt);
-    Vec2 center(const Obstacle& obstacle) const { return obstacle.center + time_ * obstacle.shift; }
+    void add(uint32_t shape, const Position& position, uint32_t carrier, float dt);
+    Position center(const Obstacle& obstacle) const {
+        return obstacle.center + time_ * obstacle.shift;
+    }
     Plane deepest(const Obstacle& obstacle, Vec2 offset) const;
 
     WorldData& data_;
@@ -99,6 +104,6 @@ class Obstacles {
 };
 
 /// The motion of a point of a body in the step.
-Vec2 motion_of(const WorldData& data, uint32_t body, Vec2 point, float dt);
+Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt);
 
 }  // namespace fettle::physics::detail

@@ -12,7 +12,7 @@ namespace fettle::physics {
 
 using namespace detail;
 
-void World::explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter) {
+void World::explode(const Position& point, float radius, float impulse, const QueryFilter& filter) {
     WorldData& data = edit(__func__);
     check_coordinates("point", point);
     check_range("radius", radius, 0.0f, greatest_coordinate);
@@ -21,9 +21,9 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
     struct Hit {
         uint32_t body;
         float distance;
-        Vec2 at;
+        Position at;
     };
-    const Vec2 p = point;
+    const Position p = point;
     const PointForm asks;
     std::vector<Hit> hits;
     auto visit = [&](uint32_t shape) {
@@ -34,7 +34,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
         if (near.distance >= radius) return;
         // If the point is inside a shape, the push acts at the center of mass.
-        const Vec2 at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
+        const Position at = near.distance > 0.0f ? p + near.on_b : data.bodies[body].center;
         for (Hit& hit : hits) {
             if (hit.body != body) continue;
             if (near.distance < hit.distance) hit = {body, near.distance, at};
@@ -43,7 +43,7 @@ void World::explode(const Vec2& point, float radius, float impulse, const QueryF
         hits.push_back({body, near.distance, at});
     };
     Asking asking(data, filter);
-    data.moving_tree.query({{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}}, visit);
+    data.moving_tree.query(box_around(p, {{-radius, -radius}, {radius, radius}}), visit);
     asking.finish();
     for (const Hit& hit : hits) {
         Vec2 direction = normalized(hit.at - p);
@@ -63,7 +63,7 @@ struct Target {
 };
 
 /// `shape`: not a part.
-Target seen_from(const WorldData& data, uint32_t shape, Vec2 point) {
+Target seen_from(const WorldData& data, uint32_t shape, const Position& point) {
     const PointForm asks;
     Target target = {shape, data.forms[shape].body, {}, 0.0f};
     const Vec2 offset = data.bodies[target.body].center - point;
@@ -96,7 +96,7 @@ void World::explode(const ExplosionDef& def, const QueryFilter& filter) {
     check_range("falloff", def.falloff, 0.0f, greatest_coordinate);
     check_finite("impulse_per_length", def.impulse_per_length);
     data.read_all();
-    const Vec2 p = def.point;
+    const Position p = def.point;
     const float far = def.radius + def.falloff;
     std::vector<Target> targets;
     auto visit = [&](uint32_t solid) {
@@ -110,7 +110,7 @@ void World::explode(const ExplosionDef& def, const QueryFilter& filter) {
         if (target.nearest.distance <= far) targets.push_back(target);
     };
     Asking asking(data, filter);
-    data.moving_tree.query({{p.x - far, p.y - far}, {p.x + far, p.y + far}}, visit);
+    data.moving_tree.query(box_around(p, {{-far, -far}, {far, far}}), visit);
     asking.finish();
     for (const Target& target : targets) {
         const float beyond = max(target.nearest.distance - def.radius, 0.0f);

@@ -14,10 +14,10 @@ using namespace detail;
 
 namespace {
 
-bool shape_contains(const WorldData& data, uint32_t shape, Vec2 point) {
+bool shape_contains(const WorldData& data, uint32_t shape, const Position& point) {
     const uint32_t body = data.forms[shape].body;
-    return signed_distance(data.solid(shape),
-                           body == none ? point : point - data.bodies[body].center) <= 0.0f;
+    const Position center = body == none ? Position{} : data.bodies[body].center;
+    return signed_distance(data.solid(shape), point - center) <= 0.0f;
 }
 
 /// Adds a shape unless it was found already: a shape with many parts may be found several times.
@@ -27,14 +27,14 @@ void add_once(std::vector<Shape>& found, const Shape& shape) {
         found.push_back(shape);
 }
 
-Probe ray_on_shape(const WorldData& data, uint32_t shape, Vec2 from, Vec2 d) {
-    const Vec2 center = data.bodies[data.forms[shape].body].center;
+Probe ray_on_shape(const WorldData& data, uint32_t shape, const Position& from, Vec2 d) {
+    const Position center = data.bodies[data.forms[shape].body].center;
     return cast_segment(data.solid(shape), from - center, d);
 }
 
 /// The border is solid outside: a ray that leaves the bounds ends there.
-Probe cast_border(const BorderPlane& plane, Vec2 from, Vec2 d) {
-    const float distance = dot(plane.normal, from) - plane.depth;
+Probe cast_border(const BorderPlane& plane, const Position& from, Vec2 d) {
+    const auto distance = float(dot(plane.normal, from) - plane.depth);
     const float speed = dot(plane.normal, d);
     if (distance < 0.0f || !(speed < 0.0f) || -distance / speed > 1.0f) return {};
     return {-distance / speed, plane.normal};
@@ -42,7 +42,8 @@ Probe cast_border(const BorderPlane& plane, Vec2 from, Vec2 d) {
 
 /// Calls `hit(shape, probe)` for every accepted shape that the ray enters; returns the new far end
 /// of the ray.
-void cast_all(const WorldData& data, Vec2 from, Vec2 to, const QueryFilter& filter, auto&& hit) {
+void cast_all(const WorldData& data, const Position& from, const Position& to,
+              const QueryFilter& filter, auto&& hit) {
     const Vec2 d = to - from;
     float far = 1.0f;
     auto visit = [&](uint32_t shape, float) {
@@ -61,7 +62,7 @@ void cast_all(const WorldData& data, Vec2 from, Vec2 to, const QueryFilter& filt
 
 }  // namespace
 
-bool Shape::contains(const Vec2& world_point) const {
+bool Shape::contains(const Position& world_point) const {
     FETTLE_REFRESHED_SHAPE(read_all())
     if (record.type == ShapeType::border) return false;
     bool inside = false;
@@ -70,20 +71,20 @@ bool Shape::contains(const Vec2& world_point) const {
     return inside;
 }
 
-std::vector<Shape> World::query_point(const Vec2& point, const QueryFilter& filter) const {
+std::vector<Shape> World::query_point(const Position& point, const QueryFilter& filter) const {
     check_coordinates("point", point);
     WorldData& data = *data_;
     data.read_all();
     Asking asking(data, filter);
     std::vector<Shape> found;
-    const Vec2 p = point;
+    const Position p = point;
     auto visit = [&](uint32_t shape) {
         if (is_accepted(data, filter, shape) && shape_contains(data, shape, p)) {
             add_once(found, Shape(self(), data.shape_id(shape)));
         }
     };
-    data.moving_tree.query({p, p}, visit);
-    data.fixed_tree.query({p, p}, visit);
+    data.moving_tree.query(box_of(p, p), visit);
+    data.fixed_tree.query(box_of(p, p), visit);
     asking.finish();
     return found;
 }
@@ -95,9 +96,10 @@ std::vector<Shape> World::query_aabb(const Aabb& box, const QueryFilter& filter)
     data.read_all();
     Asking asking(data, filter);
     std::vector<Shape> found;
-    const Box4 area = {{min(box.min.x, box.max.x), min(box.min.y, box.max.y)},
-                       {max(box.min.x, box.max.x), max(box.min.y, box.max.y)}};
-    const Vec2 center = 0.5f * (area.low + area.high), half = area.high - center;
+    const Position low = box.min.min(box.max), high = box.min.max(box.max);
+    const Box4 area = box_of(low, high);
+    const Position center = middle(low, high);
+    const Vec2 half = high - center;
     const Vec2 corners[4] = {
         {-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}};
     const Vec2 normals[4] = {{0.0f, -1.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}};
@@ -119,7 +121,7 @@ namespace {
 
 /// Casts a ray and calls `add(hit)` for each shape that it enters; `add` returns the new far end of
 /// the ray.
-void cast(WorldData& data, const Vec2& from, const Vec2& to, const QueryFilter& filter,
+void cast(WorldData& data, const Position& from, const Position& to, const QueryFilter& filter,
           auto&& add) {
     check_coordinates("from", from);
     check_coordinates("to", to);
@@ -135,7 +137,7 @@ void cast(WorldData& data, const Vec2& from, const Vec2& to, const QueryFilter& 
 
 }  // namespace
 
-std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
+std::optional<RayHit> World::cast_ray(const Position& from, const Position& to,
                                       const QueryFilter& filter) const {
     std::optional<RayHit> nearest;
     cast(*data_, from, to, filter, [&](const RayHit& hit, float) {
@@ -145,7 +147,7 @@ std::optional<RayHit> World::cast_ray(const Vec2& from, const Vec2& to,
     return nearest;
 }
 
-std::vector<RayHit> World::cast_ray_all(const Vec2& from, const Vec2& to,
+std::vector<RayHit> World::cast_ray_all(const Position& from, const Position& to,
                                         const QueryFilter& filter) const {
     std::vector<RayHit> hits;
     cast(*data_, from, to, filter, [&](const RayHit& hit, float far) {

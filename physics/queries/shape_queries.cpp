@@ -19,7 +19,7 @@ namespace {
 /// A solid shape at its position.
 struct Placed {
     Solid form;
-    Vec2 center;
+    Position center;
     Box4 box;
 };
 
@@ -29,7 +29,7 @@ std::vector<Placed> placed(WorldData& data, uint32_t shape) {
     if (data.forms[shape].kind == FormKind::border)
         throw std::invalid_argument("expected a shape of a body, got the bounds of a world");
     const uint32_t body = data.forms[shape].body;
-    const Vec2 center = body == none ? Vec2{} : data.bodies[body].center;
+    const Position center = body == none ? Position{} : data.bodies[body].center;
     std::vector<Placed> all;
     data.for_each_solid(shape, [&](uint32_t solid) {
         all.push_back({data.solid(solid), center, data.boxes[solid]});
@@ -72,8 +72,8 @@ Shape make_probe(World& scratch, const Geometry& geometry, const Pose& pose) {
 
 /// The fraction of its motion after which a moving shape meets the border.
 float meets_border(const Placed& probe, Vec2 motion, const BorderPlane& plane) {
-    const float before =
-        dot(plane.normal, probe.center) - reach(probe.form, -plane.normal) - plane.depth;
+    const auto before =
+        float(dot(plane.normal, probe.center) - reach(probe.form, -plane.normal) - plane.depth);
     const float speed = dot(plane.normal, motion);
     if (before <= 0.0f) return 0.0f;
     return speed < 0.0f ? -before / speed : 2.0f;
@@ -162,7 +162,7 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
         auto visit = [&](uint32_t other) {
             const uint32_t owner = data.forms[other].body;
             if (owner == body || !is_accepted(data, filter, other)) return;
-            const Vec2 center = data.bodies[owner].center;
+            const Position center = data.bodies[owner].center;
             const Solid obstacle = data.solid(other);
             constexpr float gap = 1e-4f;
             const Sweep sweep = {probe.form, {.from = probe.center, .velocity = d}};
@@ -182,8 +182,9 @@ std::optional<RayHit> World::cast_shape(const Shape& shape, const Vec2& motion,
             const float t = meets_border(probe, d, plane);
             if (t >= nearest || !is_accepted(data, filter, side)) continue;
             nearest = t;
-            const Vec2 center = probe.center + t * d;
-            const Vec2 point = center - (dot(plane.normal, center) - plane.depth) * plane.normal;
+            const Position center = probe.center + t * d;
+            const auto apart = float(dot(plane.normal, center) - plane.depth);
+            const Position point = center - apart * plane.normal;
             first = RayHit{Shape(self(), data.shape_id(side)), point, plane.normal, t};
         }
     }
@@ -198,14 +199,14 @@ std::optional<RayHit> World::cast_shape(const Geometry& geometry, const Pose& po
     return cast_shape(make_probe(scratch, geometry, pose), motion, filter);
 }
 
-std::optional<PointHit> World::closest(const Vec2& point, float reach,
+std::optional<PointHit> World::closest(const Position& point, float reach,
                                        const QueryFilter& filter) const {
     check_coordinates("point", point);
     check_range("reach", reach, 0.0f, infinity);
     WorldData& data = *data_;
     data.read_all();
     Asking asking(data, filter);
-    const Vec2 p = point;
+    const Position p = point;
     const PointForm asks;
     std::optional<PointHit> best;
     // Searches in growing boxes until no shape outside the box can be nearer.
@@ -216,11 +217,11 @@ std::optional<PointHit> World::closest(const Vec2& point, float reach,
             const Vec2 offset = data.bodies[data.forms[shape].body].center - p;
             const Nearest near = nearest_points(asks.form(), data.solid(shape), offset);
             if (near.distance > farthest || (best && near.distance >= best->distance)) return;
-            const Vec2 place = near.distance > 0.0f ? p + near.on_b : p;
+            const Position place = near.distance > 0.0f ? p + near.on_b : p;
             best =
                 PointHit{Shape(self(), data.shape_id(shape)), place, -near.normal, near.distance};
         };
-        const Box4 box = {{p.x - half, p.y - half}, {p.x + half, p.y + half}};
+        const Box4 box = box_around(p, {{-half, -half}, {half, half}});
         data.fixed_tree.query(box, visit);
         data.moving_tree.query(box, visit);
         if ((best && best->distance <= half) || half >= farthest) break;

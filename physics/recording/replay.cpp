@@ -54,9 +54,9 @@ namespace {
 void answer_contact(Answers& answers, Answer::To to, ContactEdit& edit) {
     const Answer* answer = answers.take(to, key_of(edit.shape_a.id()), key_of(edit.shape_b.id()));
     if (answer == nullptr) return;
-    edit.friction = answer->values[0];
-    edit.restitution = answer->values[1];
-    edit.surface_speed = answer->values[2];
+    edit.friction = float(answer->values[0]);
+    edit.restitution = float(answer->values[1]);
+    edit.surface_speed = float(answer->values[2]);
     if (to == Answer::To::mixing) return;
     edit.enabled = answer->first;
     edit.ignored = answer->second;
@@ -80,7 +80,7 @@ std::vector<Answer> read_answers(ByteReader& in) {
         answer.first = flag_of(in);
         answer.second = flag_of(in);
         answer.unused = in.value<uint32_t>();
-        for (float& value : answer.values) value = in.value<float>();
+        for (WorldCoordinate& value : answer.values) value = in.value<WorldCoordinate>();
     }
     return answers;
 }
@@ -132,14 +132,14 @@ struct Replay::Data {
             const Answer* answer = answers.take(Answer::To::velocity, key, 0);
             if (answer == nullptr) return;
             edit.velocity = {answer->values[0], answer->values[1]};
-            edit.angular_velocity = answer->values[2];
+            edit.angular_velocity = float(answer->values[2]);
         };
     }
     PositionFunction position_function(uint64_t key) {
         return [this, key](PositionEdit& edit) {
             const Answer* answer = answers.take(Answer::To::position, key, 0);
             if (answer == nullptr) return;
-            edit.pose = {{answer->values[0], answer->values[1]}, answer->values[2]};
+            edit.pose = {{answer->values[0], answer->values[1]}, float(answer->values[2])};
         };
     }
 

@@ -26,7 +26,7 @@ bool is_finite(const Box4& box) {
 /// Upper bound of distances between points on shapes and of centers of mass in the world, m: such a
 /// point is the sum of few coordinates within the limit of each.
 constexpr float greatest_distance = 4.0f * greatest_coordinate;
-bool is_near(Vec2 v) {
+bool is_near(const Position& v) {
     return std::fabs(v.x) <= greatest_distance && std::fabs(v.y) <= greatest_distance;
 }
 /// True for a valid amount. It may be infinite: an infinite mass, or a resting time beyond the
@@ -54,7 +54,7 @@ void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
     require(is_near(body.center) && is_near(body.local_center) &&
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
                            body.thickness) &&
-                is_amount(body.sleep_time) && is_finite(rest.center) && are_finite(rest.angle) &&
+                is_amount(body.sleep_time) && rest.center.is_finite() && are_finite(rest.angle) &&
                 body.inverse_mass >= 0.0f && body.inverse_inertia >= 0.0f,
             "the state of body", slot);
     check_finite("gravity_scale", body.gravity_scale);

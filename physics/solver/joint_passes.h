@@ -20,11 +20,12 @@ struct JointSource {
         JointEnds ends;
         ends.a = body_a.solver_index;
         ends.b = body_b.solver_index;
-        ends.start_a = rotate(rotation_of(a), joint.anchors[0] - body_a.local_center);
-        ends.start_b = rotate(rotation_of(b), joint.anchors[1] - body_b.local_center);
+        const End end_a = end_of(a, joint.anchors[0]), end_b = end_of(b, joint.anchors[1]);
+        ends.start_a = end_a.lever;
+        ends.start_b = end_b.lever;
         ends.lever_a = ends.start_a;
         ends.lever_b = ends.start_b;
-        ends.apart = body_b.center - body_a.center;
+        ends.apart = end_b.center - end_a.center;
         ends.angle = (columns.states[b].angle - columns.states[a].angle) +
                      (body_b.angle_rest - body_a.angle_rest);
         const float mass_a = bodies.solver_bodies[ends.a].inverse_mass;
@@ -37,14 +38,30 @@ struct JointSource {
     JointFrame frame_of(const JointRecord& joint) const {
         const auto [a, b] = joint.bodies;
         return {.a = rotation_of(a),
-                .center_a = objects.bodies[a].center,
-                .center_b = objects.bodies[b].center,
+                .center_a = end_of(a, joint.anchors[0]).center,
+                .center_b = end_of(b, joint.anchors[1]).center,
                 .anchor_a = joint.anchors[0],
                 .angle_a = double(columns.states[a].angle) + double(objects.bodies[a].angle_rest),
                 .angle_b = double(columns.states[b].angle) + double(objects.bodies[b].angle_rest)};
     }
 
   private:
+    /// A point that a body turns about, and the lever arm from there to an anchor.
+    struct End {
+        Position center;
+        Vec2 lever;
+    };
+    /// A body turns about its center of mass. About which point a body turns that does not move is
+    /// all the same: the anchor itself is precise also if it is tied to the world far from the
+    /// origin.
+    End end_of(uint32_t body, const Position& anchor) const {
+        const BodyRecord& record = objects.bodies[body];
+        if (double_positions && body == 0) return {anchor, {}};
+        const Vec2 local = Vec2(anchor);
+        if (double_positions && record.solver_index == 0)
+            return {columns.states[body].position + rotate(rotation_of(body), local), {}};
+        return {record.center, rotate(rotation_of(body), local - record.local_center)};
+    }
     Rotation rotation_of(uint32_t body) const {
         return {columns.states[body].cosine, columns.states[body].sine};
     }

@@ -78,17 +78,17 @@ Aabb bounding_box(const Form& form, const Pose& pose) {
     return {at.center() + box.low, at.center() + box.high};
 }
 
-bool contains(const Form& form, const Pose& pose, const Vec2& point) {
-    const Vec2 p = check_coordinates("point", point);
+bool contains(const Form& form, const Pose& pose, const Position& point) {
+    const Position p = check_coordinates("point", point);
     const PosedForm at = posed(form, "pose", pose);
     for (const Solid& solid : at.solids())
         if (signed_distance(solid, p - at.center()) <= 0.0f) return true;
     return false;
 }
 
-std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Vec2& from,
-                                   const Vec2& to) {
-    const Vec2 start = check_coordinates("from", from);
+std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Position& from,
+                                   const Position& to) {
+    const Position start = check_coordinates("from", from);
     const Vec2 way = check_coordinates("to", to) - start;
     const PosedForm at = posed(form, "pose", pose);
     Probe first;

@@ -100,7 +100,8 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
     if (form.count == 0) return;
     form.turn = angle - form.angle;
     form.angle = angle;
-    Vec2 center, local_center;
+    Position center;
+    Vec2 local_center;
     if (form.body != none) {
         center = objects.bodies[form.body].center;
         local_center = objects.bodies[form.body].local_center;
@@ -108,7 +109,7 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
     if (form.kind == FormKind::large) {
         const Box4 box = place_large(objects, shape, local_center, q);
         form.center = center;
-        boxes[shape] = grow({center + box.low, center + box.high}, form.radius);
+        boxes[shape] = grow(box_around(center, box), form.radius);
         return;
     }
     Box4 box;
@@ -127,7 +128,7 @@ void move_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Rot
         const Vec2 half = half_box(ellipse_of(objects.convex(shape)));
         box = {box.low - half, box.high + half};
     }
-    boxes[shape] = grow({center + box.low, center + box.high}, form.radius);
+    boxes[shape] = grow(box_around(center, box), form.radius);
 }
 
 float fat_margin(const Box4& box) {

@@ -60,7 +60,7 @@ inline bool is_given(float value) {
 
 struct BodyRecord {
     // Data that the step gathers from an awake body.
-    Vec2 center;        ///< center of mass, world
+    Position center;    ///< center of mass, world
     Vec2 local_center;  ///< center of mass, body coordinates
     float inverse_mass = 0.0f;
     float inverse_inertia = 0.0f;
@@ -130,7 +130,7 @@ struct BodyTraits {
 
 /// Where a body was when it came to rest: step/rest.h.
 struct RestPose {
-    Vec2 center;
+    Position center;
     float angle = 0.0f;
 };
 
@@ -141,7 +141,7 @@ struct ShapeForm {
     FormKind kind : 8 = FormKind::convex;
     float radius = 0.0f;
     uint32_t body = none;
-    Vec2 center;  ///< center of mass of the body in the world: the vertices are relative to it
+    Position center;  ///< center of mass of the body in the world: the vertices are relative to it
     float angle = 0.0f;  ///< of the body, rad
     float turn = 0.0f;   ///< in the last step, rad
 
@@ -154,7 +154,7 @@ class PlainValue {
   public:
     template <class Type>
     Type& as() {
-        static_assert(sizeof(Type) <= capacity && alignof(Type) <= alignof(float));
+        static_assert(sizeof(Type) <= capacity && alignof(Type) <= alignof(WorldCoordinate));
         static_assert(std::is_trivially_destructible_v<Type>);
         return *std::launder(reinterpret_cast<Type*>(bytes_));
     }
@@ -168,7 +168,7 @@ class PlainValue {
     }
 
   private:
-    alignas(float) std::byte bytes_[capacity] = {};
+    alignas(WorldCoordinate) std::byte bytes_[capacity] = {};
 };
 
 /// Circle, Box, Segment or Ellipse, according to the type of the shape.
@@ -217,9 +217,9 @@ struct ShapeRecord {
     }
 };
 
-static_assert(sizeof(ShapeForm) == 32);
+static_assert(sizeof(ShapeForm) == sizeof(Position) + 24);
 // A world may have a hundred thousand records of each type, so their size matters.
-static_assert(sizeof(BodyRecord) <= 168 && sizeof(ShapeRecord) <= 144);
+static_assert(sizeof(BodyRecord) <= 160 + sizeof(Position) && sizeof(ShapeRecord) <= 144);
 
 /// True if both shapes are plain convex.
 inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
@@ -274,7 +274,7 @@ struct JointRecord {
     bool broken = false;          ///< it does not act until it is repaired
     uint32_t awake_index = none;  ///< place in the list of awake joints of its type
     uint32_t bodies[2] = {0, 0};  ///< 0: the world
-    Vec2 anchors[2];              ///< body coordinates
+    Position anchors[2];          ///< body coordinates
     ListEdge edges[2];            ///< in the lists of a and b, or next free slot
     Vec2 force;                   ///< of the last step, on body b
     float torque = 0.0f;
@@ -282,7 +282,7 @@ struct JointRecord {
     float report_force = infinity, report_torque = infinity;  ///< N, N m: it is reported above
     float constraint_hertz = 0.0f;  ///< of its rigid rows; 0: as the load needs
     float constraint_damping_ratio = 2.0f;
-    PlainValue<44> settings;  ///< `Settings` of its type
+    PlainValue<28 + 2 * sizeof(Position)> settings;  ///< `Settings` of its type
     PlainValue<24> impulses;  ///< `Impulses` of its type, of the last sub-step; all 0 at first
     uint64_t user_data = 0;
 

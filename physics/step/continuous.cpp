@@ -86,8 +86,8 @@ void list_driven_body(const FinishInput& in, uint32_t body, const SolverBody& b)
 
 /// A box around the body on its way. It is larger than those of its shapes, but computed faster.
 Box4 path_of(const BodyRecord& body, Vec2 shift) {
-    const Vec2 start = body.center - shift, end = body.center;
-    return grow(unite({start, start}, {end, end}), body.extent + speculative_margin);
+    const Position start = body.center - shift, end = body.center;
+    return grow(unite(box_of(start, start), box_of(end, end)), body.extent + speculative_margin);
 }
 
 bool may_meet_fixed(const FinishInput& in, const Box4& path) {

@@ -22,13 +22,13 @@ struct Push {
     }
 };
 
-bool inside(const std::optional<Aabb>& region, Vec2 p) {
+bool inside(const std::optional<Aabb>& region, const Position& p) {
     return !region || (p.x >= region->min.x && p.x <= region->max.x && p.y >= region->min.y &&
                        p.y <= region->max.y);
 }
 
 bool reaches(const std::optional<Aabb>& region, const Box4& box) {
-    return !region || overlap(box, Box4{region->min, region->max});
+    return !region || overlap(box, box_of(*region));
 }
 
 class FieldOnBody {

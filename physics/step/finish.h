@@ -45,7 +45,7 @@ inline float turn_of(const SolverBody& b) {
     return bounded(b.turn, 1e3f);
 }
 /// A motion through the whole step, to a center of mass and the pose of the vertices.
-inline Motion motion_to(Vec2 center, Vec2 shift, float turn) {
+inline Motion motion_to(const Position& center, Vec2 shift, float turn) {
     return {.from = center - shift, .velocity = shift, .angle = -turn, .turn = turn};
 }
 /// A body that moves less cannot move past the range of a speculative contact, nor with more than

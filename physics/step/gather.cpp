@@ -73,7 +73,7 @@ void gather_bodies(const ObjectState& objects, Columns& columns, const ActiveLis
             const uint32_t slot = awake[i];
             const BodyRecord& record = records[slot];
             const BodyState& state = columns.states[slot];
-            bodies.solver_ends[slot] = {uint32_t(i + 1), strips.leaf_at(record.center),
+            bodies.solver_ends[slot] = {uint32_t(i + 1), strips.leaf_at(Vec2(record.center)),
                                         record.mobility == Mobility::dynamic};
             columns.previous[slot] = {state.position, state.angle};
             found |= gather_body(record, state, gravity, h, bodies.solver_bodies[i + 1],

@@ -43,12 +43,12 @@ class Obstacle {
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
     /// The same for a point that moves from `start` to `end`.
-    Impact of_point(Vec2 start, Vec2 end) const {
+    Impact of_point(const Position& start, const Position& end) const {
         Probe hit;
         Vec2 way = end - start;
         if (is_border_) {
-            const float before = dot(plane_.normal, start) - plane_.depth;
-            const float after = dot(plane_.normal, end) - plane_.depth;
+            const auto before = float(dot(plane_.normal, start) - plane_.depth);
+            const auto after = float(dot(plane_.normal, end) - plane_.depth);
             if (before > 0.0f && after < 0.0f) hit = {before / (before - after), plane_.normal};
         } else {
             const Vec2 from = from_obstacle(start, now_);
@@ -62,14 +62,14 @@ class Obstacle {
         return {now_ + fraction * (1.0f - now_), {}};
     }
     /// A segment of a chain stops nothing that comes from behind it.
-    bool is_from_behind(Vec2 start) const {
+    bool is_from_behind(const Position& start) const {
         return !is_border_ && obstacle_.shape.kind == FormKind::piece &&
                !Piece(obstacle_.shape).faces(from_obstacle(start, now_));
     }
 
   private:
     /// A place at a time, in the frame of the obstacle.
-    Vec2 from_obstacle(Vec2 place, float t) const {
+    Vec2 from_obstacle(const Position& place, float t) const {
         const Vec2 d = place - obstacle_.motion.center(t);
         return unrotate(rotation_of(obstacle_.motion.rotation(t)), d);
     }
@@ -144,7 +144,7 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
         const Box4 swept = swept_box(in, s, motion, now);
         const auto meet = [&](uint32_t other) {
             if (!may_meet(in, s, other)) return;
-            const Vec2 center = in.objects.bodies[in.objects.forms[other].body].center;
+            const Position center = in.objects.bodies[in.objects.forms[other].body].center;
             const Impact impact = time_of_impact(in, s, motion, other, standing(center), now);
             if (impact.time < first.time) first = impact;
         };

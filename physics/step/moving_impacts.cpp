@@ -222,7 +222,7 @@ class MovingImpacts {
         motion.from = before.center(now);
         motion.angle = float(before.rotation(now));
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
-        const Vec2 end =
+        const Position end =
             driver.center(1.0f) + rotate(rotation_of(turn), motion.from - driver.center(now));
         motion.velocity = (1.0f / left) * (end - motion.from);
         motion.turn = float(turn) / left;

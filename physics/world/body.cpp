@@ -31,7 +31,7 @@ void kick(const BodyRecord& record, BodyState& state, Vec2 impulse, float angula
 
 }  // namespace
 
-void detail::teleport(WorldData& data, uint32_t body, const Vec2& position, float angle) {
+void detail::teleport(WorldData& data, uint32_t body, const Position& position, float angle) {
     wake_for_edit(data.activity(), body);
     wake_touching(data.activity(), body);
     BodyState& state = data.states[body];
@@ -70,7 +70,7 @@ void Body::destroy() {
 }
 
 FETTLE_BODY_READ(BodyType, type, record.type)
-FETTLE_BODY_READ(Vec2, position, state.position)
+FETTLE_BODY_READ(Position, position, state.position)
 FETTLE_BODY_READ(float, angle, state.angle)
 FETTLE_BODY_READ(Pose, previous_pose, data.previous[id_.index])
 FETTLE_BODY_DERIVED(Vec2, velocity, state.velocity)  // an edited center of mass changes it
@@ -115,7 +115,7 @@ void Body::set_type(BodyType type) {
         id_.index);  // at once, because reading `awake` or setting a velocity depends on it
 }
 
-void Body::set_position(const Vec2& position) {
+void Body::set_position(const Position& position) {
     FETTLE_EDIT_BODY
     teleport(data, id_.index, check_coordinates("position", position), state.angle);
 }
@@ -165,7 +165,8 @@ void Body::set_target(const Pose& target, float dt) {
     check_range("target", target.angle, -greatest_coordinate, greatest_coordinate);
     check_positive("dt", dt);
     data.read_mass(id_.index);
-    const Vec2 center = target.position + rotate(rotation_of(target.angle), record.local_center);
+    const Position center =
+        target.position + rotate(rotation_of(target.angle), record.local_center);
     const float rate = 1.0f / dt;
     const Vec2 velocity = bounded(rate * (center - record.center), greatest_speed);
     const float angular_velocity = bounded(rate * (target.angle - state.angle), 1e6f);
@@ -206,10 +207,10 @@ void Body::apply_force(const Vec2& force) {
     push(data, id_.index, force, 0.0f);
 }
 
-void Body::apply_force(const Vec2& force, const Vec2& world_point) {
+void Body::apply_force(const Vec2& force, const Position& world_point) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
-    check_finite("world_point", world_point);
+    check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
     push(data, id_.index, force, cross(world_point - record.center, force));
 }
@@ -229,10 +230,10 @@ void Body::apply_impulse(const Vec2& impulse) {
     kick(record, state, impulse, 0.0f);
 }
 
-void Body::apply_impulse(const Vec2& impulse, const Vec2& world_point) {
+void Body::apply_impulse(const Vec2& impulse, const Position& world_point) {
     FETTLE_EDIT_BODY
     check_finite("impulse", impulse);
-    check_finite("world_point", world_point);
+    check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
     wake_body(data.activity(), id_.index);
     kick(record, state, impulse, cross(world_point - record.center, impulse));
@@ -313,12 +314,12 @@ Pose Body::interpolated(float fraction) const {
             from.angle + fraction * (state.angle - from.angle)};
 }
 
-Vec2 Body::world_point(const Vec2& local) const {
+Position Body::world_point(const Vec2& local) const {
     FETTLE_LIVE_BODY
     return state.position + rotate(rotation(state), local);
 }
 
-Vec2 Body::local_point(const Vec2& world) const {
+Vec2 Body::local_point(const Position& world) const {
     FETTLE_LIVE_BODY
     return unrotate(rotation(state), world - state.position);
 }
@@ -333,7 +334,7 @@ Vec2 Body::local_vector(const Vec2& world) const {
     return unrotate(rotation(state), world);
 }
 
-Vec2 Body::velocity_at(const Vec2& world_point) const {
+Vec2 Body::velocity_at(const Position& world_point) const {
     FETTLE_LIVE_BODY
     data.read_mass(id_.index);
     return state.velocity + cross(state.angular_velocity, world_point - record.center);

@@ -43,7 +43,8 @@ void set_function(WorldData& data, BodyId body, Function BodyFunctions::*which,
 }
 
 /// The value that a function of the user has set, within limits; NaN: what was there.
-float taken(float set, float before, float most) {
+template <class Number>
+Number taken(Number set, Number before, float most) {
     if (!std::isnan(set)) return bounded(set, most);
     log(LogLevel::warning, "a function that moves a body set NaN, which changes nothing");
     return before;
@@ -128,8 +129,9 @@ void WorldData::ask_position_functions(float dt) {
                           {edit.pose.position.x, edit.pose.position.y, edit.pose.angle}};
         });
         if (!answered) continue;
-        const Vec2 position = {taken(edit.pose.position.x, usual.position.x, greatest_coordinate),
-                               taken(edit.pose.position.y, usual.position.y, greatest_coordinate)};
+        const Position position = {
+            taken(edit.pose.position.x, usual.position.x, greatest_coordinate),
+            taken(edit.pose.position.y, usual.position.y, greatest_coordinate)};
         const float angle = taken(edit.pose.angle, usual.angle, greatest_coordinate);
         if (position == usual.position && angle == usual.angle) continue;
         teleport(*this, slot, position, angle);

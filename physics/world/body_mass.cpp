@@ -17,7 +17,7 @@ std::optional<float> if_given(float value) {
 FETTLE_BODY_DERIVED(float, mass, record.mass)
 FETTLE_BODY_DERIVED(float, inertia, record.inertia)
 FETTLE_BODY_DERIVED(Vec2, center, record.local_center)
-FETTLE_BODY_DERIVED(Vec2, world_center, record.center)
+FETTLE_BODY_DERIVED(Position, world_center, record.center)
 FETTLE_BODY_READ(std::optional<float>, mass_override, if_given(record.given_mass))
 FETTLE_BODY_READ(std::optional<float>, inertia_override, if_given(record.given_inertia))
 FETTLE_BODY_READ(uint32_t, rebuilds, record.rebuilds)

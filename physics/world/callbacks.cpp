@@ -190,7 +190,7 @@ class ContactCallbacks {
     }
 
     ContactEdit edit_of(const ContactRecord& c) const {
-        const Vec2 point = middle_of(world_, c);
+        const Position point = middle_of(world_, c);
         ContactEdit edit;
         edit.shape_a = {world_.self.link->world, world_.shape_id(c.shape_a)};
         edit.shape_b = {world_.self.link->world, world_.shape_id(c.shape_b)};

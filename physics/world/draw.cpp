@@ -25,11 +25,11 @@ constexpr float normal_length = 0.2f;  // m, of the normal of a contact
 
 /// Coordinates of a body as coordinates of the world.
 struct Place {
-    Vec2 position;
+    Position position;
     Rotation rotation;
 
     explicit Place(const Pose& pose) : position(pose.position), rotation(rotation_of(pose.angle)) {}
-    Vec2 operator()(Vec2 local) const { return position + rotate(rotation, local); }
+    Position operator()(Vec2 local) const { return position + rotate(rotation, local); }
 };
 
 Vec2 on_circle(float angle) {
@@ -41,7 +41,7 @@ bool meet(const Aabb& a, const Aabb& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
-Aabb box_around(const Vec2& a, const Vec2& b) {
+Aabb box_around(const Position& a, const Position& b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
@@ -121,26 +121,27 @@ class Drawing {
     }
 
     void draw_box(const Aabb& box) {
-        const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+        const Position corners[] = {
+            box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
         target_.polygon(corners, true, box_color);
     }
 
     void draw_joint(const Joint& joint) {
         if (joint.dormant()) return;
-        const Vec2 a = joint.world_anchor_a(), b = joint.world_anchor_b();
+        const Position a = joint.world_anchor_a(), b = joint.world_anchor_b();
         if (options_.region && !meet(*options_.region, box_around(a, b))) return;
         draw_end(joint.body_a(), a);
         draw_end(joint.body_b(), b);
         target_.segment(a, b, joint_color);
     }
-    void draw_end(const Body& body, const Vec2& anchor) {
+    void draw_end(const Body& body, const Position& anchor) {
         if (body) target_.segment(body.world_center(), anchor, joint_color);
         target_.point(anchor, joint_color);
     }
 
     void draw_contact(const Contact& contact) {
         for (int i = 0; i < contact.point_count; ++i) {
-            const Vec2 at = contact.points[size_t(i)].point;
+            const Position at = contact.points[size_t(i)].point;
             if (options_.region && !meet(*options_.region, {at, at})) continue;
             target_.point(at, contact_color);
             target_.segment(at, at + normal_length * contact.normal, contact_color);
@@ -150,7 +151,7 @@ class Drawing {
     const World& world_;
     DebugDraw& target_;
     const DebugDrawOptions& options_;
-    std::vector<Vec2> points_;
+    std::vector<Position> points_;
 };
 
 }  // namespace

@@ -202,30 +202,30 @@ Aabb Shape::aabb() const {
     return {box.low, box.high};
 }
 
-std::vector<Vec2> Shape::world_vertices() const {
+std::vector<Position> Shape::world_vertices() const {
     FETTLE_REFRESHED_SHAPE(read_all())
-    std::vector<Vec2> all;
+    std::vector<Position> all;
     if (!data.is_solid(id_.index)) {
         for (Vec2 p : data.outline_of(id_.index))
-            all.push_back(form.body == none ? p : body().world_point(p));
+            all.push_back(form.body == none ? Position(p) : body().world_point(p));
         return all;
     }
     if (form.count < 2) return all;
     if (form.kind == FormKind::large) {
         for (const Vec2& v : vertices())
-            all.push_back(form.body == none ? v : body().world_point(v));
+            all.push_back(form.body == none ? Position(v) : body().world_point(v));
         return all;
     }
-    const Vec2 center = form.body == none ? Vec2{} : data.bodies[form.body].center;
+    const Position center = form.body == none ? Position{} : data.bodies[form.body].center;
     for (uint32_t i = 0; i < form.count; ++i)
         all.push_back(center + data.pool.vertices[form.begin + i]);
     return all;
 }
 
-Vec2 Shape::world_center() const {
+Position Shape::world_center() const {
     FETTLE_REFRESHED_SHAPE(read_all())
     const Vec2 local = record.centroid;
-    return form.body == none ? local : body().world_point(local);
+    return form.body == none ? Position(local) : body().world_point(local);
 }
 
 void Shape::set_user_data(uint64_t value) {

@@ -19,9 +19,9 @@ struct Answer {
     bool second = false;  ///< `ContactEdit::ignored`
     uint32_t unused = 0;
     /// The members of the edit that may be set, in their order.
-    float values[4] = {};
+    WorldCoordinate values[4] = {};
 };
-static_assert(sizeof(Answer) == 40);
+static_assert(sizeof(Answer) == 24 + 4 * sizeof(WorldCoordinate));
 
 /// The functions of the user that a step may call.
 struct Callbacks {

@@ -52,8 +52,8 @@ class Body {
     BodyType type() const;  ///< what moves it
     void set_type(BodyType type);
 
-    Vec2 position() const;  ///< of the origin, m
-    void set_position(const Vec2& position);
+    Position position() const;  ///< of the origin, m
+    void set_position(const Position& position);
     float angle() const;  ///< rad, not wrapped
     void set_angle(float angle);
     void set_pose(const Pose& pose);  ///< sets both in one teleport
@@ -79,14 +79,14 @@ class Body {
     void set_torque(float torque);
     void apply_force(const Vec2& force);  ///< for the next step only
     void apply_force(const Vec2& force,
-                     const Vec2& world_point);  ///< N, at a point of the world, m
-    void apply_torque(float torque);            ///< N m, for the next step only
-    Vec2 applied_force() const;                 ///< N, sum of forces applied for the next step
-    float applied_torque() const;               ///< N m, about the center of mass
-    void apply_impulse(const Vec2& impulse);    ///< N s: changes the velocity at once
+                     const Position& world_point);  ///< N, at a point of the world, m
+    void apply_torque(float torque);                ///< N m, for the next step only
+    Vec2 applied_force() const;                     ///< N, sum of forces applied for the next step
+    float applied_torque() const;                   ///< N m, about the center of mass
+    void apply_impulse(const Vec2& impulse);        ///< N s: changes the velocity at once
     void apply_impulse(const Vec2& impulse,
-                       const Vec2& world_point);  ///< N s, at a point of the world, m
-    void apply_angular_impulse(float impulse);    ///< N m s: changes the angular velocity at once
+                       const Position& world_point);  ///< N s, at a point of the world, m
+    void apply_angular_impulse(float impulse);  ///< N m s: changes the angular velocity at once
 
     float gravity_scale() const;  ///< factor of the gravity of the world; may be negative
     void set_gravity_scale(float scale);
@@ -149,7 +149,7 @@ class Body {
     Vec2 center() const;                            ///< center of mass, body coordinates
     void set_center(std::optional<Vec2> center);    ///< m; none: from the shapes
     std::optional<Vec2> center_override() const;    ///< m; none: from the shapes
-    Vec2 world_center() const;                      ///< center of mass, world, m
+    Position world_center() const;                  ///< center of mass, world, m
     float area() const;                             ///< m², sum over the shapes
     Aabb aabb() const;                              ///< of all shapes; the origin if there are none
     uint32_t rebuilds() const;  ///< how often mass, center and inertia were computed again
@@ -160,12 +160,12 @@ class Body {
     /// Pose at `fraction` (0: previous, 1: current) of the last step.
     Pose interpolated(float fraction) const;
 
-    Vec2 world_point(const Vec2& local) const;   ///< from body to world coordinates, m
-    Vec2 local_point(const Vec2& world) const;   ///< from world to body coordinates, m
+    Position world_point(const Vec2& local) const;  ///< from body to world coordinates, m
+    Vec2 local_point(const Position& world) const;  ///< from world to body coordinates, m
     Vec2 world_vector(const Vec2& local) const;  ///< rotates a direction of the body into the world
     Vec2 local_vector(const Vec2& world) const;  ///< rotates a direction of the world into the body
-    Vec2 velocity_at(const Vec2& world_point) const;  ///< m/s, of its point that is there now
-    float kinetic_energy() const;                     ///< J
+    Vec2 velocity_at(const Position& world_point) const;  ///< m/s, of its point that is there now
+    float kinetic_energy() const;                         ///< J
 
     /// Attaches a new shape. Throws std::invalid_argument, with the reason, for a geometry or a
     /// value out of range.

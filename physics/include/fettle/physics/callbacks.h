@@ -43,7 +43,7 @@ namespace fettle::physics {
 struct ContactEdit {
     Shape shape_a;               ///< the normal points away from it
     Shape shape_b;               ///< the normal points towards it
-    Vec2 point = {};             ///< world, m: middle of the manifold of the deepest part
+    Position point = {};         ///< world, m: middle of the manifold of the deepest part
     Vec2 normal = {};            ///< from a to b
     float speed = 0.0f;          ///< m/s, approach speed along the normal
     float impulse = 0.0f;        ///< N s, normal impulse of the last step

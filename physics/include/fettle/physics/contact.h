@@ -11,7 +11,7 @@ namespace fettle::physics {
 
 /// A point of a contact.
 struct ContactPoint {
-    Vec2 point = {};          ///< world, m
+    Position point = {};      ///< world, m
     float separation = 0.0f;  ///< m, negative: overlap
     float normal_impulse =
         0.0f;  ///< N s in one sub-step; multiply by the sub-step rate for newtons

@@ -57,10 +57,10 @@ class PulleyJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 ground_a() const;  ///< the wheel above a; world, m
-    void set_ground_a(const Vec2& point);
-    Vec2 ground_b() const;  ///< the wheel above b; world, m
-    void set_ground_b(const Vec2& point);
+    Position ground_a() const;  ///< the wheel above a; world, m
+    void set_ground_a(const Position& point);
+    Position ground_b() const;  ///< the wheel above b; world, m
+    void set_ground_b(const Position& point);
     float ratio() const;  ///< force on b divided by the force on a; b moves slower by this factor
     void set_ratio(float ratio);  ///< positive
     float length() const;         ///< m, of the part at a plus `ratio` times the part at b

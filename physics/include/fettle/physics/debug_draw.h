@@ -36,13 +36,13 @@ class DebugDraw {
 
     /// An outline, counter-clockwise; `closed`: it goes back to its first point. The points are
     /// valid during the call.
-    virtual void polygon(std::span<const Vec2> points, bool closed, uint32_t color) = 0;
+    virtual void polygon(std::span<const Position> points, bool closed, uint32_t color) = 0;
     /// A circle, with the angle of its body, rad.
-    virtual void circle(const Vec2& center, float radius, float angle, uint32_t color) = 0;
+    virtual void circle(const Position& center, float radius, float angle, uint32_t color) = 0;
     /// A line between two points.
-    virtual void segment(const Vec2& from, const Vec2& to, uint32_t color) = 0;
+    virtual void segment(const Position& from, const Position& to, uint32_t color) = 0;
     /// A point, to be drawn in a size of the host.
-    virtual void point(const Vec2& at, uint32_t color) = 0;
+    virtual void point(const Position& at, uint32_t color) = 0;
     /// Color of a shape of `body`. By default it shows whether the shape is a sensor, and otherwise
     /// whether the body is static, kinematic, awake or asleep.
     virtual uint32_t color_of(const Body& body, const Shape& shape) const;

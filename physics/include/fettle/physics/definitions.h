@@ -55,7 +55,7 @@ struct WorldDef {
 /// A body that a world is to create.
 struct BodyDef {
     BodyType type = BodyType::dynamic_body;  ///< what moves it
-    Vec2 position = {};                      ///< m
+    Position position = {};                  ///< m
     float angle = 0.0f;                      ///< rad
     Vec2 velocity = {};                      ///< m/s
     float angular_velocity = 0.0f;           ///< rad/s
@@ -181,8 +181,8 @@ concept JointDefinition = std::convertible_to<decltype(Def::type), JointType>;
 struct JointDef {
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -215,7 +215,7 @@ struct JointDef {
 /// A soft pull of a point of a body towards a target, for dragging with a mouse.
 struct MouseJointDef {
     BodyId body = {};                 ///< that is dragged; must be set
-    Vec2 target = {};                 ///< world, m
+    Position target = {};             ///< world, m
     std::optional<Vec2> anchor = {};  ///< body coordinates; none: the point at `target`
     float hertz = 5.0f;               ///< stiffness
     float damping_ratio = 0.7f;       ///< of that stiffness, at least 0

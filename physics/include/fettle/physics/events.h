@@ -18,7 +18,7 @@ struct ContactBeginEvent {
     ShapeId shape_b;           ///< the other shape
     BodyId body_a;             ///< of `shape_a`
     BodyId body_b;             ///< of `shape_b`
-    Vec2 point = {};           ///< world, m: middle of the manifold
+    Position point = {};       ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal before the step
     float impulse = 0.0f;      ///< N s, the impulse that stops the approach and causes the bounce
@@ -50,7 +50,7 @@ struct ContactPersistEvent {
     ShapeId shape_b;           ///< the other shape
     BodyId body_a;             ///< of `shape_a`
     BodyId body_b;             ///< of `shape_b`
-    Vec2 point = {};           ///< world, m: middle of the manifold
+    Position point = {};       ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal
     float impulse = 0.0f;      ///< N s, normal impulse of the last step
@@ -71,7 +71,7 @@ struct ContactHitEvent {
     ShapeId shape_b;           ///< the other shape
     BodyId body_a;             ///< of `shape_a`
     BodyId body_b;             ///< of `shape_b`
-    Vec2 point = {};           ///< world, m: middle of the manifold
+    Position point = {};       ///< world, m: middle of the manifold
     Vec2 normal = {};          ///< from a to b
     float speed = 0.0f;        ///< m/s, approach speed along the normal
     float impulse = 0.0f;      ///< N s, the impulse that stopped the approach

@@ -43,7 +43,7 @@ struct DragField {
 /// A liquid below a straight surface. Lifts a shape by the exact weight of the displaced liquid, at
 /// the centroid of the submerged part; gravity is that of the world.
 struct BuoyancyField {
-    float level = 0.0f;          ///< m: points with normal·p < level are submerged
+    WorldCoordinate level = 0;   ///< m: points with normal·p < level are submerged
     Vec2 normal = {0.0f, 1.0f};  ///< upward normal of the surface, of any length but 0
     float density = 2.0f;        ///< kg/m²
     float drag = 2.0f;           ///< 1/s: share of the displaced mass that resists motion
@@ -52,7 +52,7 @@ struct BuoyancyField {
 
 /// Pulls towards a point with an acceleration of strength / distance^falloff.
 struct AttractorField {
-    Vec2 center = {};        ///< world, m
+    Position center = {};    ///< world, m
     float strength = 10.0f;  ///< m/s² at a distance of 1 m; negative repels
     int falloff = 2;         ///< 0 … 3
     float core = 0.5f;       ///< m: nearer, the pull is proportional to the distance

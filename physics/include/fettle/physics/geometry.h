@@ -68,18 +68,18 @@ Aabb bounding_box(const Form& form, const Pose& pose = {});
 
 /// Whether a point is in the geometry or on its edge. A chain, and a segment without rounding,
 /// contain only the points on them.
-bool contains(const Form& form, const Pose& pose, const Vec2& point);
+bool contains(const Form& form, const Pose& pose, const Position& point);
 
 /// The point where a ray enters a geometry.
 struct SurfaceHit {
-    Vec2 point = {};        ///< m
+    Position point = {};    ///< m
     Vec2 normal = {};       ///< of the surface, outward
     float fraction = 0.0f;  ///< 0 at the start of the ray, 1 at its end
 };
 /// Nothing if the ray misses, or begins inside and does not enter again, as it may enter a concave
 /// polygon. A chain is met only from its solid side.
-std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Vec2& from,
-                                   const Vec2& to);
+std::optional<SurfaceHit> cast_ray(const Form& form, const Pose& pose, const Position& from,
+                                   const Position& to);
 
 /// Distance and nearest points of two geometries. A chain counts on both sides.
 Separation distance(const Form& a, const Pose& pose_a, const Form& b, const Pose& pose_b);

@@ -37,17 +37,17 @@ class Joint {
     /// Takes both bodies off: the joint is dormant, and keeps its settings. It does nothing, and
     /// outlives the bodies that it had.
     void disconnect();
-    bool dormant() const;   ///< has no bodies; then both are the world
-    Vec2 anchor_a() const;  ///< body coordinates, m
-    void set_anchor_a(const Vec2& anchor);
-    Vec2 anchor_b() const;  ///< body coordinates, m
-    void set_anchor_b(const Vec2& anchor);
-    Vec2 world_anchor_a() const;     ///< world, m
-    Vec2 world_anchor_b() const;     ///< world, m
-    bool enabled() const;            ///< whether it acts, unless it is broken or dormant
-    void set_enabled(bool enabled);  ///< a disabled joint does nothing at all
-    bool collide() const;            ///< whether the two bodies collide with each other
-    void set_collide(bool collide);  ///< whether the two bodies collide with each other
+    bool dormant() const;       ///< has no bodies; then both are the world
+    Position anchor_a() const;  ///< body coordinates, m
+    void set_anchor_a(const Position& anchor);
+    Position anchor_b() const;  ///< body coordinates, m
+    void set_anchor_b(const Position& anchor);
+    Position world_anchor_a() const;  ///< world, m
+    Position world_anchor_b() const;  ///< world, m
+    bool enabled() const;             ///< whether it acts, unless it is broken or dormant
+    void set_enabled(bool enabled);   ///< a disabled joint does nothing at all
+    bool collide() const;             ///< whether the two bodies collide with each other
+    void set_collide(bool collide);   ///< whether the two bodies collide with each other
     /// Force limit, N: if the mean force over a step is higher, the joint breaks. Then it has no
     /// effect, as if disabled, and `Events::joint_broke` reports it. Infinity (the default): it
     /// never breaks.
@@ -106,12 +106,12 @@ class MouseJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Body body() const { return body_b(); }      ///< the body that is dragged
-    void set_body(const Body& body);            ///< keeps the anchor; must not be the world
-    Vec2 anchor() const { return anchor_b(); }  ///< body coordinates, m
-    void set_anchor(const Vec2& anchor);
-    Vec2 target() const { return anchor_a(); }  ///< world, m
-    void set_target(const Vec2& target);
+    Body body() const { return body_b(); }          ///< the body that is dragged
+    void set_body(const Body& body);                ///< keeps the anchor; must not be the world
+    Position anchor() const { return anchor_b(); }  ///< body coordinates, m
+    void set_anchor(const Position& anchor);
+    Position target() const { return anchor_a(); }  ///< world, m
+    void set_target(const Position& target);
     float hertz() const;          ///< stiffness; 5 by default
     void set_hertz(float hertz);  ///< 0: slack
     float damping_ratio() const;  ///< of the stiffness or spring, at least 0

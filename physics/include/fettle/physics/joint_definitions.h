@@ -18,8 +18,8 @@ struct DistanceJointDef {
     static constexpr JointType type = JointType::distance;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -46,8 +46,8 @@ struct RevoluteJointDef {
     static constexpr JointType type = JointType::revolute;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -72,8 +72,8 @@ struct PrismaticJointDef {
     static constexpr JointType type = JointType::prismatic;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -99,8 +99,8 @@ struct WheelJointDef {
     static constexpr JointType type = JointType::wheel;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -124,8 +124,8 @@ struct WeldJointDef {
     static constexpr JointType type = JointType::weld;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -147,8 +147,8 @@ struct MotorJointDef {
     static constexpr JointType type = JointType::motor;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -173,8 +173,8 @@ struct PulleyJointDef {
     static constexpr JointType type = JointType::pulley;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -184,8 +184,8 @@ struct PulleyJointDef {
     float report_torque = infinity;  ///< N m
     float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
     float constraint_damping_ratio = 2.0f;  ///< `Joint::set_constraint_damping_ratio`
-    Vec2 ground_a = {-1.0f, 1.0f};          ///< the wheel above a; world, m
-    Vec2 ground_b = {1.0f, 1.0f};           ///< the wheel above b
+    Position ground_a = {-1.0f, 1.0f};      ///< the wheel above a; world, m
+    Position ground_b = {1.0f, 1.0f};       ///< the wheel above b
     float ratio = 1.0f;                     ///< force on b divided by the force on a
     std::optional<float> length = {};       ///< m, with `ratio` times the part at b; none: taut now
 };
@@ -195,8 +195,8 @@ struct GearJointDef {
     static constexpr JointType type = JointType::gear;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -215,8 +215,8 @@ struct GrooveJointDef {
     static constexpr JointType type = JointType::groove;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -226,7 +226,7 @@ struct GrooveJointDef {
     float report_torque = infinity;  ///< N m
     float constraint_hertz = 0.0f;   ///< `Joint::set_constraint_hertz`
     float constraint_damping_ratio = 2.0f;  ///< `Joint::set_constraint_damping_ratio`
-    Vec2 end = {1.0f, 0.0f};                ///< of the groove, coordinates of a, m
+    Position end = {1.0f, 0.0f};            ///< of the groove, coordinates of a, m
 };
 
 /// A pin of b in a straight slot of a.
@@ -234,8 +234,8 @@ struct PinSlotJointDef {
     static constexpr JointType type = JointType::pin_slot;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -260,8 +260,8 @@ struct RatchetJointDef {
     static constexpr JointType type = JointType::ratchet;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -281,8 +281,8 @@ struct FilterJointDef {
     static constexpr JointType type = JointType::filter;  ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect
@@ -300,8 +300,8 @@ struct RotaryLimitJointDef {
         JointType::rotary_limit;     ///< the type of joint that it defines
     BodyId body_a = {};              ///< the default is the world: anchor in world coordinates
     BodyId body_b = {};              ///< the same for body b; not both may be the world
-    Vec2 anchor_a = {};              ///< body coordinates, m
-    Vec2 anchor_b = {};              ///< body coordinates, m
+    Position anchor_a = {};          ///< body coordinates, m
+    Position anchor_b = {};          ///< body coordinates, m
     bool collide = false;            ///< whether the two bodies collide with each other
     bool enabled = true;             ///< false: it does nothing
     uint64_t user_data = 0;          ///< a number of the host, without effect

@@ -34,14 +34,14 @@ struct MoverDef {
 /// A plane that bounds the motion of a mover, from the surface of a shape near it.
 struct MoverPlane {
     Vec2 normal = {};         ///< from the shape to the mover; its length is 1
-    Vec2 point = {};          ///< on the surface, world, m
+    Position point = {};      ///< on the surface, world, m
     float separation = 0.0f;  ///< m; negative when they overlap
     Shape shape;              ///< that bounds it
 };
 
 /// What a mover keeps from one move to the next.
 struct MoverState {
-    Vec2 position = {};       ///< of its feet, m
+    Position position = {};   ///< of its feet, m
     Vec2 ground_normal = {};  ///< zero in the air
     ShapeId ground = {};      ///< on which it stands
     ShapeId dropped = {};     ///< through which it falls until it is clear of it
@@ -87,7 +87,7 @@ class Mover {
   public:
     Mover() = default;  ///< with the default settings, at the origin
     /// A mover with its feet at `position` (m).
-    explicit Mover(const MoverDef& def, const Vec2& position = {0.0f, 0.0f});
+    explicit Mover(const MoverDef& def, const Position& position = {0.0f, 0.0f});
 
     const MoverDef& definition() const { return def_; }  ///< its settings
     /// The position stays. A mover that grows may overlap obstacles, which the next move corrects;
@@ -96,8 +96,8 @@ class Mover {
     const MoverState& state() const { return state_; }  ///< what it keeps from one move to the next
     /// For hosts that save movers. Ids of shapes that do not exist count as empty.
     void set_state(const MoverState& state);
-    const Vec2& position() const { return state_.position; }            ///< of its feet, m
-    void set_position(const Vec2& position);                            ///< it leaves the ground
+    const Position& position() const { return state_.position; }        ///< of its feet, m
+    void set_position(const Position& position);                        ///< it leaves the ground
     bool on_ground() const { return state_.on_ground; }                 ///< after the last move
     const Vec2& ground_normal() const { return state_.ground_normal; }  ///< zero in the air
     ShapeId ground() const {

@@ -23,8 +23,8 @@ struct QueryFilter {
 
 /// Where a ray or a cast shape meets a shape.
 struct RayHit {
-    Shape shape;      ///< that was found
-    Vec2 point = {};  ///< world, m
+    Shape shape;          ///< that was found
+    Position point = {};  ///< world, m
     /// Outward normal of the surface. Opposite to the motion if a cast shape overlaps the shape at
     /// the start.
     Vec2 normal = {};
@@ -33,7 +33,7 @@ struct RayHit {
 
 /// An explosion: `World::explode`.
 struct ExplosionDef {
-    Vec2 point = {};       ///< m
+    Position point = {};   ///< m
     float radius = 1.0f;   ///< m, at least 0; nearer shapes get the full impulse
     float falloff = 0.0f;  ///< m, at least 0: the impulse falls linearly to 0 over this distance
                            ///< beyond the radius
@@ -45,7 +45,7 @@ struct ExplosionDef {
 /// A point on a shape.
 struct PointHit {
     Shape shape;            ///< that was found
-    Vec2 point = {};        ///< on its surface; the query point if that is inside
+    Position point = {};    ///< on its surface; the query point if that is inside
     Vec2 normal = {};       ///< of the surface, outward; zero inside
     float distance = 0.0f;  ///< m; 0 inside
 };
@@ -53,8 +53,8 @@ struct PointHit {
 /// Distance between two shapes.
 struct Separation {
     float distance = 0.0f;  ///< m; 0 when they overlap
-    Vec2 point_a = {};      ///< nearest to b, world, m
-    Vec2 point_b = {};      ///< nearest to a
+    Position point_a = {};  ///< nearest to b, world, m
+    Position point_b = {};  ///< nearest to a
     Vec2 normal = {};       ///< from a to b; zero when they overlap
 };
 /// The shapes may be of different worlds. The coordinates of a detached shape are those of the

@@ -128,11 +128,12 @@ class Shape {
     float area() const;                            ///< m²
     float mass() const;                            ///< kg: density × area
     Aabb aabb() const;                             ///< world; body coordinates when detached
-    std::vector<Vec2> world_vertices() const;      ///< as `vertices`, in the world
-    Vec2 world_center() const;                     ///< centroid, in the world
-    bool contains(const Vec2& world_point) const;  ///< whether the point is in it or on its edge
-    bool is_touching() const;   ///< any contact, sleeping or not; sensors do not count
-    uint32_t rebuilds() const;  ///< how often its derived geometry was computed again
+    std::vector<Position> world_vertices() const;  ///< as `vertices`, in the world
+    Position world_center() const;                 ///< centroid, in the world
+    bool contains(
+        const Position& world_point) const;  ///< whether the point is in it or on its edge
+    bool is_touching() const;                ///< any contact, sleeping or not; sensors do not count
+    uint32_t rebuilds() const;               ///< how often its derived geometry was computed again
 
     uint64_t user_data() const;  ///< a number of the host, without effect; saved with the world
     void set_user_data(uint64_t value);

@@ -69,8 +69,8 @@ class GrooveJoint : public Joint {
   public:
     using Joint::Joint;
 
-    Vec2 end() const;  ///< in the coordinates of a
-    void set_end(const Vec2& end);
+    Position end() const;  ///< in the coordinates of a
+    void set_end(const Position& end);
     float translation() const;  ///< m, of the pin from the beginning of the groove
 };
 

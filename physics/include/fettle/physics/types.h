@@ -1,7 +1,6 @@
 #pragma once
 
-#include <fettle/physics/export.h>
-#include <fettle/vector/vector2.h>
+#include <fettle/physics/position.h>
 
 #include <compare>
 #include <cstddef>
@@ -12,10 +11,6 @@
 FETTLE_PHYSICS_BEGIN
 
 namespace fettle::physics {
-
-/// All numbers in the library are single precision and in SI units (m, m/s, N, ...), angles in
-/// radians.
-using Vec2 = Vector2<float>;
 
 /// A handle: a slot and the generation of the object in it. A default-constructed id is empty. An
 /// id is valid in its world and in copies of that world. No two worlds of a process use the same
@@ -104,8 +99,8 @@ struct ContactId {
 
 /// Axis-aligned box. `min` is the lower left corner.
 struct Aabb {
-    Vec2 min = {};  ///< m
-    Vec2 max = {};  ///< the upper right corner, m
+    Position min = {};  ///< m
+    Position max = {};  ///< the upper right corner, m
     /// Compares both corners.
     friend bool operator==(const Aabb& a, const Aabb& b) {
         return a.min == b.min && a.max == b.max;
@@ -114,22 +109,22 @@ struct Aabb {
 
 /// Pose of a body: its origin, and its angle (rad, counter-clockwise, not wrapped).
 struct Pose {
-    Vec2 position = {};  ///< m
-    float angle = 0.0f;  ///< rad
+    Position position = {};  ///< m
+    float angle = 0.0f;      ///< rad
 };
 
 /// State of a body that changes in each step. All states are in one array with the index
 /// `BodyId::index`. A slot does not move while its body lives: sleeping and waking do not reorder
 /// the array. It can be read freely; writing requires `Body`.
 struct BodyState {
-    Vec2 position = {};             ///< of the body's origin, m
+    Position position = {};         ///< of the body's origin, m
     float angle = 0.0f;             ///< rad, not wrapped
     float angular_velocity = 0.0f;  ///< rad/s
     Vec2 velocity = {};             ///< of the center of mass, m/s
     float cosine = 1.0f;            ///< of `angle`
     float sine = 0.0f;              ///< of `angle`
 };
-static_assert(sizeof(BodyState) == 32);
+static_assert(sizeof(BodyState) == sizeof(Position) + 24);
 
 /// For limits that are none, and for masses that do not move.
 inline constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -384,14 +384,14 @@ class World {
     // Queries include every edit made before them. The order of the found shapes is repeatable. An
     // exception of `QueryFilter::accept` ends the query at once; the world does not change.
     /// Shapes that contain a point (m).
-    std::vector<Shape> query_point(const Vec2& point, const QueryFilter& filter = {}) const;
+    std::vector<Shape> query_point(const Position& point, const QueryFilter& filter = {}) const;
     std::vector<Shape> query_aabb(
         const Aabb& box, const QueryFilter& filter = {}) const;  ///< shapes that overlap the box
     /// The first shape that a ray from one point to another (m) meets from outside.
-    std::optional<RayHit> cast_ray(const Vec2& from, const Vec2& to,
+    std::optional<RayHit> cast_ray(const Position& from, const Position& to,
                                    const QueryFilter& filter = {}) const;
     /// All shapes that a ray meets from outside.
-    std::vector<RayHit> cast_ray_all(const Vec2& from, const Vec2& to,
+    std::vector<RayHit> cast_ray_all(const Position& from, const Position& to,
                                      const QueryFilter& filter = {}) const;  ///< nearest first
     /// Shapes that overlap `shape`, which may be of another world; shapes of its own body are
     /// ignored.
@@ -405,11 +405,12 @@ class World {
     std::optional<RayHit> cast_shape(const Geometry& geometry, const Pose& pose, const Vec2& motion,
                                      const QueryFilter& filter = {}) const;
     /// The shape nearest to a point, at most `reach` (m) away. The border is ignored.
-    std::optional<PointHit> closest(const Vec2& point, float reach = infinity,
+    std::optional<PointHit> closest(const Position& point, float reach = infinity,
                                     const QueryFilter& filter = {}) const;
     /// Pushes dynamic bodies away from a point: with `impulse` (N s) at distance 0, falling
     /// linearly to 0 at `radius` (m), applied at the nearest point of the body.
-    void explode(const Vec2& point, float radius, float impulse, const QueryFilter& filter = {});
+    void explode(const Position& point, float radius, float impulse,
+                 const QueryFilter& filter = {});
     /// An explosion that acts on the surfaces which face it: each part of the outline of a dynamic
     /// body gets an impulse for its length, so that large bodies get more than small ones. It is
     /// applied at the nearest point of each shape.
