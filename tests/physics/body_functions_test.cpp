@@ -92,15 +92,16 @@ TEST_CASE("locked axes and the maximum speed hold after a velocity function") {
 TEST_CASE("a position function holds a body on a path and the drawn pose follows") {
     World world;
     Body bead = add_ball(world, {2, 0}, 0.2f);
-    bead.set_position_function(
-        [](PositionEdit& edit) { edit.pose.position = edit.pose.position.normalized() * 2.0f; });
+    bead.set_position_function([](PositionEdit& edit) {
+        edit.pose.position = Vec2(edit.pose.position).normalized() * 2.0f;
+    });
     float lowest = 0;
     for (int i = 0; i < 60; ++i) {
-        const Vec2 before = bead.position();
+        const Position before = bead.position();
         world.step(frame);
-        REQUIRE(bead.position().length() == Approx(2).epsilon(1e-5));
+        REQUIRE(Vec2(bead.position()).length() == Approx(2).epsilon(1e-5));
         REQUIRE(bead.previous_pose().position == before);
-        lowest = std::min(lowest, bead.position().y);
+        lowest = std::min<float>(lowest, bead.position().y);
         REQUIRE(world.query_point(bead.position()).size() == 1);
     }
     REQUIRE(lowest < -1.9f);

@@ -38,7 +38,7 @@ TEST_CASE("a body jumps up through a one way platform and lands on it") {
     float highest = 0.0f;
     for (int i = 0; i < 240; ++i) {
         scene.world.step(frame);
-        highest = std::max(highest, ball.position().y);
+        highest = std::max<float>(highest, ball.position().y);
         touched_below |= highest < 2.3f && ball.is_touching() && i > 10;
         REQUIRE_FALSE(scene.world.validate());
     }
@@ -107,7 +107,7 @@ TEST_CASE("a mixing function may make a contact bounce") {
     float highest = 0.0f;
     for (int i = 0; i < 120; ++i) {
         world.step(frame);
-        if (ball.velocity().y > 0) highest = std::max(highest, ball.position().y);
+        if (ball.velocity().y > 0) highest = std::max<float>(highest, ball.position().y);
     }
     REQUIRE(highest == Approx(0.5f + 2.5f * 0.25f).epsilon(0.08));
 }

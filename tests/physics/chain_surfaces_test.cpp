@@ -56,8 +56,8 @@ TEST_CASE("segments bounce and run like belts and resist rolling") {
     for (int i = 0; i < 90; ++i) {
         world.step(frame);
         if (i < 55) continue;
-        dead_top = std::max(dead_top, dead.position().y);
-        lively_top = std::max(lively_top, lively.position().y);
+        dead_top = std::max<float>(dead_top, dead.position().y);
+        lively_top = std::max<float>(lively_top, lively.position().y);
     }
     REQUIRE(dead_top < 0.52f);
     REQUIRE(lively_top > 2.0f);

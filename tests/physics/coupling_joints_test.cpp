@@ -70,7 +70,7 @@ TEST_CASE("a soft weld swings with its frequency about its angle") {
     wheel.set_position({3, 0});
     run(world, 4.0f);
     REQUIRE(std::fabs(weld.angle()) < 0.01f);
-    REQUIRE(wheel.position().length() < 0.01f);
+    REQUIRE(Vec2(wheel.position()).length() < 0.01f);
     weld.set_hertz(0.0f);  // the point is free
     wheel.set_velocity({1, 0});
     run(world, 1.0f);
@@ -120,7 +120,7 @@ TEST_CASE("a motor at rest is friction: it holds below its force and slips above
     motor.set_max_force(5.0f);
     box.set_force({4.9f, 0});
     run(world, 2.0f);
-    REQUIRE(box.position().length() < 0.001f);
+    REQUIRE(Vec2(box.position()).length() < 0.001f);
     box.set_force({6.0f, 0});
     run(world, 2.0f);
     REQUIRE(box.velocity().x == Approx(2.0f).epsilon(0.01));  // (6 - 5) N on 1 kg

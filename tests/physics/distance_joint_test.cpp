@@ -45,7 +45,7 @@ TEST_CASE("a pendulum on a rod swings with its period and keeps its energy") {
     float widest = 0.0f;
     for (int i = 0; i < 240; ++i) {
         world.step(frame);
-        widest = std::max(widest, std::fabs(ball.position().x));
+        widest = std::max<float>(widest, std::fabs(ball.position().x));
     }
     REQUIRE(widest == Approx(length * std::sin(angle)).epsilon(0.03));
 }
@@ -62,7 +62,7 @@ TEST_CASE("a rod keeps its length under load and in a fast swing") {
     float highest = -3.0f;
     for (int i = 0; i < 300; ++i) {
         world.step(frame);
-        highest = std::max(highest, ball.position().y);
+        highest = std::max<float>(highest, ball.position().y);
     }
     REQUIRE(highest > -0.25f);
     REQUIRE(highest < 0.05f);
@@ -133,7 +133,7 @@ TEST_CASE("a spring swings with its frequency and its damping") {
         float widest = 0.0f;
         for (int i = 0; i < 240; ++i) {
             world.step(frame);
-            widest = std::max(widest, std::fabs(ball.position().y + 2.0f));
+            widest = std::max<float>(widest, std::fabs(ball.position().y + 2.0f));
         }
         REQUIRE(widest == Approx(0.1f).epsilon(0.1));  // undamped keeps its energy
     }
@@ -180,8 +180,8 @@ TEST_CASE("a cradle whose balls touch swings for a minute without fading") {
     float reached = 0.0f, moved = 0.0f;
     for (int i = 0; i < 600; ++i) {
         world.step(frame);
-        reached = std::max(reached, balls[4].position().x - 4.0f);
-        moved = std::max(moved, std::fabs(balls[2].position().x - 2.0f));
+        reached = std::max<float>(reached, balls[4].position().x - 4.0f);
+        moved = std::max<float>(moved, std::fabs(balls[2].position().x - 2.0f));
     }
     REQUIRE(energy() == Approx(before).epsilon(0.02));
     REQUIRE(reached == Approx(length * std::sin(aside)).epsilon(0.03));
@@ -201,8 +201,8 @@ TEST_CASE("an elastic cradle passes the blow on to the last ball") {
     float reached = 0.0f, moved = 0.0f;
     for (int i = 0; i < 120; ++i) {
         world.step(frame);
-        reached = std::max(reached, balls[4].position().x - 4 * pitch);
-        moved = std::max(moved, std::fabs(balls[2].position().x - 2 * pitch));
+        reached = std::max<float>(reached, balls[4].position().x - 4 * pitch);
+        moved = std::max<float>(moved, std::fabs(balls[2].position().x - 2 * pitch));
     }
     REQUIRE(reached == Approx(length * std::sin(aside)).epsilon(0.03));
     REQUIRE(moved < 0.15f);

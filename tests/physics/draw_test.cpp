@@ -30,16 +30,16 @@ class Sheet : public DebugDraw {
     std::vector<std::pair<Vec2, Vec2>> segments;
     std::vector<Vec2> points;
 
-    void polygon(std::span<const Vec2> outline, bool closed, uint32_t color) override {
+    void polygon(std::span<const Position> outline, bool closed, uint32_t color) override {
         polygons.push_back({{outline.begin(), outline.end()}, closed, color});
     }
-    void circle(const Vec2& center, float radius, float angle, uint32_t color) override {
-        circles.push_back({center, radius, angle, color});
+    void circle(const Position& center, float radius, float angle, uint32_t color) override {
+        circles.push_back({Vec2(center), radius, angle, color});
     }
-    void segment(const Vec2& from, const Vec2& to, uint32_t) override {
-        segments.push_back({from, to});
+    void segment(const Position& from, const Position& to, uint32_t) override {
+        segments.push_back({Vec2(from), Vec2(to)});
     }
-    void point(const Vec2& at, uint32_t) override { points.push_back(at); }
+    void point(const Position& at, uint32_t) override { points.push_back(Vec2(at)); }
 };
 
 }  // namespace
@@ -155,7 +155,7 @@ TEST_CASE("functions that draw may read and must not edit") {
     struct Editor : Sheet {
         Body body;
         std::string refused;
-        void polygon(std::span<const Vec2>, bool, uint32_t) override {
+        void polygon(std::span<const Position>, bool, uint32_t) override {
             (void)body.position();
             try {
                 body.set_position({1, 1});

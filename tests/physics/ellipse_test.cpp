@@ -232,13 +232,13 @@ TEST_CASE("an ellipse answers every question exactly") {
         const auto near = world.closest(outside, 10.0f);
         REQUIRE(near);
         CHECK(near->distance == Approx(1.5f).epsilon(1e-4));
-        CHECK((near->point - rim(t)).length() < 1e-4f);
+        CHECK((near->point - Position(rim(t))).length() < 1e-4f);
         CHECK((near->normal - normal(t)).length() < 1e-3f);
         CHECK(shape.contains(rim(t) - 0.001f * normal(t)));
         CHECK_FALSE(shape.contains(rim(t) + 0.001f * normal(t)));
         const auto hit = world.cast_ray(outside, rim(t) - 0.2f * normal(t));
         REQUIRE(hit);
-        CHECK((hit->point - rim(t)).length() < 1e-4f);
+        CHECK((hit->point - Position(rim(t))).length() < 1e-4f);
         CHECK((hit->normal - normal(t)).length() < 1e-3f);
         const auto swept =
             world.cast_shape(Circle{.radius = 0.5f}, {outside, 0}, -1.2f * normal(t));

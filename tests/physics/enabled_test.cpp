@@ -19,7 +19,7 @@ TEST_CASE("a disabled body is not moved and touches nothing and comes back") {
     REQUIRE_FALSE(low.awake());
     REQUIRE_FALSE(low.is_touching());
     REQUIRE_FALSE(world.validate());
-    const Vec2 place = low.position();
+    const Position place = low.position();
     run(world, 1.5f);
     REQUIRE(low.position() == place);
     REQUIRE(high.position().y == Approx(0.5).margin(0.02));

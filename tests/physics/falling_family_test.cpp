@@ -132,7 +132,7 @@ Outcome fall(const Kind& kind, int ground, unsigned seed) {
                                    .angular_velocity = spin});
     kind.add(body, size, random);
     int still = 0, longest = 0;
-    Vec2 place = body.position();
+    Position place = body.position();
     float angle = body.angle();
     for (int i = 0; i < 300; ++i) {
         world.step(1.0f / 60);

@@ -188,12 +188,12 @@ TEST_CASE("a planet circles an attractor in the time of its orbit") {
     const float period = 2 * pi * 4.0f / 2.0f;
     for (int i = 0; i < int(period * 60); ++i) {
         world.step(frame);
-        farthest = std::max(farthest, (planet.position() - Vec2(1, 2)).length());
-        nearest = std::min(nearest, (planet.position() - Vec2(1, 2)).length());
+        farthest = std::max(farthest, (planet.position() - Position(1, 2)).length());
+        nearest = std::min(nearest, (planet.position() - Position(1, 2)).length());
     }
     REQUIRE(farthest < 4.1f);
     REQUIRE(nearest > 3.9f);
-    REQUIRE((planet.position() - Vec2(5, 2)).length() < 0.3f);
+    REQUIRE((planet.position() - Position(5, 2)).length() < 0.3f);
 }
 
 TEST_CASE("an explosion pushes away what is near by its distance and nothing else") {

@@ -81,7 +81,7 @@ TEST_CASE("bounding boxes of geometries and shapes are equal") {
         if (placed.shape.type() == ShapeType::chain || placed.shape.type() == ShapeType::concave) {
             // The box of an outline in a world is empty: its parts have boxes.
             expected = box;
-            for (const Vec2& v : placed.shape.world_vertices()) {
+            for (const Position& v : placed.shape.world_vertices()) {
                 CHECK(v.x >= box.min.x - 1e-5f);
                 CHECK(v.y <= box.max.y + 1e-5f);
             }

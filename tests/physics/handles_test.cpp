@@ -256,7 +256,7 @@ TEST_CASE("a joint that is called a mouse and is none is not edited") {
     World world;
     Things things = make_things(world);
     MouseJoint wrong = world.joint<MouseJoint>(things.wheel.id());
-    const Vec2 before = things.wheel.anchor_a();
+    const Position before = things.wheel.anchor_a();
     REQUIRE_THROWS_WITH(wrong.set_target({9, 9}), contains("expected a mouse joint, got a wheel"));
     REQUIRE_THROWS_WITH(wrong.set_anchor({9, 9}), contains("expected a mouse joint"));
     REQUIRE_THROWS_WITH(wrong.set_body(things.third), contains("expected a mouse joint"));

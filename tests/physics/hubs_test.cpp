@@ -50,7 +50,7 @@ struct Momentum {
     float angular = 0.0f;  ///< about the origin
 
     void add(const Body& body) {
-        const Vec2 p = body.mass() * body.velocity(), c = body.world_center();
+        const Vec2 p = body.mass() * body.velocity(), c = Vec2(body.world_center());
         linear += p;
         angular += c.x * p.y - c.y * p.x + body.inertia() * body.angular_velocity();
     }
@@ -177,7 +177,7 @@ TEST_CASE("boxes rest on a raft as they do on the ground, a heavy one among them
     CHECK(heavy.velocity().length() < 1e-3f);
     CHECK(heavy.position().y == Approx(2.0f).margin(0.01));
     for (size_t i = 0; i < raft.boxes.size(); ++i) {
-        const Vec2 at = raft.boxes[i].position();
+        const Position at = raft.boxes[i].position();
         INFO(i << ": " << at.x << " " << at.y);
         CHECK(raft.boxes[i].velocity().length() < 5e-3f);
         CHECK(at.y == Approx(1.25f + 0.5f * float(i / 64)).margin(0.03));

@@ -36,7 +36,8 @@ TEST_CASE("a ball dropped with restitution bounces to its share of the height") 
     for (int i = 0; i < 180; ++i) {
         world.step(frame);
         bounced |= ball.velocity().y > 0.0f;
-        if (bounced && ball.velocity().y > 0.0f) highest = std::max(highest, ball.position().y);
+        if (bounced && ball.velocity().y > 0.0f)
+            highest = std::max<float>(highest, ball.position().y);
         if (bounced && ball.velocity().y < 0.0f) break;
     }
     REQUIRE(highest - 0.5f == Approx(0.64f * 5.0f).epsilon(0.05));

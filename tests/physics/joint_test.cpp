@@ -11,7 +11,7 @@ TEST_CASE("a mouse drags a body to its target and follows it") {
     MouseJoint mouse = world.create_mouse_joint({.body = box.id(), .target = {0, 0}});
     mouse.set_target({3, 4});
     run(world, 2.0f);
-    REQUIRE((box.position() - Vec2(3, 4)).length() < 0.02f);
+    REQUIRE((box.position() - Position(3, 4)).length() < 0.02f);
     mouse.destroy();
     REQUIRE_FALSE(mouse.is_valid());
     REQUIRE(world.joint_count() == 0);

@@ -95,7 +95,7 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     REQUIRE(double(body.velocity().length()) == Approx(expected).epsilon(0.01));
     REQUIRE_FALSE(world.validate());
     // Its questions.
-    const Vec2 center = body.world_center();
+    const Position center = body.world_center();
     REQUIRE(shape.contains(center + Vec2(0, 0.49f)));
     REQUIRE_FALSE(shape.contains(center + Vec2(0, 0.51f)));
     const auto hit = world.cast_ray(center + Vec2(3, 0), center);
@@ -104,7 +104,7 @@ TEST_CASE("a polygon of four thousand vertices rolls like a disc") {
     REQUIRE(shape.aabb().max.x == Approx(center.x + 0.5f).margin(1e-3));
     const auto corners = shape.world_vertices();
     REQUIRE(corners.size() == 4096);
-    for (const Vec2& v : corners) REQUIRE((v - center).length() == Approx(0.5f).margin(1e-3));
+    for (const Position& v : corners) REQUIRE((v - center).length() == Approx(0.5f).margin(1e-3));
 }
 
 TEST_CASE("polygons of many vertices pile up with every other shape") {

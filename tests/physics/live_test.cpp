@@ -32,7 +32,7 @@ TEST_CASE("friction of a sleeping body on a slope set to 0 makes it slide") {
     Slope slope = add_slope(world, 0.3f, 0.8f);
     run(world, 3.0f);
     REQUIRE_FALSE(slope.box.awake());
-    const Vec2 start = slope.box.position();
+    const Position start = slope.box.position();
     SECTION("of the body") {
         slope.box.shapes()[0].set_friction(0.0f);
     }
@@ -214,7 +214,7 @@ TEST_CASE("a body becomes static and kinematic and dynamic again while it falls"
     Body ball = add_ball(world, {0, 50});
     run(world, 0.5f);
     ball.set_type(BodyType::static_body);
-    const Vec2 there = ball.position();
+    const Position there = ball.position();
     run(world, 0.5f);
     REQUIRE(ball.position() == there);
     ball.set_type(BodyType::kinematic_body);
@@ -268,16 +268,16 @@ TEST_CASE(
     REQUIRE(shape.rebuilds() <= rebuilds + 10);
     const auto after = shape.world_vertices();
     REQUIRE(after.size() == 5);
-    for (const Vec2& v : before) {
+    for (const Position& v : before) {
         float nearest = infinity;
-        for (const Vec2& w : after) nearest = std::min(nearest, (w - v).length());
+        for (const Position& w : after) nearest = std::min(nearest, (w - v).length());
         REQUIRE(nearest < 1e-5f);
     }
     REQUIRE(body.mass() == Approx(mass + 2.0f));
     REQUIRE(body.inertia() > inertia);
     REQUIRE(body.center().x > 0.1f);
     REQUIRE(body.position() == Vec2(3, 2));
-    const Vec2 tip = body.world_point({3, 0});
+    const Position tip = body.world_point({3, 0});
     REQUIRE(shape.aabb().max.x >= tip.x - 1e-4f);
     REQUIRE(shape.contains(body.world_point({2.5f, 0})));
 }
@@ -347,7 +347,7 @@ TEST_CASE("a body put to sleep in the air stays there until woken") {
     Body ball = add_ball(world, {0, 10});
     run(world, 0.2f);
     ball.set_awake(false);
-    const Vec2 there = ball.position();
+    const Position there = ball.position();
     run(world, 1.0f);
     REQUIRE(ball.position() == there);
     ball.set_awake(true);

@@ -32,7 +32,7 @@ TEST_CASE("a body whose mass becomes infinite stops falling and a finite mass br
     run(world, 0.5f);
     ball.set_mass(infinity);
     run(world, 0.1f);
-    const Vec2 there = ball.position();
+    const Position there = ball.position();
     run(world, 1.0f);
     REQUIRE(ball.position() == there);
     REQUIRE(ball.velocity() == Vec2(0, 0));

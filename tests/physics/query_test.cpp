@@ -97,7 +97,7 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
                 ends.assign(shape.vertices().begin(), shape.vertices().end());
             for (const Vec2& corner : ends) {
                 // From outside towards the inside of it.
-                const Vec2 at = body.world_point(corner);
+                const Position at = body.world_point(corner);
                 const Vec2 way = at - body.world_point({0, -0.01f});
                 for (const float far : {0.5f, 3.0f, 20.0f}) {
                     INFO(int(shape.type()) << " " << corner.x << " " << corner.y);

@@ -78,7 +78,7 @@ TEST_CASE("the distance of two shapes is that of their nearest points in any pos
     Separation gap = distance(a.shapes()[0], b.shapes()[0]);
     const Vec2 corner(0.5f, 0.5f);
     REQUIRE(gap.distance == Approx((Vec2(3, 4) - corner).length() - 1.0f));
-    REQUIRE((gap.point_a - corner).length() < 1e-5f);
+    REQUIRE((gap.point_a - Position(corner)).length() < 1e-5f);
     REQUIRE((gap.point_b - gap.point_a).length() == Approx(gap.distance));
     REQUIRE((gap.normal - (Vec2(3, 4) - corner).normalized()).length() < 1e-5f);
     b.set_position({1, 0});

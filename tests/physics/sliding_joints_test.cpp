@@ -146,14 +146,14 @@ TEST_CASE("a pin in a groove stays between its ends") {
     GrooveJoint groove = world.create_groove_joint({.body_b = ball.id(), .anchor_a = {0, 0}});
     groove.set_end({3, -1});
     run(world, 10.0f);
-    REQUIRE((ball.position() - Vec2(3, -1)).length() < 0.01f);
+    REQUIRE((ball.position() - Position(3, -1)).length() < 0.01f);
     groove.set_end({3, 1});  // now it rises: back to where it begins
     run(world, 10.0f);
-    REQUIRE(ball.position().length() < 0.01f);
+    REQUIRE(Vec2(ball.position()).length() < 0.01f);
     groove.set_end({0, 0});  // no length: a pin
     ball.set_velocity({2, 0});
     run(world, 1.0f);
-    REQUIRE(ball.position().length() < 0.02f);
+    REQUIRE(Vec2(ball.position()).length() < 0.02f);
 }
 
 TEST_CASE("a suspension gives by the load over its stiffness") {

@@ -11,7 +11,7 @@ TEST_CASE("a box on a slope sticks below and slides above the angle of friction"
         World world;
         Slope slope = add_slope(world, limit + difference, mu);
         run(world, 1.0f);  // settle
-        const Vec2 start = slope.box.position();
+        const Position start = slope.box.position();
         run(world, 3.0f);
         const float travelled = (slope.box.position() - start).dot(slope.down);
         if (difference < 0.0f)

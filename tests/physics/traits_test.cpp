@@ -88,7 +88,7 @@ TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {
         REQUIRE(lift.velocity().y == Approx(2));
         lift.set_locked_x(true);
         lift.set_velocity({9, 1});
-        const Vec2 before = lift.position();
+        const Position before = lift.position();
         world.step(frame);
         REQUIRE(lift.velocity() == Vec2{0, 1});
         REQUIRE(lift.position().x == before.x);

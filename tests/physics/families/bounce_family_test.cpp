@@ -79,7 +79,7 @@ TEST_CASE("a ball bounces for a minute as high as it fell") {
         float top = 0.0f;
         for (int i = 0; i < 3600; ++i) {
             world.step(1.0f / 60);
-            if (i > 3300) top = std::max(top, ball.position().y - radius);
+            if (i > 3300) top = std::max<float>(top, ball.position().y - radius);
         }
         INFO("seed " << seed << ", from " << height << " m");
         CHECK(top == Approx(height).epsilon(0.01));

@@ -47,8 +47,8 @@ float fastest(const std::vector<Body>& bodies) {
 float width(const std::vector<Body>& bodies) {
     float low = 0.0f, high = 0.0f;
     for (const Body& body : bodies) {
-        low = std::min(low, body.position().x);
-        high = std::max(high, body.position().x);
+        low = std::min<float>(low, body.position().x);
+        high = std::max<float>(high, body.position().x);
     }
     return high - low;
 }

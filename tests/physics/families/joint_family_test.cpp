@@ -34,7 +34,7 @@ void add_ragdoll(World& world, Vec2 at, Random& random, int group, std::vector<B
     for (int i = 0; i < count; ++i) {
         const float half = random(0.08f, 0.25f);
         float angle = random(-3.14f, 3.14f), end = 0.0f;
-        Vec2 place = at;
+        Position place = at;
         const Bone* const parent = i == 0 ? nullptr : &bones[size_t(std::max(0, i - 5))];
         if (parent != nullptr) {
             end = parent == &bones[0] && random(0, 1) < 0.5f ? -1.0f : 1.0f;
@@ -207,7 +207,7 @@ TEST_CASE("a heavy load elsewhere does not change a net") {
                                              .anchor_b = {-0.5f, 0}});
             }
             for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
-            for (const Body& node : nodes) places[heavy].push_back(node.position());
+            for (const Body& node : nodes) places[heavy].push_back(Vec2(node.position()));
         }
         CHECK(places[0] == places[1]);
     }
@@ -283,7 +283,7 @@ float rise_of_figure(unsigned seed) {
         float high = 0;
         for (const Body& part : parts) {
             landed = landed || part.position().y < 0.3f;
-            high = std::max(high, part.position().y);
+            high = std::max<float>(high, part.position().y);
         }
         if (landed) top = std::max(top, high);
     }

@@ -226,7 +226,8 @@ TEST_CASE("boxes on a large platform that rocks stay where they stand") {
             platform.set_angular_velocity(turn * rate * std::cos(rate * float(step) / 60));
             world.step(1.0f / 60);
             const float c = std::cos(platform.angle()), s = std::sin(platform.angle());
-            worst = std::max(worst, std::abs(c * box.position().x + s * box.position().y - at));
+            worst =
+                std::max<float>(worst, std::abs(c * box.position().x + s * box.position().y - at));
         }
     }
     INFO("the worst slips by " << worst << " m in 30 s");

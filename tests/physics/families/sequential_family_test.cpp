@@ -31,7 +31,7 @@ TEST_CASE("heaps stay on the ground under the sequential solver") {
         }
         for (int step = 0; step < 180; ++step) {
             world.step(1.0f / 60);
-            for (const Body& box : boxes) lowest = std::min(lowest, box.position().y);
+            for (const Body& box : boxes) lowest = std::min<float>(lowest, box.position().y);
         }
     }
     std::printf("heaps under the sequential solver: lowest center at %.3f m\n", double(lowest));

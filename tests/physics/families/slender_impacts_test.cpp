@@ -38,7 +38,7 @@ TEST_CASE("slender bodies that hit a wall fast come back from it") {
         body.add(slender_shape(random, seed % 3));
         int steps_in_place = 0, longest_in_place = 0;
         for (int step = 0; step < 60; ++step) {
-            const Vec2 before = body.position();
+            const Position before = body.position();
             world.step(1.0f / 60);
             const bool in_place =
                 (body.position() - before).length() < 1e-5f && body.velocity().length() > 1.0f;

@@ -29,7 +29,8 @@ TEST_CASE("boxes of a few millimeters to a hundred meters keep their places in a
                 float worst = 0;
                 for (int i = 0; i < count; ++i) {
                     const Vec2 place = {0, (float(i) + 0.5f) * size};
-                    worst = std::max(worst, (boxes[size_t(i)].position() - place).length() / size);
+                    worst = std::max(
+                        worst, (boxes[size_t(i)].position() - Position(place)).length() / size);
                 }
                 INFO(count << " boxes of " << size << " m, sleeping: " << sleeping);
                 CHECK(worst < 0.02f);

@@ -79,7 +79,7 @@ bool paddle_misses(bool bullet, unsigned seed) {
     Body body = world.create_body({.position = place});
     add_shape(body, seed % 3, random(0.05f, 0.12f));
     run(world, 15);
-    return (body.position() - place).length() < 0.01f;
+    return (body.position() - Position(place)).length() < 0.01f;
 }
 
 /// A wall that moves on its own towards a row of bodies; returns how many it left behind. What goes

@@ -21,8 +21,8 @@ Geometry thin_shape(families::Random& random, int kind) {
 }
 
 /// In coordinates of the bat, which lies along x from its pin.
-Vec2 seen_from(const Body& bat, Vec2 pin, Vec2 place) {
-    const Vec2 d = place - pin;
+Vec2 seen_from(const Body& bat, Vec2 pin, const Position& place) {
+    const Vec2 d = place - Position(pin);
     const float c = std::cos(bat.angle()), s = std::sin(bat.angle());
     return {c * d.x + s * d.y, c * d.y - s * d.x};
 }
