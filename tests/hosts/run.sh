@@ -7,7 +7,7 @@
 # Exit status 77, with the reason in the last line: the case cannot run here.
 set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-cases=(sdl2 sdl2_host python python_installed python_demo love love_demo love_host love_host_demo web web_demo web_speed guide)
+cases=(sdl2 sdl2_host python python_installed python_demo love love_demo love_host love_host_demo web web_demo web_bitecs web_speed guide)
 
 if [[ ${1:-} == --list ]]; then
     printf '%s\n' "${cases[@]}"
@@ -184,19 +184,37 @@ case_web() {
     fi
 }
 
+# page_picture PICTURE STEPS: index.html of this folder in a browser, after so many steps.
+page_picture() {
+    # A page of modules needs a server.
+    "$python" -u -m http.server --bind 127.0.0.1 0 >server.log 2>&1 &
+    local server=$! port=
+    # shellcheck disable=SC2064  # the number of this server
+    trap "kill $server" EXIT
+    until port=$(sed -n 's/.*http:\/\/127\.0\.0\.1:\([0-9]*\).*/\1/p' server.log) && [[ -n $port ]]; do sleep 0.1; done
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
+        --virtual-time-budget=20000 --screenshot="$1" "http://127.0.0.1:$port/index.html?steps=$2"
+}
+
 case_web_demo() {
     needs chromium
     needs_python pygame
     web_project
     cp -- "$project"/bindings/web/demo/* .
-    # A page of modules needs a server.
-    "$python" -u -m http.server --bind 127.0.0.1 0 >server.log 2>&1 &
-    local server=$! port=
-    trap "kill $server" EXIT
-    until port=$(sed -n 's/.*http:\/\/127\.0\.0\.1:\([0-9]*\).*/\1/p' server.log) && [[ -n $port ]]; do sleep 0.1; done
-    timeout 120 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/chromium" --window-size=1000,600 \
-        --virtual-time-budget=20000 --screenshot="$folder/web.png" "http://127.0.0.1:$port/index.html?steps=100"
+    page_picture "$folder/web.png" 100
     shows "$folder/web.png" gold "#ff6347" "#708070"
+}
+
+# Entities of bitECS, which is from npm, with bodies of Fettle: its tests, and its page.
+case_web_bitecs() {
+    needs chromium
+    needs_python pygame
+    web_project
+    npm install --no-audit --no-fund bitecs@0.4.0 || cannot "npm could not install bitecs"
+    cp -- "$project"/examples/bitecs/* .
+    node --test game.test.mjs
+    page_picture "$folder/bitecs.png" 200
+    shows "$folder/bitecs.png" gold "#ff6347" "#708070"
 }
 
 # The other engines are from npm; without the network the table has Fettle alone.
