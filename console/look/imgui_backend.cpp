@@ -1,10 +1,7 @@
 #include <look/imgui_backend.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <vector>
 
 #include <look/imgui_compat.h>
@@ -14,36 +11,18 @@ namespace fettle::console {
 
 namespace {
 
-/// Debian's folder first, then folders of other systems with the same fonts.
-constexpr std::array<const char*, 4> font_folders = {
-    "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu",
-    "/usr/share/fonts/dejavu-sans-mono-fonts"};
-
-std::string font_file(const char* name) {
-    // A packaged game brings its fonts along.
-    std::vector<std::filesystem::path> all(font_folders.begin(), font_folders.end());
-    if (const char* const own = std::getenv("FETTLE_FONTS")) all.insert(all.begin(), own);
-    for (const std::filesystem::path& folder : all) {
-        std::filesystem::path file = folder / name;
-        std::error_code error;
-        if (std::filesystem::is_regular_file(file, error)) return file.string();
-    }
-    return {};
-}
-
-/// Characters for units and names: Latin, Greek, Cyrillic, punctuation, superscripts, currency,
-/// letterlike, arrows, mathematics, box drawing, geometric shapes, dingbats.
-constexpr ImWchar glyphs[] = {0x0020, 0x024f, 0x0370, 0x04ff, 0x2000, 0x214f, 0x2190, 0x22ff,
-                              0x2500, 0x25ff, 0x2600, 0x27bf, 0xfffd, 0xfffd, 0};
-
-ImFont* add_font(ImFontAtlas& atlas, const char* name, float size) {
+/// `cell`: the width of its characters, 0 if they have several widths.
+ImFont* add_font(ImFontAtlas& atlas, ExtraGlyphs& extra, const char* name, float size, float cell) {
     std::string file = font_file(name);
     if (file.empty()) return nullptr;
     ImFontConfig config;
     config.OversampleH = 1;  // whole pixels keep a fixed-width font sharp
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    return atlas.AddFontFromFileTTF(file.c_str(), size, &config, glyphs);
+    ImFont* const font =
+        atlas.AddFontFromFileTTF(file.c_str(), size, &config, ExtraGlyphs::always());
+    extra.add_to_last_font(atlas, name, size, cell);
+    return font;
 }
 
 /// ImGui ends the program, or computes with integers that overflow, for values beyond what a screen
@@ -75,6 +54,7 @@ ImGuiBackend::ImGuiBackend(app::Clipboard* clipboard) : clipboard_(clipboard) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    io.UserData = &extra_;  // draw_text notes the characters that are drawn
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.MousePos = ImVec2(-1, -1);
@@ -168,10 +148,13 @@ void ImGuiBackend::build_fonts(float font_size) {
     ImGuiIO& io = ImGui::GetIO();
     font_size_ = font_size;
     io.Fonts->Clear();
-    regular_ = add_font(*io.Fonts, "DejaVuSansMono.ttf", font_size);
-    bold_ = add_font(*io.Fonts, "DejaVuSansMono-Bold.ttf", font_size);
+    extra_.prepare();
+    // Of DejaVu Sans Mono, each character is 1233 of 2384 units wide, in whole pixels.
+    const float cell = std::floor(font_size * 1233 / 2384 + 0.5f);
+    regular_ = add_font(*io.Fonts, extra_, "DejaVuSansMono.ttf", font_size, cell);
+    bold_ = add_font(*io.Fonts, extra_, "DejaVuSansMono-Bold.ttf", font_size, cell);
     if (regular_ != nullptr && bold_ != nullptr)
-        add_font(*io.Fonts, "DejaVuSans.ttf", font_size);  // the third font, for labels
+        add_font(*io.Fonts, extra_, "DejaVuSans.ttf", font_size, 0);  // the third font, for labels
     if (regular_ == nullptr) {
         regular_ = io.Fonts->AddFontDefault();
         io.FontGlobalScale = font_size / 13;  // scales the built-in font, which is 13 pixels high
@@ -185,7 +168,7 @@ void ImGuiBackend::build_fonts(float font_size) {
 void ImGuiBackend::begin_frame(float width, float height, double seconds, float font_size) {
     activate();
     ImGuiIO& io = ImGui::GetIO();
-    if (font_size != font_size_) build_fonts(font_size);
+    if (font_size != font_size_ || extra_.changed()) build_fonts(font_size);
     constexpr float largest = 32768;  // px
     io.DisplaySize = ImVec2(within(width, 1.0f, largest), within(height, 1.0f, largest));
     io.DeltaTime = static_cast<float>(within(seconds, 1e-5, 1.0));

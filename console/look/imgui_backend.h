@@ -12,6 +12,8 @@ struct ImFont;
 struct ImGuiContext;
 struct ImDrawList;
 
+#include <look/extra_glyphs.h>
+
 namespace fettle::console {
 
 class ImGuiBackend {
@@ -46,6 +48,7 @@ class ImGuiBackend {
     void build_fonts(float font_size);
     void draw_list(const ImDrawList& list, app::Surface& surface);
 
+    ExtraGlyphs extra_;
     ImGuiContext* context_;
     app::Clipboard* clipboard_;
     std::string clipboard_text_;  // owner of the text that the last read returned

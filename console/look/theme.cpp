@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <look/extra_glyphs.h>
 #include <look/imgui_compat.h>
 #include <model/utf8.h>
 
@@ -165,6 +166,7 @@ float text_width(std::string_view text) {
 
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text) {
     if (text.empty()) return 0;
+    if (auto* const extra = static_cast<ExtraGlyphs*>(ImGui::GetIO().UserData)) extra->look(text);
     list.AddText(at, color, text.data(), text.data() + text.size());
     return text_width(text);
 }

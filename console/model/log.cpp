@@ -110,9 +110,9 @@ void Log::error(const script::ScriptError& error) {
         std::replace(source.begin(), source.end(), '\n', ' ');
         Span span = error.column > 0 ? span_at(source, static_cast<std::size_t>(error.column))
                                      : error_span(source, error.message);
-        std::size_t before = code_point_count(std::string_view(source).substr(0, span.begin));
+        std::size_t before = cell_count(std::string_view(source).substr(0, span.begin));
         std::size_t length =
-            code_point_count(std::string_view(source).substr(span.begin, span.end - span.begin));
+            cell_count(std::string_view(source).substr(span.begin, span.end - span.begin));
         push(LineKind::source, source);
         push(LineKind::caret,
              std::string(before, ' ') + std::string(std::max<std::size_t>(length, 1), '^'));

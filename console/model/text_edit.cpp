@@ -174,7 +174,7 @@ std::size_t TextEdit::line_of(std::size_t offset) const {
 
 std::size_t TextEdit::column_of(std::size_t offset) const {
     std::size_t begin = line_begin(offset);
-    return code_point_count(std::string_view(text_).substr(begin, offset - begin));
+    return cell_count(std::string_view(text_).substr(begin, offset - begin));
 }
 
 std::string_view TextEdit::line(std::size_t index) const {
@@ -189,7 +189,7 @@ std::string_view TextEdit::line(std::size_t index) const {
 
 std::size_t TextEdit::offset_at(std::size_t index, std::size_t column) const {
     std::string_view found = line(std::min(index, line_count() - 1));
-    return static_cast<std::size_t>(found.data() - text_.data()) + code_point_offset(found, column);
+    return static_cast<std::size_t>(found.data() - text_.data()) + cell_offset(found, column);
 }
 
 }  // namespace fettle::console

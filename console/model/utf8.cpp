@@ -1,6 +1,7 @@
 #include <model/utf8.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace fettle::console {
 
@@ -33,6 +34,46 @@ std::size_t code_point_count(std::string_view text) {
 std::size_t code_point_offset(std::string_view text, std::size_t index) {
     std::size_t offset = 0;
     while (index-- > 0 && offset < text.size()) offset = next_code_point(text, offset);
+    return offset;
+}
+
+char32_t code_point_at(std::string_view text, std::size_t offset) {
+    const auto lead = static_cast<unsigned char>(text[offset]);
+    if (lead < 0x80) return lead;
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (next_code_point(text, offset) - offset != length) return 0xfffd;
+    char32_t c = lead & (0xffu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i)
+        c = c << 6 | (static_cast<unsigned char>(text[offset + i]) & 0x3f);
+    return c;
+}
+
+// Unicode 15, EastAsianWidth: W and F, up to U+FFFF.
+bool is_wide(char32_t c) {
+    constexpr char32_t ranges[][2] = {{0x1100, 0x115f}, {0x2e80, 0x303e}, {0x3041, 0x33ff},
+                                      {0x3400, 0x4dbf}, {0x4e00, 0xa4cf}, {0xa960, 0xa97c},
+                                      {0xac00, 0xd7a3}, {0xf900, 0xfaff}, {0xfe30, 0xfe6f},
+                                      {0xff01, 0xff60}, {0xffe0, 0xffe6}};
+    return std::any_of(std::begin(ranges), std::end(ranges),
+                       [c](const auto& range) { return c >= range[0] && c <= range[1]; });
+}
+
+std::size_t cell_count(std::string_view text) {
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < text.size(); i = next_code_point(text, i))
+        cells +=
+            static_cast<unsigned char>(text[i]) < 0xe1 || !is_wide(code_point_at(text, i)) ? 1 : 2;
+    return cells;
+}
+
+std::size_t cell_offset(std::string_view text, std::size_t index) {
+    std::size_t offset = 0, cells = 0;
+    while (offset < text.size()) {
+        const std::size_t next = next_code_point(text, offset);
+        cells += cell_count(text.substr(offset, next - offset));
+        if (cells > index) break;
+        offset = next;
+    }
     return offset;
 }
 

@@ -19,6 +19,15 @@ std::size_t previous_code_point(std::string_view text, std::size_t offset);
 /// The nearest boundary at or before `offset`.
 std::size_t code_point_boundary(std::string_view text, std::size_t offset);
 std::size_t code_point_count(std::string_view text);
+/// The code point at that offset, U+FFFD for a sequence that is not complete.
+char32_t code_point_at(std::string_view text, std::size_t offset);
+/// Whether a character takes two cells of a font of fixed width, as Chinese ones do.
+bool is_wide(char32_t character);
+/// How many cells a text takes.
+std::size_t cell_count(std::string_view text);
+/// Offset of the character in the cell number `index` (from 0), or the length of the text if it has
+/// fewer cells.
+std::size_t cell_offset(std::string_view text, std::size_t index);
 /// Offset of the code point number `index` (from 0), or the length of the text if there are fewer.
 std::size_t code_point_offset(std::string_view text, std::size_t index);
 void append_code_point(std::string& text, char32_t character);

@@ -49,11 +49,11 @@ std::size_t LogView::hanging_indent(std::string_view text) const {
          gap = text.find("  ", hang)) {
         const std::size_t next = text.find_first_not_of(' ', gap);
         if (next == std::string_view::npos) break;
-        const std::size_t column = code_point_count(text.substr(0, next));
+        const std::size_t column = cell_count(text.substr(0, next));
         if (column > columns_ / 2) break;
         hang = next;
     }
-    return std::min(code_point_count(text.substr(0, hang)), columns_ / 2);
+    return std::min(cell_count(text.substr(0, hang)), columns_ / 2);
 }
 
 /// Adds a row with the part of a line of carets that lies below a row of its source line.
@@ -61,9 +61,9 @@ void LogView::mark_row(std::uint64_t number, const Row& source) {
     const LogLine* found = line(number);
     if (found == nullptr || found->kind != LineKind::caret) return;
     const std::string_view code = line(source.line)->text;
-    const std::size_t from = code_point_count(code.substr(0, source.begin));
-    const std::size_t to = source.end == code.size() ? found->text.size()
-                                                     : code_point_count(code.substr(0, source.end));
+    const std::size_t from = cell_count(code.substr(0, source.begin));
+    const std::size_t to =
+        source.end == code.size() ? found->text.size() : cell_count(code.substr(0, source.end));
     const std::size_t first = found->text.find('^');
     const std::size_t begin = std::min(from, found->text.size());
     const std::size_t end = std::min(to, found->text.size());
@@ -80,7 +80,7 @@ void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
     do {
         const std::size_t indent = begin == 0 ? 0 : hang;
         std::size_t end =
-            begin + code_point_offset(std::string_view(text).substr(begin), columns_ - indent);
+            begin + cell_offset(std::string_view(text).substr(begin), columns_ - indent);
         if (end < text.size()) {
             // Break after a blank, unless the row would be less than half full.
             std::size_t space = text.rfind(' ', end - 1);
@@ -189,7 +189,7 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         if (to <= done) return;
         std::string_view piece = text.substr(done, to - done);
         draw_text(list, ImVec2(x, at.y), color, piece);
-        x += static_cast<float>(code_point_count(piece)) * cell;
+        x += static_cast<float>(cell_count(piece)) * cell;
         done = to;
     };
     ImU32 base = line_color(found->kind);
@@ -219,7 +219,7 @@ void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float
     std::string_view text = line(row.line)->text;
     auto column = [&](std::size_t offset) {
         return static_cast<float>(gutter + row.indent +
-                                  code_point_count(text.substr(row.begin, offset - row.begin)));
+                                  cell_count(text.substr(row.begin, offset - row.begin)));
     };
     float right = column(end) + (to.line > row.line && end == text.size() ? 0.5f : 0);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x + column(begin) * cell, at.y),
@@ -236,7 +236,7 @@ LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
     if (found == nullptr) return {row.line, 0};
     std::string_view text = std::string_view(found->text).substr(row.begin, row.end - row.begin);
     auto cells = static_cast<std::size_t>(std::max(0.0f, column - static_cast<float>(row.indent)));
-    return {row.line, row.begin + code_point_offset(text, cells)};
+    return {row.line, row.begin + cell_offset(text, cells)};
 }
 
 void LogView::mouse(ImVec2 origin, float line_height, float cell) {

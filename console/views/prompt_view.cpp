@@ -18,7 +18,7 @@ constexpr float row_padding = 5;  // pixels
 constexpr double blink_seconds = 0.55;
 
 float columns(std::string_view text) {
-    return static_cast<float>(code_point_count(text));
+    return static_cast<float>(cell_count(text));
 }
 
 }  // namespace

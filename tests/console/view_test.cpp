@@ -374,4 +374,28 @@ TEST_CASE("a window that an exception leaves open is ended and the console goes 
     CHECK(rig.surface.faults() == 0);
 }
 
+TEST_CASE("Chinese and Japanese letters are drawn in two cells each") {
+    if (console::font_file("DroidSansFallbackFull.ttf").empty()) return;  // it is not installed
+    const auto picture = [](const char* text) {
+        Rig rig;
+        rig.key("grave");
+        rig.console.print(text);
+        rig.draw(4);
+        return rig.surface.pixels();
+    };
+    // Without their font, all of them would be the same box.
+    const bool differ = picture("日本") != picture("本日");
+    CHECK(differ);
+    CHECK(console::cell_count("a日本b") == 6);
+    CHECK(console::cell_offset("a日本b", 3) == 4);
+    CHECK(console::cell_offset("a日本b", 2) == 1);  // the second half of the first
+    CHECK(console::cell_offset("a日", 9) == 4);
+    CHECK(console::cell_count("\xe6\x97") == 1);  // not complete
+    Rig rig;
+    rig.key("grave");
+    for (const char32_t c : U"日本x")
+        if (c != 0) rig.character(c);
+    CHECK(rig.state().prompt.edit().column_of(rig.input().size()) == 5);
+}
+
 }  // namespace view_test
