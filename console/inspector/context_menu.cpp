@@ -62,6 +62,13 @@ void ContextMenu::draw_instance(property::Handle instance) {
         run("plot " + path + ".position");
     if (item("Help", "What its class has")) run("help(" + path + ")");
     ImGui::Separator();
+    if (moves && item("Break when it moves", "Pauses the game when its position changes"))
+        run("break_when " + path + ".position");
+    if (moves && item("Who", "Who moved it last")) run("who " + path + ".position");
+    if (tree_.find(instance, "velocity") != nullptr &&
+        item("Why", "What changed its velocity in the last step"))
+        run("why " + path + ".velocity");
+    if (moves) ImGui::Separator();
     if (item("Copy path", "Into the clipboard")) copy(path);
     if (select_class && item("Select all of its class", "All edits go to all of them"))
         select_class(tree_.class_of(instance));

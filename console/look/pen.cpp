@@ -71,6 +71,17 @@ void Pen::line(const Vec2& from, const Vec2& to, property::Color color, float wi
     stroke(false, {.fill = {0, 0, 0, 0}, .border = color, .border_width = width});
 }
 
+void Pen::picture(const property::Picture&, const property::PictureArea&, const Vec2& lower,
+                  const Vec2& upper, property::Color tint, bool) {
+    if (!style_.as_drawn || tint.a <= 0) return;
+    for (const Vec2& corner : {lower, Vec2(upper.x, lower.y), upper, Vec2(lower.x, upper.y)})
+        points_.push_back(pixel(corner));
+    const auto faint = [&](float share) {
+        return property::Color{tint.r, tint.g, tint.b, tint.a * share};
+    };
+    stroke(true, {.fill = faint(0.08f), .border = faint(0.8f), .border_width = 1});
+}
+
 ImVec2 Pen::pixel(const Vec2& at) const {
     const Vec2 p = on_screen() ? transform()(at) : to_pixels_(map_(transform()(at)));
     return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));

@@ -50,6 +50,10 @@ class Pen : public property::Painter {
                  const property::Paint& paint) override;
     void line(const property::Vec2& from, const property::Vec2& to, property::Color color,
               float width) override;
+    /// As drawn: its box, because the pictures of the game are not textures of the console.
+    void picture(const property::Picture& picture, const property::PictureArea& area,
+                 const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
+                 bool smooth) override;
     void point(const property::Vec2&, property::Color, float) override {}
     void text(const property::Vec2&, std::string_view, double, property::Color,
               property::TextAlign) override {}

@@ -1,6 +1,7 @@
 #include <model/noted_values.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace fettle::console {
 
@@ -24,9 +25,15 @@ namespace {
 
 using Values = std::vector<NotedValues::Noted>;
 
-std::string text_of(const property::Tree& tree, const NotedValues::Noted* noted) {
+/// `digits`: of a number; 0: all of them.
+std::string text_of(const property::Tree& tree, const NotedValues::Noted* noted, int digits) {
     if (noted == nullptr) return "none";
     std::string text = tree.text(noted->value, property::Precision::single_precision);
+    if (digits > 0 && noted->value.is(property::Type::number)) {
+        char shorter[32];
+        std::snprintf(shorter, sizeof shorter, "%.*g", digits, noted->value.number());
+        text = shorter;
+    }
     if (!noted->unit.empty()) text += " " + noted->unit;
     return text;
 }
@@ -47,11 +54,16 @@ void add_differences(const property::Tree& tree, const std::string& path, const 
                      std::map<std::string, Difference>& found) {
     const auto add = [&](const std::string& name, const NotedValues::Noted* of_a,
                          const NotedValues::Noted* of_b) {
+        std::string of_one = text_of(tree, of_a, 4), of_other = text_of(tree, of_b, 4);
+        if (of_one == of_other) {
+            of_one = text_of(tree, of_a, 0);
+            of_other = text_of(tree, of_b, 0);
+        }
+        if (of_one == of_other) return;  // two instances that are gone
         Difference& difference = found[name];
         if (difference.instances++ > 0) return;
         names.push_back(name);
-        difference.line =
-            path + "." + name + ": A " + text_of(tree, of_a) + ", B " + text_of(tree, of_b);
+        difference.line = path + "." + name + ": A " + of_one + ", B " + of_other;
     };
     for (const NotedValues::Noted& of_a : a) {
         const NotedValues::Noted* const of_b = find_noted(b, of_a.name);

@@ -72,6 +72,11 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
         Pen pen(list, to_pixels, {.as_drawn = true},
                 Transform::placed(pose.position, pose.angle) * back);
         tree.draw(pose.instance, pen, 1);
+        if (!pen.drew_anything()) {  // it is seen at least where it is
+            const Vec2 at = window.pixels(pose.position);
+            list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
+                                 palette::note);
+        }
         // In B, a line shows where it is in A.
         const Comparison::Pose* other =
             second && i < others.size() && others[i].instance == pose.instance ? &others[i]

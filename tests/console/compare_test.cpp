@@ -5,6 +5,8 @@
 #include "catch.h"
 #include "rig.h"
 
+#include <look/pen.h>
+
 namespace compare_test {
 
 using namespace fettle;
@@ -178,6 +180,7 @@ TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part wi
     CHECK(logged("world.ball.mass: A 1 kg, B 3 kg"));
     draw(3);
     save("two_branches");
+    CHECK_FALSE(state().compare_view.rect().empty());
     CHECK_THROWS_WITH(runs().ask_branch("heawy"),
                       "compare_branch: there is no branch \"heawy\" (did you mean \"heavy\"?)");
     now = 50;
@@ -186,6 +189,24 @@ TEST_CASE_METHOD(TwoBranches, "two branches are compared from where they part wi
     console.between_frames();
     CHECK(logged("before the branches part"));
     CHECK_FALSE(runs().shown());
+}
+
+TEST_CASE("a picture of the game is drawn as its box where the console draws the game") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    ImGui::NewFrame();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const console::ToPixels same = [](Vec2 at) { return at; };
+    console::Pen outline(list, same, {});
+    outline.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
+    CHECK_FALSE(outline.drew_anything());  // an outline of its shape is drawn
+    console::Pen as_drawn(list, same, {.as_drawn = true});
+    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 0}, false);
+    CHECK_FALSE(as_drawn.drew_anything());
+    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
+    CHECK(as_drawn.drew_anything());
+    ImGui::EndFrame();
 }
 
 }  // namespace compare_test

@@ -425,6 +425,23 @@ TEST_CASE("columns of a table have quotes where they need them and gaps where no
           "step,seconds,\"f(1, \"\"a\"\")\",late\r\n5,2.5,1,\r\n6,3,2.5,2.5\r\n");
 }
 
+TEST_CASE("the menu of an instance asks who moved it and breaks when it moves") {
+    ObservingRig rig;
+    rig.show();
+    auto& menu = rig.lua.state().context_menu;
+    const auto choose = [&](const char* entry) {
+        menu.open("world.ball");
+        rig.show();
+        const console::Rect at = menu.entry(entry);
+        REQUIRE_FALSE(at.empty());
+        rig.click_at(at.middle());
+    };
+    choose("Who");
+    CHECK(rig.text().find("who world.ball.position") != std::string::npos);
+    choose("Break when it moves");
+    CHECK(rig.text().find("break_when world.ball.position") != std::string::npos);
+}
+
 TEST_CASE("the menu of a property pins and plots and copies its path") {
     ObservingRig rig;
     rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));

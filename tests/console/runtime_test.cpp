@@ -82,6 +82,16 @@ TEST_CASE("the prompt of a block stays open until the block is closed") {
     CHECK(rig.lua.state().prompt.edit().empty());
 }
 
+TEST_CASE("it? explains the selected instance") {
+    LuaRig rig;
+    rig.run("it?");
+    CHECK(rig.says("it: Object"));
+    rig.lua.select(rig.tree.child(rig.tree.child(rig.tree.root(), "world"), "ball"));
+    rig.run("it?");
+    INFO(rig.text());
+    CHECK(rig.says("world.ball · Body"));
+}
+
 TEST_CASE("an endless command is stopped") {
     script::Options options;
     options.console_budget = 200'000;

@@ -247,6 +247,8 @@ bool leads_to_instance(const property::Tree& tree, const std::string& path) {
 }  // namespace
 
 std::vector<std::string> help_for(Machine& machine, const std::string& path) {
+    if (path == "it" && machine.tree.alive(machine.globals.it))
+        return instance_help(machine, machine.globals.it);
     if (const GlobalDoc* doc = global_doc(path)) return global_help(*doc);
     if (const Class* of = machine.tree.find_class(path)) return class_help(machine, *of);
     const std::size_t cut_at = path.find_last_of(".:");
