@@ -37,16 +37,26 @@ std::string first_sentence(const fs::path& script) {
     return end == std::string::npos ? text : text.substr(0, end + 1);
 }
 
-std::string title_of(const fs::path& game) {
-    try {
-        if (const std::string name = read_settings(game).name; !name.empty()) return name;
-    } catch (const property::Error&) {
-        // The game says what is wrong with its settings when it is opened.
-    }
+std::string title_of(const fs::path& game, const std::string& given) {
+    if (!given.empty()) return given;
     std::string name = game.filename().string();
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
         name[0] = static_cast<char>(name[0] - 'a' + 'A');
     return name;
+}
+
+GalleryEntry entry_of(const fs::path& game) {
+    property::GameSettings settings;
+    try {
+        settings = read_settings(game);
+    } catch (const property::Error&) {
+        // The game says what is wrong with its settings when it is opened.
+    }
+    return {.name = game.filename().string(),
+            .title = title_of(game, settings.name),
+            .about = first_sentence(game / "main.lua"),
+            .released = !settings.version.empty(),
+            .game = game};
 }
 
 /// Runs the game for some steps, without a trace, and draws it.
@@ -82,12 +92,11 @@ std::vector<GalleryEntry> gallery_entries(const fs::path& gallery) {
         const fs::path& game = it->path();
         if (game.filename() == gallery.filename() || !fs::exists(game / "main.lua", error))
             continue;
-        entries.push_back({.name = game.filename().string(),
-                           .title = title_of(game),
-                           .about = first_sentence(game / "main.lua"),
-                           .game = game});
+        entries.push_back(entry_of(game));
     }
-    std::ranges::sort(entries, {}, &GalleryEntry::name);
+    std::ranges::sort(entries, [](const GalleryEntry& a, const GalleryEntry& b) {
+        return a.released != b.released ? a.released : a.name < b.name;
+    });
     return entries;
 }
 

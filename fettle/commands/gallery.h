@@ -21,10 +21,11 @@ struct GalleryEntry {
     std::string name;   // of its folder
     std::string title;  // of its game.json; else the name
     std::string about;  // the first sentence of the comment at the top of its main.lua
+    bool released;      // its game.json has a version: a whole game, and no example
     std::filesystem::path game;
 };
 
-/// The games beside the gallery, by name.
+/// The games beside the gallery, by name: whole games, then examples.
 std::vector<GalleryEntry> gallery_entries(const std::filesystem::path& gallery);
 
 class Gallery : public app::Layer {

@@ -11,6 +11,7 @@
 #include <fettle/app/recording.h>
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
 
 #include <command_line/arguments.h>
 #include <command_line/end_request.h>
@@ -154,7 +155,9 @@ class WindowRun {
             note_escape(event, now);
             if (!game_window_.handle(event, *session_)) loop.handle(event);
         }
-        if (escape_since_ && now - *escape_since_ > escape_time) open(gallery_->game());
+        note_back_button(now);
+        if (gone_back_for(escape_since_, now) || gone_back_for(back_since_, now))
+            open(gallery_->game());
         if (EndRequest::asked() != 0 && !loop.closing()) close(*session_);
         follow_files();
         if (reload_) return false;
@@ -198,6 +201,25 @@ class WindowRun {
         options_.game = game;
         reload_ = true;
         escape_since_.reset();
+        back_since_.reset();
+    }
+    static bool gone_back_for(const std::optional<Clock::time_point>& since,
+                              Clock::time_point now) {
+        return since && now - *since > escape_time;
+    }
+    /// Notes since when the back button of a gamepad is held.
+    void note_back_button(Clock::time_point now) {
+        const property::Tree& tree = session_->tree();
+        bool held = false;
+        for (int n = 1; n <= 4 && may_go_back(); ++n) {
+            const std::string path = "input.gamepad_" + std::to_string(n) + ".back";
+            const property::Place place = property::resolve(tree, path);
+            held = held || tree.get(place.instance, *place.property) == property::Value(true);
+        }
+        if (!held)
+            back_since_.reset();
+        else if (!back_since_)
+            back_since_ = now;
     }
     /// Notes since when Escape is held. The game gets the key too, since its menus use it; the
     /// console and the error screen have it for themselves.
@@ -235,9 +257,9 @@ class WindowRun {
     Clock::time_point last_frame_{};
     double idle_steps_ = 0;
     bool reload_ = false;
-    /// Escape leads back to the gallery after so long.
+    /// Escape, or the back button of a gamepad, leads back to the gallery after so long.
     static constexpr std::chrono::milliseconds escape_time{800};
-    std::optional<Clock::time_point> escape_since_{};
+    std::optional<Clock::time_point> escape_since_{}, back_since_{};
 };
 
 /// Lists at most five entries.

@@ -75,6 +75,11 @@ function wheel(notches)
     scroll_to(gallery.scroll - notches * 60)
 end
 
+local function move_by(count)
+    gallery.chosen = math.max(1, math.min(#games, gallery.chosen + count))
+    show_chosen()
+end
+
 local moves = {
     left = function() return -1 end,
     right = function() return 1 end,
@@ -83,14 +88,26 @@ local moves = {
 }
 
 function key_pressed(key)
-    local move = moves[key]
-    if move then
-        gallery.chosen = math.max(1, math.min(#games, gallery.chosen + move()))
-        show_chosen()
+    if moves[key] then
+        move_by(moves[key]())
     elseif key == "enter" or key == "space" then
         open(gallery.chosen)
     elseif key == "escape" then
         quit()
+    end
+end
+
+input.actions.choose = { "gamepad.left", "gamepad.pad" }
+input.actions.open = { "gamepad.a", "gamepad.start" }
+
+function action_pressed(action)
+    local way = input.choose.direction
+    if action == "open" then
+        open(gallery.chosen)
+    elseif math.abs(way.x) > math.abs(way.y) then
+        move_by(way.x > 0 and 1 or -1)
+    else
+        move_by(way.y > 0 and -columns() or columns())
     end
 end
 
@@ -127,7 +144,7 @@ function draw(pen)
         pen.box(vec(view.screen.x / 2, (top - 14) / 2), view.screen.x, top - 14, view.background)
         pen.text(vec(margin, 40), "Fettle", 36, "white", "left")
         pen.text(vec(margin, 76), #games > 0 and
-            "Click a game, or choose it with the arrow keys and Enter. Hold Escape to come back here." or
+            "Click a game, or choose it with the arrow keys and Enter, or a stick and A. To come back here, hold Escape or the back button." or
             "There are no games here: open the gallery with fettle run.", 16, color("#a0a8b8"), "left")
     end)
 end

@@ -27,6 +27,26 @@ TEST_CASE("the gallery lists the games beside it") {
     CHECK_FALSE(contains(run.out, "gallery"));
 }
 
+TEST_CASE("whole games come first in the gallery") {
+    const Folder folder;
+    const Outcome run =
+        run_gallery(folder, "for _, g in ipairs(gallery_games()) do print(g[1]) end");
+    CHECK(run.out.starts_with("amber\nlantern\nrusset\ncar\n"));
+}
+
+TEST_CASE("a gamepad chooses a game in the gallery and opens it") {
+    const Folder folder;
+    const Outcome run = fettle(
+        folder,
+        {"run", "--headless", "--steps", "20", "--at", "3:input.gamepad_1.left = vec(1, 0)", "--at",
+         "5:input.gamepad_1.left = vec(0, 0)", "--at", "7:input.gamepad_1.dpad_right = true",
+         "--at", "9:input.gamepad_1.dpad_right = false", "--at", "11:print(gallery.chosen)", "--at",
+         "13:input.gamepad_1.a = true"});
+    INFO(run.out << run.err);
+    CHECK(contains(run.out, "3\n"));
+    CHECK(contains(run.err, "a run without a window stays in the gallery"));
+}
+
 TEST_CASE("the gallery opens a game of its list and nothing else") {
     const Folder folder;
     const Outcome game = run_gallery(folder, "open_game('car')");
