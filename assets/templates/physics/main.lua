@@ -7,13 +7,21 @@ local hand = vec(-9, 2.5)     -- where balls are thrown from
 -- What changes in the game is in the tree, so that saves and going back in time hold it.
 game.round = Object { balls = 5, level = 1, pulling = false, done = false }
 
+game.sounds = Object { throw = Synth.jump(), hit = Synth.hit { volume = 0.4 }, won = Synth.power_up() }
+
 local colors = { color("#e5484d"), color("#ffb224"), color("#46a758"), color("#3e63dd"), color("#8e4ec6") }
+
+Crate = class("Crate", Body) {}
+
+function Crate:contact_hit(hit)
+    if hit.speed > 3 then sounds.hit:play { volume = math.min(1, hit.speed / 15) } end
+end
 
 local function build_tower(level)
     world.crates = Object {}
     for row = 0, level + 1 do
         for column = 0, 1 do
-            world.crates:add(Body {
+            world.crates:add(Crate {
                 position = vec(4.9 + column * 1.2, 1.51 + row),
                 Box { width = 0.98, height = 0.98, rounding = 0.06, density = 0.6, color = colors[row % #colors + 1] },
             })
@@ -54,6 +62,7 @@ end
 function step()
     if not round.done and crates_left() == 0 then
         round.done = true
+        sounds.won:play()
         if round.level > store.best then store.best = round.level end
     end
 end
@@ -66,6 +75,7 @@ function mouse_released(button)
     if button ~= "left" or not round.pulling then return end
     round.pulling = false
     round.balls = round.balls - 1
+    sounds.throw:play()
     world.balls:add(Body {
         position = hand, velocity = pull() * throw_strength, bullet = true,
         Circle { radius = 0.35, density = 3, restitution = 0.3, color = color("#e8e8e8") },
@@ -91,11 +101,14 @@ function draw(pen)
     if round.pulling then draw_path(pen) end
     pen.circle(hand, 0.35, "#e8e8e8")
     local message = "Level " .. round.level
+    local hint = "Best level: " .. store.best
     if round.done then
         message = "All crates are down! Space: next level"
     elseif round.balls == 0 then
         message = "No ball is left. R: again"
+    elseif round.balls == 5 and round.level == 1 then
+        hint = "Hold the left button anywhere, pull back, and let go"
     end
     pen.text(vec(0, 9.4), message, 0.7, "white")
-    pen.text(vec(0, 8.6), "Best level: " .. store.best, 0.4, "#a0a8b8")
+    pen.text(vec(0, 8.6), hint, 0.4, "#c0c8d8")
 end

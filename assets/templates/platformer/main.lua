@@ -1,4 +1,4 @@
--- Run with the arrow keys, jump with space, and collect all coins on the way to the flag.
+-- Run with the arrow keys or a stick, jump with space or A, and collect all coins on the way to the flag.
 
 local run_speed, jump_speed = 7, 11      -- m/s
 local ground_grip, air_grip = 12, 4      -- how fast the hero reaches its speed, 1/s
@@ -14,6 +14,12 @@ local coins = { vec(5, 3), vec(11, 5), vec(20, 1), vec(23.5, 3), vec(31, 2.2), v
 -- What changes in the game is in the tree, so that saves and going back in time hold it.
 game.course = Object { coins = 0, falls = 0, won = false, seconds = 0 }
 
+-- `input.move` has the arrow keys, WASD and the stick of a gamepad from the beginning.
+input.actions.jump = { "space", "up", "w", "gamepad.a" }
+input.actions.again = { "r", "gamepad.start" }
+
+game.sounds = Object { jump = Synth.jump { volume = 0.5 }, coin = Synth.coin(), fall = Synth.hit(), won = Synth.power_up() }
+
 Hero = class("Hero", Body) { air_time = 0.0, facing = 1 }
 
 -- Whether something below carries it.
@@ -26,15 +32,14 @@ end
 
 function Hero:step(dt)
     self.air_time = self:stands() and 0.0 or self.air_time + dt
-    local direction = 0
-    if input.keys.left or input.keys.a then direction = direction - 1 end
-    if input.keys.right or input.keys.d then direction = direction + 1 end
-    if direction ~= 0 then self.facing = direction end
+    local direction = input.move.x
+    if direction ~= 0 then self.facing = direction > 0 and 1 or -1 end
     local grip = self.air_time == 0 and ground_grip or air_grip
     local speed = self.velocity.x
     self.velocity.x = speed + (direction * run_speed - speed) * math.min(1, grip * dt)
     if self.position.y < -8 then
         course.falls = course.falls + 1
+        sounds.fall:play()
         self.position, self.velocity = vec(-4, 1), vec(0, 0)
     end
 end
@@ -43,6 +48,7 @@ function Hero:jump()
     if self.air_time > late_jump then return end
     self.velocity.y = jump_speed
     self.air_time = late_jump + 1
+    sounds.jump:play()
 end
 
 function Hero:draw(pen)
@@ -56,6 +62,7 @@ Coin = class("Coin", Body) {}
 function Coin:sensor_begin(event)
     if event.other ~= world.hero then return end
     course.coins = course.coins + 1
+    sounds.coin:play { pitch = 1 + 0.06 * course.coins }
     self:delete()
 end
 
@@ -63,6 +70,16 @@ function Coin:draw(pen)
     local place = self.position + vec(0, 0.08 * math.sin(3 * time.now + self.position.x))
     pen.circle(place, 0.3, "#ffd43b", "#b8860b", 3)
     pen.circle(place, 0.14, "#fff3bf")
+end
+
+-- Puts the hero at the beginning and the coins where they were.
+local function begin()
+    course.coins, course.falls, course.won, course.seconds = 0, 0, false, 0
+    world.coins = Object {}
+    for _, position in ipairs(coins) do
+        world.coins:add(Coin { type = "static", position = position, Circle { radius = 0.3, sensor = true, visible = false } })
+    end
+    world.hero.position, world.hero.velocity = vec(-4, 1), vec(0, 0)
 end
 
 function start()
@@ -77,14 +94,11 @@ function start()
             Box { width = width, height = height, color = height > 1 and rock or grass, friction = 0.2 },
         })
     end
-    world.coins = Object {}
-    for _, position in ipairs(coins) do
-        world.coins:add(Coin { type = "static", position = position, Circle { radius = 0.3, sensor = true, visible = false } })
-    end
     world.hero = Hero {
         position = vec(-4, 1), locked_rotation = true, can_sleep = false,
-        Capsule { from = vec(0, -0.25), to = vec(0, 0.3), radius = 0.35, friction = 0, color = color("#e5484d") },
+        Capsule { from = vec(0, -0.25), to = vec(0, 0.3), radius = 0.35, friction = 0, color = color("#e5484d"), z = -1 },  -- below its eye
     }
+    begin()
 end
 
 function step(dt)
@@ -92,6 +106,7 @@ function step(dt)
     course.seconds = course.seconds + dt
     if course.coins == #coins and world.hero.position.x > 53 then
         course.won = true
+        sounds.won:play()
         if not store.best or course.seconds < store.best then store.best = course.seconds end
     end
 end
@@ -101,8 +116,9 @@ function update(dt)
     view.center = view.center:lerp(vec(ahead.x, math.max(2, ahead.y)), math.min(1, 4 * dt))
 end
 
-function key_pressed(key)
-    if key == "space" or key == "up" or key == "w" then world.hero:jump() end
+function action_pressed(action)
+    if action == "jump" then world.hero:jump() end
+    if action == "again" then begin() end
 end
 
 function draw(pen)
@@ -112,7 +128,10 @@ function draw(pen)
         pen.text(vec(20, 26), "Coins " .. course.coins .. " of " .. #coins, 22, "white", "left")
         pen.text(vec(20, 54), string.format("%.1f s", course.seconds), 22, "white", "left")
     end)
+    pen.text(vec(-4, 4.5), "Arrow keys: run\nSpace: jump", 0.6, "white")
     if course.won then
-        pen.text(view.center + vec(0, 3), string.format("Done in %.1f s. Best: %.1f s", course.seconds, store.best), 0.8, "white")
+        pen.text(view.center + vec(0, 3), string.format("Done in %.1f s. Best: %.1f s\nR: again", course.seconds, store.best), 0.8, "white")
+    elseif world.hero.position.x > 50 then
+        pen.text(vec(53, 4.5), "Bring all coins to the flag", 0.6, "white")
     end
 end

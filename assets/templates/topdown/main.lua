@@ -1,4 +1,5 @@
 -- Stay alive: move with WASD or the arrow keys, aim with the mouse, hold the left button to shoot.
+-- With a gamepad: the left stick moves, the right stick aims and shoots.
 
 local speed, bullet_speed = 7, 22   -- m/s
 local shot_pause = 0.14             -- s between two shots
@@ -6,6 +7,14 @@ local field = vec(15, 9)            -- half of the size of the field, m
 
 -- What changes in the game is in the tree, so that saves and going back in time hold it.
 game.fight = Object { score = 0, lives = 3, over = false, next_shot = 0, next_enemy = 1, hurt_until = 0 }
+
+-- `input.move` has WASD, the arrow keys and the left stick of a gamepad from the beginning.
+input.actions.aim = { "gamepad.right" }
+input.actions.again = { "space", "gamepad.a" }
+
+game.sounds = Object {
+    shot = Synth.blip { volume = 0.25 }, gone = Synth.explosion { volume = 0.4 }, hurt = Synth.hit(), over = Synth.explosion(),
+}
 
 Enemy = class("Enemy", Body) { speed = 2.5 }
 
@@ -22,6 +31,12 @@ end
 
 function Shot:contact_begin(contact)
     if contact.other:is_a("Enemy") then
+        world:add(Emitter {
+            position = contact.other.position, rate = 0, burst = 14, speed = 5, damping = 3, lifetime = 0.4,
+            size = { 0.3, 0 }, color = { color("#f72585") },
+            finished = function(event) event.instance:delete() end,
+        })
+        sounds.gone:play { pitch = 0.8 + 0.4 * random() }
         contact.other:delete()
         fight.score = fight.score + 1
     end
@@ -32,8 +47,11 @@ local function hurt_hero(contact)
     if not contact.other:is_a("Enemy") or time.now < fight.hurt_until or fight.over then return end
     fight.lives = fight.lives - 1
     fight.hurt_until = time.now + 1
+    sounds.hurt:play()
+    view:shake(0.3, 0.3)
     if fight.lives == 0 then
         fight.over = true
+        sounds.over:play()
         if fight.score > (store.best or 0) then store.best = fight.score end
     end
 end
@@ -59,12 +77,14 @@ local function add_enemy()
 end
 
 local function aim()
+    if input.aim.held then return input.aim.direction:normalized() end
     local direction = input.mouse.world - world.hero.position
     return direction:length() > 0 and direction:normalized() or vec(1, 0)
 end
 
 local function shoot()
     local direction = aim()
+    sounds.shot:play { pitch = 0.95 + 0.1 * random() }
     world.shots:add(Shot {
         position = world.hero.position + direction * 0.8, velocity = direction * bullet_speed, bullet = true,
         ends = time.now + 1,
@@ -80,22 +100,14 @@ function start()
     begin()
 end
 
-local function wanted_direction()
-    local keys, direction = input.keys, vec(0, 0)
-    if keys.a or keys.left then direction = direction + vec(-1, 0) end
-    if keys.d or keys.right then direction = direction + vec(1, 0) end
-    if keys.s or keys.down then direction = direction + vec(0, -1) end
-    if keys.w or keys.up then direction = direction + vec(0, 1) end
-    return direction:normalized()
-end
-
 function step()
     if fight.over then
         world.hero.velocity = vec(0, 0)
+        world.enemies:each("Enemy", function(enemy) enemy.velocity = vec(0, 0) end)
         return
     end
-    world.hero.velocity = world.hero.velocity:lerp(wanted_direction() * speed, 0.25)
-    if input.mouse.left and time.now >= fight.next_shot then
+    world.hero.velocity = world.hero.velocity:lerp(input.move * speed, 0.25)
+    if (input.mouse.left or input.aim.held) and time.now >= fight.next_shot then
         fight.next_shot = time.now + shot_pause
         shoot()
     end
@@ -105,8 +117,8 @@ function step()
     end
 end
 
-function key_pressed(key)
-    if key == "space" and fight.over then begin() end
+function action_pressed(action)
+    if action == "again" and fight.over then begin() end
 end
 
 function draw(pen)
@@ -117,7 +129,9 @@ function draw(pen)
     pen.screen(function()
         pen.text(vec(20, 26), "Score " .. fight.score .. "   Lives " .. fight.lives, 22, "white", "left")
     end)
-    if fight.over then
+    if fight.score == 0 and not fight.over then
+        pen.text(vec(0, 7), "WASD: move    Mouse: aim and shoot", 0.7, "#a0a8b8")
+    elseif fight.over then
         pen.text(vec(0, 1), "Game over", 1.6, "white")
         pen.text(vec(0, -0.5), "Best: " .. (store.best or 0) .. "   Space: again", 0.7, "#a0a8b8")
     end

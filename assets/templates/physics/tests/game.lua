@@ -3,7 +3,7 @@
 test("the tower stands until it is hit", function(t)
     t:steps(180)
     expect(round.done):is(false)
-    expect(world.crates.body_1.position.y):near(1.5, 0.05)
+    expect(world.crates.crate_1.position.y):near(1.5, 0.05)
 end)
 
 test("a pull throws a ball", function(t)
@@ -14,7 +14,7 @@ test("a pull throws a ball", function(t)
 end)
 
 test("a level ends when all crates are down", function(t)
-    world.crates:each("Body", function(crate) crate.position = vec(12 + crate.position.x, 0.5) end)
+    world.crates:each("Crate", function(crate) crate.position = vec(12 + crate.position.x, 0.5) end)
     t:steps(2)
     expect(round.done):is(true)
     expect(store.best):is(1)
