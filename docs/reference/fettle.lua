@@ -114,6 +114,7 @@ function fettle_Connection:stop() end
 ---@field instance Object Whose property it is.
 ---@field path string "world.ball.mass".
 ---@field property string Its name.
+---@field restored boolean Whether rewind, restore or load_game has brought the value back: it is that of another moment, and nothing has happened in the game.
 ---@field step integer The fixed step in which it was written.
 local fettle_Change = {}
 

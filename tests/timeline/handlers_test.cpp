@@ -68,6 +68,20 @@ TEST_CASE("the handlers of a scene come back with it and go with it") {
     CHECK(game.errors.empty());
 }
 
+TEST_CASE("a watcher learns whether a rewind has changed the value") {
+    Playing game(R"(
+        state("points", 0)
+        game:watch("points", function(new, old, change) print(old, new, change.restored) end)
+        function step() if time.step % 10 == 0 then points = points + 1 end end
+    )");
+    game.play(25);
+    CHECK(heard(game) == "0\t1\tfalse 1\t2\tfalse");
+    game.loop->timeline().go_to(15);
+    game.play(10);
+    CHECK(heard(game) == "2\t1\ttrue 1\t2\tfalse");
+    CHECK(game.errors.empty());
+}
+
 TEST_CASE("going to and fro connects each handler once") {
     Playing game(levels);
     game.play(40);

@@ -44,6 +44,7 @@ void push_change(lua_State* L, const Change& change) {
     put(L, "path", path_if_alive(machine.tree, change.instance, *change.property));
     put(L, "cause", change.cause.text());
     put(L, "step", static_cast<lua_Integer>(change.cause.step));
+    put(L, "restored", change.cause.writer == property::Writer::restore);
     seal_record(L, machine);
 }
 

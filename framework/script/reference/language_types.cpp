@@ -87,6 +87,9 @@ TypeDoc change_type() {
              {"instance", "Object", "Whose property it is."},
              {"path", "string", "\"world.ball.mass\"."},
              {"property", "string", "Its name."},
+             {"restored", "boolean",
+              "Whether rewind, restore or load_game has brought the value back: it is that of "
+              "another moment, and nothing has happened in the game."},
              {"step", "integer", "The fixed step in which it was written."}}};
 }
 
