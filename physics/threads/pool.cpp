@@ -86,26 +86,50 @@ ThreadPool::~ThreadPool() {
 }
 
 ThreadPool::Helping::Helping(ThreadPool* pool)
-    : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 ? pool : nullptr) {
+    : pool_(pool != nullptr && pool->host_ != nullptr && pool->threads_ > 1 && !pool->host_failed_
+                ? pool
+                : nullptr) {
     if (pool_ == nullptr) return;
     pool_->stop_.store(false);
     pool_->caller_ = std::this_thread::get_id();
-    pool_->host_->start(
-        uint32_t(pool_->threads_ - 1),
-        [](void* context, uint32_t number) {
-            auto& helped = *static_cast<ThreadPool*>(context);
-            // A host without a free thread may call the task at once. It would wait for the step,
-            // and the step for it.
-            if (std::this_thread::get_id() == helped.caller_) return;
-            if (number + 1 < helped.shares_.size()) helped.serve(number + 1);
-        },
-        pool_);
+    try {
+        pool_->host_->start(
+            uint32_t(pool_->threads_ - 1),
+            [](void* context, uint32_t number) {
+                static_cast<ThreadPool*>(context)->do_task(number);
+            },
+            pool_);
+    } catch (...) {
+        // Some of the tasks may have begun.
+        (void)finish();
+        throw;
+    }
 }
 
 ThreadPool::Helping::~Helping() {
-    if (pool_ == nullptr) return;
-    pool_->end_round();
-    pool_->host_->finish();
+    (void)finish();
+}
+
+std::exception_ptr ThreadPool::Helping::finish() noexcept {
+    ThreadPool* const pool = std::exchange(pool_, nullptr);
+    if (pool == nullptr) return nullptr;
+    pool->end_round();
+    try {
+        pool->host_->finish();
+        return nullptr;
+    } catch (...) {
+        pool->host_failed_ = true;
+        return std::current_exception();
+    }
+}
+
+void ThreadPool::do_task(uint32_t number) {
+    // A host without a free thread may call the task at once. It would wait for the step, and the
+    // step for it.
+    if (std::this_thread::get_id() == caller_) return;
+    host_tasks_.fetch_add(1);
+    if (number + 1 < shares_.size()) serve(number + 1);
+    host_tasks_.fetch_sub(1);
 }
 
 /// Lets all other threads return from `serve`.
@@ -119,6 +143,8 @@ void ThreadPool::stop() {
     end_round();
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
+    // A host whose `finish` has thrown did not wait for them.
+    while (host_tasks_.load() > 0) std::this_thread::yield();
 }
 
 /// The share of a thread in `count` blocks. It is the same range in every round.

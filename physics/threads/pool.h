@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -44,8 +45,12 @@ class ThreadPool {
     /// own threads always do.
     class Helping {
       public:
+        /// Throws what the host throws; then no thread helps.
         explicit Helping(ThreadPool* pool);
         ~Helping();
+        /// Waits for the threads of the host. Returns what the host has thrown, or null. The host
+        /// is not asked again then: nobody knows which of its tasks are still to be called.
+        std::exception_ptr finish() noexcept;
         Helping(const Helping&) = delete;
         Helping& operator=(const Helping&) = delete;
 
@@ -77,6 +82,7 @@ class ThreadPool {
     bool wait_for_others(uint32_t goal) const;
     void work_until_done(uint64_t turn, uint32_t goal, std::size_t self);
     void serve(std::size_t self);
+    void do_task(uint32_t number);
     void end_round();
     void stop();
 
@@ -89,7 +95,9 @@ class ThreadPool {
     alignas(64) std::atomic<uint32_t> done_ = 0;  ///< finished blocks of all rounds, modulo 2³²
     alignas(64) std::atomic<uint32_t> sleepers_ = 0;
     TaskScheduler* const host_ = nullptr;
-    std::thread::id caller_;  ///< which has the host's threads help
+    bool host_failed_ = false;
+    std::atomic<uint32_t> host_tasks_ = 0;  ///< number of them that run now
+    std::thread::id caller_;                ///< which has the host's threads help
     const int threads_;
     std::vector<Share> shares_;
     std::vector<std::thread> workers_;

@@ -151,18 +151,20 @@ void World::step(float dt) {
     data.self.may_step();
     if (!(dt > 0.0f) || !(dt < infinity)) return log_odd_step(dt);
     WorldLock lock(data.self, WorldLock::During::change, in_step);
+    // If the host's threads cannot be had, nothing was done, and no recording has a step.
+    ThreadPool::Helping helping(data.threads);
     if (data.self.witness() != nullptr) data.tell_step_begins(dt);
-    {
-        const ThreadPool::Helping helping(data.threads);
-        data.step(dt);
-    }
+    data.step(dt);
+    const std::exception_ptr failure_of_host = helping.finish();
     if (!data.self.functions.empty()) data.ask_position_functions(dt);
     if (data.self.witness() != nullptr) data.tell_step_ends();
     if (data.self.after_step.empty() || data.self.orphaned()) {
         lock.finish();
-        return check_after_step(*this);
+        check_after_step(*this);
+    } else {
+        call_after_step(std::exchange(data.self.after_step, {}), lock);
     }
-    call_after_step(std::exchange(data.self.after_step, {}), lock);
+    if (failure_of_host) std::rethrow_exception(failure_of_host);
 }
 
 /// The functions may destroy the world.

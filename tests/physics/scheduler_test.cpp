@@ -105,6 +105,24 @@ class Alone : public TaskScheduler {
     void finish() override {}
 };
 
+/// Throws in a step, when some or all of its tasks were started.
+class Failing : public Engine {
+  public:
+    using Engine::Engine;
+    void start(uint32_t count, Task task, void* context) override {
+        Engine::start(starts == start_of_failure ? 1 : count, task, context);
+        if (starts - 1 == start_of_failure) throw std::runtime_error("no thread is free");
+    }
+    void finish() override {
+        if (finishes == finish_of_failure) {
+            ++finishes;
+            throw std::runtime_error("the threads are gone");
+        }
+        Engine::finish();
+    }
+    int start_of_failure = -1, finish_of_failure = -1;
+};
+
 void heap(World& world) {
     add_floor(world);
     for (int i = 0; i < 1500; ++i)
@@ -158,6 +176,55 @@ TEST_CASE("a host that does the tasks at once on the thread that steps changes n
     helped.set_scheduler(&alone, 4);
     run(plain, 0.2f);
     run(helped, 0.2f);
+    REQUIRE(helped.hash() == plain.hash());
+}
+
+TEST_CASE("a host that cannot start its tasks has stopped the step before it began") {
+    World plain, helped;
+    Failing engine(3);
+    heap(plain);
+    heap(helped);
+    helped.set_scheduler(&engine, 4);
+    engine.start_of_failure = 5;
+    for (int i = 0; i < 10; ++i) {
+        const uint64_t before = helped.hash();
+        if (i == 5) {
+            REQUIRE_THROWS_WITH(helped.step(frame), "no thread is free");
+            REQUIRE(helped.hash() == before);
+            REQUIRE(engine.finishes == 6);  // the task that was started has ended
+        }
+        helped.step(frame);
+        plain.step(frame);
+        REQUIRE(helped.hash() == plain.hash());
+    }
+    REQUIRE(engine.starts == 11);
+    REQUIRE_FALSE(helped.validate());
+}
+
+TEST_CASE("a host that cannot wait for its tasks is told so after the step and not asked again") {
+    World plain;
+    Failing engine(3), other(3);  // they outlive the world
+    World helped;
+    heap(plain);
+    heap(helped);
+    helped.set_scheduler(&engine, 4);
+    engine.finish_of_failure = 3;
+    int after_steps = 0;
+    for (int i = 0; i < 10; ++i) {
+        helped.after_step([&after_steps] { ++after_steps; });
+        if (i == 3)
+            REQUIRE_THROWS_WITH(helped.step(frame), "the threads are gone");
+        else
+            helped.step(frame);
+        plain.step(frame);
+        REQUIRE(helped.hash() == plain.hash());
+    }
+    REQUIRE(after_steps == 10);
+    REQUIRE(engine.starts == 4);
+    helped.set_scheduler(&other, 4);
+    run(helped, 0.1f);
+    run(plain, 0.1f);
+    REQUIRE(other.starts == 6);
     REQUIRE(helped.hash() == plain.hash());
 }
 

@@ -12,7 +12,9 @@ namespace fettle::physics {
 /// `start` once and then `finish` once, on the thread that steps. The tasks of a step end by
 /// themselves as soon as the step is over. The stepping thread works, too, and does what no task
 /// does: so a step needs no task to run, and its result does not depend on when and where they run.
-/// The functions must not throw.
+/// What the functions throw, `World::step` throws: after `start`, the world has made no step; after
+/// `finish`, it has made the whole step, and steps on one thread until `World::set_scheduler` is
+/// called again.
 class TaskScheduler {
   public:
     /// To be called once by the host, with the context and the number of the task.
