@@ -113,7 +113,7 @@ class FettleEngine : public Engine {
 
   private:
     static BodyMotion motion_of(const physics::Body& body) {
-        const physics::Vec2 position = body.position();
+        const auto position = physics::Vec2(body.position());
         const physics::Vec2 velocity = body.velocity();
         return {{position.x, position.y},
                 body.angle(),

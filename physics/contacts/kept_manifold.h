@@ -34,11 +34,16 @@ inline bool turns_on_its_own(const ObjectState& objects, uint32_t shape, uint32_
            objects.bodies[body].mobility == Mobility::kinematic;
 }
 
+/// False for the border in double precision: the anchor on it is not from the center of a body.
+inline bool has_both_anchors(const ObjectState& objects, const ContactRecord& c) {
+    return !double_positions || objects.forms[c.shape_a].kind != FormKind::border;
+}
+
 /// Called after the manifold was computed. Only two points are all that two edges can have, so only
 /// then no other point can come into contact meanwhile.
 inline void note_pose(ObjectState& objects, uint32_t slot) {
     ContactRecord& c = objects.contacts[slot];
-    c.kept = c.manifold.count == 2 && !c.sensor;
+    c.kept = c.manifold.count == 2 && !c.sensor && has_both_anchors(objects, c);
     if (c.kept && objects.kinematic_bodies > 0)
         c.kept = !turns_on_its_own(objects, c.shape_a, c.body_a) &&
                  !turns_on_its_own(objects, c.shape_b, c.body_b);

@@ -156,6 +156,10 @@ inline Box4 box_of(const Position& low, const Position& high) {
 inline Box4 box_of(const Aabb& box) {
     return box_of(box.min, box.max);
 }
+/// Enlarges a box so that it contains another one.
+inline void add_box(Aabb& all, const Aabb& other) {
+    all = {all.min.min(other.min), all.max.max(other.max)};
+}
 /// A box around a point, given relative to the point.
 inline Box4 box_around(const Position& point, const Box4& relative) {
     return box_of(point + relative.low, point + relative.high);

@@ -45,7 +45,9 @@ void Mover::set_state(const MoverState& state) {
     check_coordinates("position", state.position);
     check_finite("ground_normal", state.ground_normal);
     state_ = state;
-    state_.ground_normal = normalized(bounded(state.ground_normal, 1e6f));
+    // A normal of length 1 keeps its bits, so that a copy moves as the original does.
+    const Vec2 normal = bounded(state.ground_normal, 1e6f);
+    if (std::fabs(length_squared(normal) - 1.0f) > 1e-6f) state_.ground_normal = normalized(normal);
 }
 
 namespace {

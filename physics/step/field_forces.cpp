@@ -7,6 +7,7 @@
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
 #include <step/gather.h>
+#include <step/shape_box.h>
 
 namespace fettle::physics::detail {
 namespace {
@@ -27,8 +28,8 @@ bool inside(const std::optional<Aabb>& region, const Position& p) {
                        p.y <= region->max.y);
 }
 
-bool reaches(const std::optional<Aabb>& region, const Box4& box) {
-    return !region || overlap(box, box_of(*region));
+bool overlap(const Aabb& a, const Aabb& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }
 
 class FieldOnBody {
@@ -155,15 +156,16 @@ class FieldOnBody {
     Push& push_;
 };
 
-bool concerns(const ObjectState& objects, std::span<const Box4> boxes, uint32_t body,
-              const FieldDef& field) {
+bool concerns(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+              uint32_t body, const FieldDef& field) {
     const bool liquid = std::holds_alternative<BuoyancyField>(field.force);
     if (!liquid && !inside(field.region, objects.bodies[body].center)) return false;
     bool any = objects.bodies[body].first_shape == none;
     for (uint32_t s = objects.bodies[body].first_shape; s != none && !any;
          s = objects.shapes[s].next) {
         any = (objects.shapes[s].surface.category & field.mask) != 0 &&
-              (!liquid || reaches(field.region, boxes[s]));
+              (!liquid || !field.region ||
+               overlap(*field.region, box_of_shape(objects, columns, boxes, s)));
     }
     return any;
 }
@@ -187,7 +189,7 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         Push sum;
         for (const FieldRecord& field : objects.fields) {
             if (field.generation == 0 || !field.def.enabled ||
-                !concerns(objects, boxes, body, field.def))
+                !concerns(objects, columns, boxes, body, field.def))
                 continue;
             Push push;
             std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, dt, push),

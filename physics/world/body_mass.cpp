@@ -1,3 +1,4 @@
+#include <step/shape_box.h>
 #include <world/live.h>
 
 // Mass and size of a body: computed from its shapes, or overridden.
@@ -63,10 +64,10 @@ Aabb Body::aabb() const {
     FETTLE_LIVE_BODY
     data.read_all();
     if (record.first_shape == none) return {state.position, state.position};
-    Box4 box = no_box;
+    Aabb all = {no_box.low, no_box.high};
     for (uint32_t s = record.first_shape; s != none; s = data.shapes[s].next)
-        if (data.is_solid(s)) box = unite(box, data.boxes[s]);
-    return {box.low, box.high};
+        if (data.is_solid(s)) add_box(all, box_of_shape(data, data, data.boxes, s));
+    return all;
 }
 
 namespace {

@@ -1,4 +1,5 @@
 #include <geometry/trigonometry.h>
+#include <step/shape_box.h>
 #include <world/live.h>
 
 #include <stdexcept>
@@ -197,9 +198,10 @@ float Shape::mass() const {
 
 Aabb Shape::aabb() const {
     FETTLE_REFRESHED_SHAPE(read_all())
-    Box4 box = no_box;
-    data.for_each_solid(id_.index, [&](uint32_t s) { box = unite(box, data.boxes[s]); });
-    return {box.low, box.high};
+    Aabb all = {no_box.low, no_box.high};
+    data.for_each_solid(id_.index,
+                        [&](uint32_t s) { add_box(all, box_of_shape(data, data, data.boxes, s)); });
+    return all;
 }
 
 std::vector<Position> Shape::world_vertices() const {

@@ -9,7 +9,7 @@
 #include <world/world_data.h>
 
 #include <algorithm>
-#include <bit>
+#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -430,14 +430,19 @@ uint64_t detail::hash_of(const Columns& columns) {
         hash = (hash ^ word ^ (word >> 31)) * 0x100000001b3u;
     };
     auto add = [&mix](float a, float b) {
-        mix(uint64_t{std::bit_cast<uint32_t>(b)} << 32 | std::bit_cast<uint32_t>(a));
+        uint32_t words[2];
+        std::memcpy(&words[0], &a, 4);
+        std::memcpy(&words[1], &b, 4);
+        mix(uint64_t{words[1]} << 32 | words[0]);
     };
     for (uint32_t i = 1; i < columns.states.size(); ++i) {
         if (columns.body_generations[i] == 0) continue;
         const BodyState& s = columns.states[i];
 #ifdef FETTLE_PHYSICS_DOUBLE
-        mix(std::bit_cast<uint64_t>(s.position.x));
-        mix(std::bit_cast<uint64_t>(s.position.y));
+        uint64_t words[2];
+        std::memcpy(words, &s.position, sizeof words);
+        mix(words[0]);
+        mix(words[1]);
 #else
         add(s.position.x, s.position.y);
 #endif

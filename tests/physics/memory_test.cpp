@@ -116,7 +116,8 @@ TEST_CASE("a sleeping body with a box that rests on the ground takes less than a
         REQUIRE(world->contacts().size() == std::size_t(count));
         const auto bytes = double(bytes_in_use - before) / count;
         INFO(count << " bodies, " << bytes << " bytes each");
-        REQUIRE(bytes < 1024);
+        // In double precision it has five positions more precise, of eight bytes each.
+        REQUIRE(bytes < (sizeof(Position) > sizeof(Vec2) ? 1124 : 1024));
         REQUIRE(bytes > 500);  // it counts
     }
 }

@@ -27,6 +27,12 @@ enum class Solver : uint8_t {
     direct       ///< each island as one complementarity problem
 };
 
+#ifdef FETTLE_PHYSICS_DOUBLE
+// The type has another name for the linker, and so has what takes it. So a program does not link
+// with a library whose positions are of another precision.
+inline namespace double_positions {
+#endif
+
 /// Settings of a world.
 struct WorldDef {
     Vec2 gravity = {0.0f, -10.0f};  ///< m/s²
@@ -51,6 +57,10 @@ struct WorldDef {
     Solver solver = Solver::soft_step;           ///< how contacts and joints are solved
     bool persist_events = false;                 ///< report every continuing touch in every step
 };
+
+#ifdef FETTLE_PHYSICS_DOUBLE
+}  // namespace double_positions
+#endif
 
 /// A body that a world is to create.
 struct BodyDef {
