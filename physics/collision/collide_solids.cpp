@@ -8,9 +8,7 @@
 #include <utility>
 
 namespace fettle::physics::detail {
-namespace {
 
-/// Converts the manifold of b and a into that of a and b.
 void turn_round(Manifold& m) {
     m.normal = -m.normal;
     for (int k = 0; k < m.count; ++k) {
@@ -19,6 +17,8 @@ void turn_round(Manifold& m) {
         p.feature = uint16_t(p.feature << 8 | p.feature >> 8);
     }
 }
+
+namespace {
 
 void collide_ellipse(const Solid& ellipse, const Solid& other, Vec2 offset, float margin,
                      Manifold& m) {
@@ -90,6 +90,25 @@ void collide(const Solid& a, const Solid& b, Vec2 offset, float margin, bool hel
         collide_mixed_with_large(a, b, offset, margin, held, m);
     else
         collide_mixed(a, b, offset, margin, held, m);
+}
+
+void collide_on_side(const Solid& segment, const Solid& other, Vec2 side, Vec2 offset, float margin,
+                     Manifold& m) {
+    const Convex& form = segment.form;
+    const int first = dot(form.normals[0], side) >= 0.0f ? 0 : 1;
+    const Vec2 normal = form.normals[first];
+    // The surface on this side, as a segment of a chain with free ends.
+    const Vec2 out = form.radius * normal;
+    const Vec2 vertices[] = {form.vertices[first] + out, form.vertices[1 - first] + out};
+    const Vec2 normals[] = {normal, -normal};
+    const float offsets[] = {dot(normal, vertices[0]), -dot(normal, vertices[0])};
+    const Vec2 limits[] = {{}, normal, normal, {}};
+    Solid sheet;
+    sheet.form = {vertices, normals, offsets, 2, 0.0f};
+    sheet.kind = FormKind::piece;
+    sheet.limits = limits;
+    sheet.normals = normals;
+    collide(sheet, other, offset, margin, true, m);
 }
 
 }  // namespace fettle::physics::detail

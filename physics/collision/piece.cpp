@@ -13,6 +13,11 @@ constexpr float flat = 1e-3f;
 /// shape is in front of another piece.
 constexpr float beyond = 0.01f;
 
+/// What touches a one-sided segment is pushed to its front until all of it is this far behind (m):
+/// a heavy blow may press a thin body through within a step or two, before the contact pushes it
+/// out.
+constexpr float far_behind = 0.01f;
+
 float sign_of(Vec2 v) {
     return v.x != 0.0f || v.y != 0.0f ? 1.0f : 0.0f;
 }
@@ -117,7 +122,8 @@ bool is_left_by_all(const Piece& piece, float least, float through_face) {
 void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, float margin, bool held,
                     Manifold& m) {
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center); });
-    if (axes.greatest() > radius + margin || !a.faces(center, held ? radius : 0.0f)) return;
+    if (axes.greatest() > radius + margin || !a.faces(center, held ? radius + far_behind : 0.0f))
+        return;
     // The circle is outside an inner edge, or nearer to it than to any other: it meets another
     // piece first.
     const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
@@ -158,7 +164,7 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float ma
                      Manifold& m) {
     const Vec2 center = e.center + offset;
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
-    const float depth = held ? e.reach(a.form.normals[0]) : 0.0f;
+    const float depth = held ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
     if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
     if (axes.inner > axes.outer.separation + beyond) return;
     const int edge = axes.outer.edge;
@@ -223,7 +229,7 @@ class PolygonOnPiece {
         if (!piece.one_sided()) return true;
         const Vec2 n = piece.form.normals[0];
         const float low = lowest(other, n), high = -lowest(other, -n);
-        const float counted = held_ ? high : 0.5f * (low + high);
+        const float counted = held_ ? high + other.radius + far_behind : 0.5f * (low + high);
         return counted + dot(n, to_other) >= piece.form.offsets[0];
     }
 

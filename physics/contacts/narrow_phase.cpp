@@ -1,3 +1,4 @@
+#include <collision/collide_solids.h>
 #include <contacts/kept_manifold.h>
 #include <contacts/narrow_phase.h>
 #include <contacts/pairs.h>
@@ -17,6 +18,29 @@ constexpr size_t run_length = 64;  // one bit each
 /// Numbers of contacts and moved shapes in a task of a thread.
 constexpr size_t contacts_of_piece = 128, moved_at_a_time = 512;
 
+bool is_segment(const ShapeForm& form) {
+    return form.kind == FormKind::convex && form.count == 2;
+}
+
+/// What touches a two-sided segment stays on its side, however deep it is.
+void keep_side(const NarrowPhaseInput& in, ContactRecord& c, float margin, Vec2 old_normal) {
+    const bool first = is_segment(in.objects.forms[c.shape_a]);
+    const uint32_t segment = first ? c.shape_a : c.shape_b, other = first ? c.shape_b : c.shape_a;
+    if (in.objects.forms[other].kind == FormKind::border) return;
+    Manifold& m = c.manifold;
+    const Vec2 side = first ? old_normal : -old_normal;
+    const Vec2 now = first ? m.normal : -m.normal;
+    if (m.count > 0 && dot(side, now) >= 0.0f) return;
+    const Solid sheet = solid_of(in.objects, in.columns, segment);
+    if (std::fabs(dot(side, sheet.form.normals[0])) < 0.7f) return;  // it touched an end
+    const Vec2 offset = in.objects.forms[other].center - in.objects.forms[segment].center;
+    Manifold kept = {};
+    collide_on_side(sheet, solid_of(in.objects, in.columns, other), side, offset, margin, kept);
+    if (kept.count == 0) return;
+    if (!first) turn_round(kept);
+    m = kept;
+}
+
 /// Computes the manifold of one pair.
 void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
     const Manifold old = c.manifold;
@@ -29,6 +53,8 @@ void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
                 margin, m);
     else
         collide_unusual(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
+    if (old.count > 0 && !c.sensor && !c.disabled && (is_segment(a) || is_segment(b)))
+        keep_side(in, c, margin, old.normal);
     // A point with the same vertex and the same edge keeps its impulses for the warm start.
     for (int i = 0; i < m.count; ++i) {
         for (int k = 0; k < old.count; ++k) {

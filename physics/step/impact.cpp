@@ -1,3 +1,4 @@
+#include <collision/collide_solids.h>
 #include <collision/piece.h>
 #include <contacts/border.h>
 #include <distance/core.h>
@@ -42,8 +43,9 @@ class Obstacle {
         return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
-    /// The same for a point that moves from `start` to `end`.
-    Impact of_point(const Position& start, const Position& end) const {
+    /// The same for a point that moves from `start` to `end`. A point that is in the obstacle
+    /// already, but not deeper than `slip`, goes no deeper.
+    Impact of_point(const Position& start, const Position& end, float slip) const {
         Probe hit;
         Vec2 way = end - start;
         if (is_border_) {
@@ -54,6 +56,10 @@ class Obstacle {
             const Vec2 from = from_obstacle(start, now_);
             way = from_obstacle(end, 1.0f) - from;
             hit = cast_segment(obstacle_.shape, from, way);
+            if (hit.fraction >= 1.0f && slip > 0.0f) {
+                const Vec2 out = way_out(from, slip);
+                if (dot(out, way) < -centroid_gap) hit = {0.0f, out};
+            }
         }
         if (hit.fraction >= 1.0f) return {};
         const float inwards = max(-dot(hit.normal, way), 1e-9f);
@@ -68,6 +74,16 @@ class Obstacle {
     }
 
   private:
+    /// The normal of the nearest side of the obstacle for a point in it, not deeper than `slip`;
+    /// else zero.
+    Vec2 way_out(Vec2 point, float slip) const {
+        Solid disc;
+        disc.form = {&point, nullptr, nullptr, 1, 0.0f};
+        Manifold m;
+        collide(obstacle_.shape, disc, {}, 0.0f, true, m);
+        return m.count > 0 && m.points[0].separation >= -slip ? m.normal : Vec2{};
+    }
+
     /// A place at a time, in the frame of the obstacle.
     Vec2 from_obstacle(const Position& place, float t) const {
         const Vec2 d = place - obstacle_.motion.center(t);
@@ -110,7 +126,11 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};
-    return obstacle.of_point(place(now), place(1.0f));
+    // What moves by command carries a body on its way; a body in it is left to the contacts.
+    const bool driven =
+        in.objects.bodies[in.objects.forms[other].body].mobility == Mobility::kinematic;
+    const float slip = driven ? 0.0f : max(inner, least_depth);
+    return obstacle.of_point(place(now), place(1.0f), slip);
 }
 
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {

@@ -8,7 +8,8 @@
 // their own with dynamic bodies. The impacts are processed in the order of time. Each changes the
 // motions of two bodies for the rest of the step; then the impacts of these bodies are computed
 // again. No impact changes a velocity, but for the forces of the time that it took away: the next
-// step finds contacts.
+// step finds contacts. Only where the centroid of a body is at a dynamic obstacle already, an
+// impulse stops their approach, because the contact of a thin body that turns fast cannot.
 // - Two dynamic bodies stop. One that is neither fast nor a bullet goes on, and the other one keeps
 //   its place beside it.
 // - A body that moves on its own does not stop. It carries the other body along, and what that body
@@ -16,6 +17,9 @@
 
 namespace fettle::physics::detail {
 namespace {
+
+/// A body may be at two others at once; what slides more often is between them, and stops.
+constexpr int most_slides = 2;
 
 struct Mover {
     uint32_t body = none;
@@ -25,6 +29,7 @@ struct Mover {
     uint32_t place = none;  ///< in the list of fast bodies
     uint32_t version = 0;
     uint32_t carrier = none;  ///< the body that carries it along
+    int slides = 0;           ///< how often it slid along another body
     bool driven = false;
     bool stops = false;  ///< at other dynamic bodies
     bool held = false;   ///< by a fixed obstacle
@@ -35,6 +40,10 @@ struct Meeting {
     float time;
     uint32_t a, b;  ///< bodies
     uint32_t version_a, version_b;
+    /// The body with its centroid at the other one already, and the displacement in the rest of the
+    /// step that keeps it from going farther.
+    uint32_t slides = none;
+    Vec2 back = {};
 
     /// The earliest one is first in a heap.
     bool operator<(const Meeting& other) const {
@@ -69,7 +78,7 @@ class MovingImpacts {
             const Meeting next = queue_.back();
             queue_.pop_back();
             if (next.version_a == version_of(next.a) && next.version_b == version_of(next.b))
-                meet(mover(next.a), mover(next.b), next.time);
+                meet(mover(next.a), mover(next.b), next);
         }
         place_changed();
     }
@@ -126,7 +135,8 @@ class MovingImpacts {
     /// Finds what the body meets from `now` on. `first`: all bodies are looked at in turn.
     void look_around(size_t i, float now, bool first) {
         const Mover mover = movers_[i];
-        // A fast body that is no bullet is found by the fast bullets; it finds those that are slow.
+        // At first, a fast body that is no bullet is found by the fast bullets, and finds those
+        // that are slow. When its motion has changed, all are compared with it again.
         const bool seeks = mover.driven || record(mover.body).bullet || mover.carrier != none;
         if (!seeks && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
         for_each_shape(mover.body, [&](uint32_t s) {
@@ -136,7 +146,7 @@ class MovingImpacts {
                     compare(mover, s, other, now);
             });
         });
-        if (!seeks) return;
+        if (!seeks && first) return;
         for (size_t k = 0; k < movers_.size(); ++k) {
             const Mover& other = movers_[k];
             // Of two bodies that seek each other, the first one finds the second one.
@@ -158,21 +168,32 @@ class MovingImpacts {
         const Motion motion = motion_of(body);
         // What is driven does not stop: the core of the body that it carries along counts. Of two
         // other bodies, neither may reach the core of the other.
-        float time = time_of_impact(in_, other, motion, shape, mover.motion, now).time;
-        if (!mover.driven)
-            time = min(time, time_of_impact(in_, shape, mover.motion, other, motion, now).time);
+        const Impact of_other = time_of_impact(in_, other, motion, shape, mover.motion, now);
+        Impact of_this;
+        if (!mover.driven) of_this = time_of_impact(in_, shape, mover.motion, other, motion, now);
+        const float time = min(of_other.time, of_this.time);
         if (time >= 1.0f) return;
-        queue_.push_back({time, mover.body, body, mover.version, version_of(body)});
+        Meeting meeting = {time, mover.body, body, mover.version, version_of(body)};
+        const bool this_one = of_this.time <= of_other.time;
+        const Vec2 back = this_one ? of_this.back : of_other.back;
+        if (length_squared(back) > 0.0f) {
+            meeting.slides = this_one ? mover.body : body;
+            const Motion& obstacle = this_one ? motion : mover.motion;
+            meeting.back = rotate(rotation_of(obstacle.rotation(now)), back);
+        }
+        queue_.push_back(meeting);
         std::push_heap(queue_.begin(), queue_.end());
     }
 
-    void meet(size_t i, size_t k, float now) {
+    void meet(size_t i, size_t k, const Meeting& meeting) {
+        const float now = meeting.time;
         const auto rank = [&](size_t m) {
             return movers_[m].driven ? 2 : is_driven_along(m) ? 1 : 0;
         };
         if (rank(k) > rank(i)) std::swap(i, k);
         const Mover first = movers_[i], second = movers_[k];
         if (rank(i) == 0 || first.held) {
+            if (meeting.slides != none && slide(meeting)) return;
             for (const auto& [stopped, other] : {std::pair(i, k), std::pair(k, i)}) {
                 if (!movers_[stopped].stops) continue;
                 if (movers_[other].stops || movers_[stopped].carrier != none)
@@ -191,6 +212,45 @@ class MovingImpacts {
             stop(k, now, true);  // it is between two driven bodies
         }
     }
+    /// An impulse through the center of mass of the body that slides ends its approach. Then it
+    /// moves along the other body. False if it has done so often in this step.
+    bool slide(const Meeting& meeting) {
+        Mover& sliding = movers_[mover(meeting.slides)];
+        if (++sliding.slides > most_slides) return false;
+        const uint32_t other = meeting.slides == meeting.a ? meeting.b : meeting.a;
+        BodyState& a = in_.columns.states[meeting.slides];
+        BodyState& b = in_.columns.states[other];
+        const Vec2 n = normalized(meeting.back);
+        const Vec2 arm =
+            sliding.motion.center(meeting.time) - motion_of(other).center(meeting.time);
+        const SolverBody none_moves, &mass_a = mass_of(meeting.slides, none_moves),
+                                     &mass_b = mass_of(other, none_moves);
+        const float turn = mass_b.inverse_inertia * cross(arm, n);
+        const float speed = dot(n, a.velocity - b.velocity - cross(b.angular_velocity, arm));
+        const float mobility = mass_a.inverse_mass + mass_b.inverse_mass + turn * cross(arm, n);
+        if (speed < 0.0f && mobility > 0.0f) {
+            const float impulse = -speed / mobility;
+            a.velocity = a.velocity + (mass_a.inverse_mass * impulse) * n;
+            b.velocity = b.velocity - (mass_b.inverse_mass * impulse) * n;
+            b.angular_velocity -= turn * impulse;
+        }
+        Motion motion = sliding.motion;
+        motion.velocity = motion.velocity + (1.0f / (1.0f - meeting.time)) * meeting.back;
+        motion.from = sliding.motion.center(meeting.time);
+        motion.angle = float(sliding.motion.rotation(meeting.time));
+        motion.since = meeting.time;
+        motion.until = min(sliding.motion.until,
+                           time_of_impact_with_fixed(in_, sliding.body, motion, meeting.time).time);
+        change(mover_of_[meeting.slides], motion, meeting.time);
+        return true;
+    }
+    /// The inverse masses of a body that moves freely; else zeros.
+    const SolverBody& mass_of(uint32_t body, const SolverBody& none_moves) const {
+        const BodyRecord& r = record(body);
+        const bool free = r.mobility == Mobility::dynamic && r.solver_index != 0 && !r.locked_x &&
+                          !r.locked_y && !r.locked_rotation;
+        return free ? in_.bodies.solver_bodies[r.solver_index] : none_moves;
+    }
     /// True if a driven body carries it, itself or with another one.
     bool is_driven_along(size_t i) const {
         const uint32_t carrier = movers_[i].carrier;
@@ -204,6 +264,10 @@ class MovingImpacts {
         ++mover.version;
         mover.box = swept_boxes(mover, now);
         look_around(i, now, false);
+        // What it carries follows its new motion.
+        const uint32_t body = movers_[i].body;
+        for (size_t k = 0; k < movers_.size(); ++k)
+            if (movers_[k].carrier == body && !movers_[k].held) carry(k, body, now);
     }
     void stop(size_t i, float now, bool held) {
         movers_[i].held |= held;

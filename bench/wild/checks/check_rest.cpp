@@ -1,6 +1,7 @@
 // What can rest rests in time.
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/table.h"
 #include "wild/checks/check.h"
@@ -13,13 +14,29 @@ namespace {
 /// some tens. A fall from the height of the grammar takes 1.7 s.
 constexpr double allowed = 8;  // s after the last edit
 
+/// How long round bodies may roll: rolling resistance of coefficient c slows a disc by 2/3 c g.
+double rolling_time(const WorldPlan& plan) {
+    double longest = 0;
+    for (const BodyPlan& body : plan.bodies)
+        for (const ShapePlan& shape : body.shapes) {
+            if (shape.def.rolling_resistance <= 0) continue;
+            const double speed =
+                body.def.velocity.length() + reach_of(body) * std::abs(body.def.angular_velocity);
+            longest = std::max(longest, speed / (6.7 * shape.def.rolling_resistance));
+        }
+    return longest;
+}
+
 class Rest : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
-        if (moment.step == 0) judged_ = can_rest(moment.plan);
+        if (moment.step == 0) {
+            judged_ = can_rest(moment.plan);
+            allowed_ = allowed + rolling_time(moment.plan);
+        }
         if (!judged_) return {};
         time_ = moment.step <= moment.plan.last_edit() ? 0 : time_ + moment.dt;
-        if (time_ <= allowed) return {};
+        if (time_ <= allowed_) return {};
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             // What fell off the ground falls for ever.
@@ -34,6 +51,7 @@ class Rest : public Check {
 
   private:
     bool judged_ = false;
+    double allowed_ = allowed;
     double time_ = 0;
 };
 

@@ -79,13 +79,32 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
     const Outline& outline = outlines_[std::size_t(pair.obstacle)][std::size_t(pair.shape)];
     // Two bodies that move on straight ways meet only if they are at one place at the same time.
     const float b_end = end_of_motion(b0, b1, moment.dt), o_end = end_of_motion(o0, o1, moment.dt);
+    const auto in_obstacle = [&](const Vec2& at, float o) {
+        return local(at, o0.position + o * (o1.position - o0.position),
+                     o0.angle + o * (o1.angle - o0.angle));
+    };
+    // What a body that moves by command stopped, it carries along: until then the body moved
+    // freely, and afterwards it stayed where it is on that body.
+    const bool carried = o1.type == BodyType::kinematic_body && b_end < 1;
+    const auto free_place = [&](float t) {
+        return in_obstacle(placed(pair.deep.point, b0.position + t * moment.dt * b1.velocity,
+                                  b0.angle + t * (b1.angle - b0.angle)),
+                           t);
+    };
+    const Vec2 last = in_obstacle(placed(pair.deep.point, b1.position, b1.angle), 1);
+    float arrival = 0;
+    constexpr int samples = 64;
+    for (int i = 1; carried && i <= samples; ++i) {
+        const float t = float(i) / samples;
+        if ((free_place(t) - last).length() < (free_place(arrival) - last).length()) arrival = t;
+    }
     const auto place = [&](float t) {
+        if (carried) return t < arrival ? free_place(t) : last;
         const float b = std::min(t / std::max(b_end, 1e-6f), 1.0f);
         const float o = std::min(t / std::max(o_end, 1e-6f), 1.0f);
         const Vec2 origin = b0.position + b * (b1.position - b0.position);
         const Vec2 at = placed(pair.deep.point, origin, b0.angle + b * (b1.angle - b0.angle));
-        return local(at, o0.position + o * (o1.position - o0.position),
-                     o0.angle + o * (o1.angle - o0.angle));
+        return in_obstacle(at, o);
     };
     // Seen from an obstacle that turns, the body moves on an arc, too.
     Vec2 from = place(0);
@@ -94,7 +113,8 @@ void Passages::look(const Pair& pair, const Moment& moment, std::vector<Passage>
         std::max(chords(pair.deep.point.length(), b1.angle - b0.angle, depth),
                  chords(std::max(from.length(), place(1).length()), o1.angle - o0.angle, depth));
     std::vector<float> times;
-    for (const float end : {std::min(b_end, o_end), std::max(b_end, o_end), 1.0f}) {
+    const float first_end = carried ? arrival : std::min(b_end, o_end);
+    for (const float end : {first_end, std::max({first_end, b_end, o_end}), 1.0f}) {
         const float begin = times.empty() ? 0 : times.back();
         for (int i = 1; i <= count && begin < end; ++i)
             times.push_back(begin + (end - begin) * float(i) / float(count));
