@@ -191,7 +191,8 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
         "Body:apply_torque Emitter:clear Emitter:emit Interface:prefer Mover:drop Mover:jump "
         "Polygon:add_vertex "
         "SoundSource:play "
-        "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile Time:go_to "
+        "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile "
+        "Time:forget_branch Time:go_to Time:name_branch Time:switch_to "
         "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode "
         "World:explode_surfaces\ndone\t"));
 }
