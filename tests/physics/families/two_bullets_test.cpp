@@ -21,7 +21,7 @@ Geometry bullet_shape(families::Random& random) {
 }
 
 /// In coordinates of the box.
-Vec2 seen_from(const Body& box, Vec2 place) {
+Vec2 seen_from(const Body& box, const Position& place) {
     const Vec2 d = place - box.position();
     const float c = std::cos(box.angle()), s = std::sin(box.angle());
     return {c * d.x + s * d.y, c * d.y - s * d.x};
@@ -48,7 +48,7 @@ TEST_CASE("two bullets do not pass through the box that both hit") {
         std::array<Vec2, 2> before;
         for (size_t i = 0; i < 2; ++i) before[i] = seen_from(box, bullets[i].position());
         for (int step = 0; step < 30; ++step) {
-            const Vec2 place = box.position();
+            const Position place = box.position();
             world.step(lengths[step % 3]);
             const bool stands = (box.position() - place).length() < 1e-5f;
             stood = stands && box.velocity().length() > 1 ? stood + 1 : 0;
