@@ -6,7 +6,7 @@
 
 #include "playing.h"
 
-namespace branch_test {
+namespace changed_past_test {
 
 using namespace fettle;
 using namespace fettle::app;
@@ -147,4 +147,4 @@ TEST_CASE_METHOD(Branching, "what scripts wrote and the branch refuses is left o
     check(60);
 }
 
-}  // namespace branch_test
+}  // namespace changed_past_test
