@@ -1,11 +1,11 @@
-# FreeType reads fonts, Fontconfig finds those that the system has.
+# FreeType reads fonts, HarfBuzz their kerning, Fontconfig finds those that the system has.
 if(NOT TARGET fettle_fonts)
   find_package(PkgConfig REQUIRED)
-  pkg_check_modules(FETTLE_FONTS IMPORTED_TARGET GLOBAL freetype2 fontconfig)
+  pkg_check_modules(FETTLE_FONTS IMPORTED_TARGET GLOBAL freetype2 harfbuzz fontconfig)
   if(FETTLE_FONTS_FOUND)
     add_library(fettle_fonts INTERFACE IMPORTED GLOBAL)
     target_link_libraries(fettle_fonts INTERFACE PkgConfig::FETTLE_FONTS)
   else()
-    set(FETTLE_MISSING "FreeType and Fontconfig (Debian: libfreetype-dev, libfontconfig-dev) are needed")
+    set(FETTLE_MISSING "FreeType, HarfBuzz and Fontconfig (Debian: libfreetype-dev, libharfbuzz-dev, libfontconfig-dev) are needed")
   endif()
 endif()

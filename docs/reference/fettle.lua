@@ -1063,6 +1063,7 @@ Shape = {}
 ---A disc.
 ---@class Circle : Shape
 ---@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field orientation_mark boolean True if a line from its middle to its rim is drawn, which shows how it is turned. · true or false · default false
 ---@field radius number Distance from its center to its rim. · m · 0.00001 to 1000000 · default 0.5
 local fettle_Circle = {}
 
@@ -1127,6 +1128,7 @@ Polygon = {}
 ---@class Ellipse : Shape
 ---@field angle number Its angle on the body, counter-clockwise. · rad · -100000000 to 100000000 · default 0
 ---@field center vec Its center in the coordinates of the body. · m · -1000000 to 1000000 · default vec(0, 0)
+---@field orientation_mark boolean True if a line from its middle to its rim is drawn, which shows how it is turned. · true or false · default false
 ---@field radius_x number Half its width at angle 0. · m · 0.00001 to 1000000 · default 0.5
 ---@field radius_y number Half its height at angle 0. · m · 0.00001 to 1000000 · default 0.25
 local fettle_Ellipse = {}

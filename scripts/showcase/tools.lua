@@ -49,7 +49,7 @@ local function circle_radius()
 end
 
 local function make_circle()
-    stage.place():add(Thing { position = center, tint = new_tint(), Circle { radius = circle_radius() } })
+    stage.place():add(Thing { position = center, tint = new_tint(), Circle { radius = circle_radius(), orientation_mark = true } })
     center = nil
 end
 

@@ -25,9 +25,11 @@ struct Drawn : Game {
 
 }  // namespace
 
-TEST_CASE_METHOD(Drawn, "a circle has a radius line that turns with it") {
+TEST_CASE_METHOD(Drawn, "a round shape has a radius line that turns with it if it is asked for") {
     const Handle ball = body("Circle", {2, 3});
     set(ball, "angle", 3.14159265 / 2);
+    CHECK(draw().figures.size() == 1);
+    set(shape_of(ball), "orientation_mark", true);
     const Picture picture = draw();
     REQUIRE(picture.figures.size() == 2);
     CHECK(picture.figures[0].kind == "circle");
@@ -77,14 +79,13 @@ TEST_CASE_METHOD(Drawn, "round and concave shapes are drawn with their own figur
     const Handle form = make("Concave", star);
     set(form, "vertices", List{Vec2(-1, -1), Vec2(1, -1), Vec2(0, 0), Vec2(1, 1), Vec2(-1, 1)});
     const Picture picture = draw();
-    REQUIRE(picture.figures.size() == 3);
+    REQUIRE(picture.figures.size() == 2);
     CHECK(picture.figures[0].kind == "ellipse");
     CHECK(picture.figures[0].points[0] == Vec2(1, 2));
     CHECK(picture.figures[0].points[1] == Vec2(3, 1));
     CHECK(picture.figures[0].size == Approx(0.75));
-    CHECK(picture.figures[1].kind == "line");
-    CHECK(picture.figures[2].kind == "polygon");
-    CHECK(picture.figures[2].points.size() == 5);
+    CHECK(picture.figures[1].kind == "polygon");
+    CHECK(picture.figures[1].points.size() == 5);
 }
 
 TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one figure") {
@@ -96,11 +97,10 @@ TEST_CASE_METHOD(Drawn, "the shapes of one body are parts of one figure") {
     const Picture picture = draw();
     std::vector<std::uint64_t> wholes;
     for (const Figure& figure : picture.figures) wholes.push_back(figure.whole);
-    // The radius line of a single circle is a separate figure.
-    REQUIRE(wholes.size() == 6);
-    CHECK((wholes[0] == 0 && wholes[1] == 0));
-    CHECK((wholes[2] != 0 && wholes[2] == wholes[3]));
-    CHECK((wholes[4] != wholes[3] && wholes[4] == wholes[5]));
+    REQUIRE(wholes.size() == 5);
+    CHECK(wholes[0] == 0);
+    CHECK((wholes[1] != 0 && wholes[1] == wholes[2]));
+    CHECK((wholes[3] != wholes[2] && wholes[3] == wholes[4]));
     CHECK(tree.alive(alone));
 }
 

@@ -106,6 +106,12 @@ Cases form_cases() {
     };
     Cases cases;
     cases["Circle.radius"] = of("Circle", make_case(0.8, 60, rises_to(0.75)));
+    const auto has_line = [](Stage& s) {
+        const auto is_line = [](const Figure& figure) { return figure.kind == "line"; };
+        return std::ranges::any_of(s.draw().figures, is_line);
+    };
+    cases["Circle.orientation_mark"] = of("Circle", make_case(true, 1, has_line));
+    cases["Ellipse.orientation_mark"] = of("Ellipse", make_case(true, 1, has_line));
     cases["Circle.center"] = of("Circle", make_case(Vec2(0, 0.3), 30, sinks_to(0.3)));
     cases["Box.width"] = make_case(
         3, 30, [](Stage& s) { return s.load() > 28 && aabb_width(s) == Approx(3).margin(0.01); });

@@ -207,6 +207,31 @@ TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
     }
 }
 
+// Fonts made today have the distances of pairs of letters in GPOS only, older ones in kern.
+TEST_CASE_METHOD(Written, "pairs of letters move together as either table of the font says") {
+    const std::string font = file_of(sans_file);
+    if (font.empty()) return;
+    const auto without = [&](std::string_view table, std::string_view renamed) {
+        std::string changed = font;
+        const std::size_t at = changed.find(table);
+        REQUIRE(at < 512);  // in the directory of tables
+        return changed.replace(at, 4, renamed);
+    };
+    write("gpos.ttf", without("kern", "kerm"));
+    write("kern.ttf", without("GPOS", "GPOT"));
+    const auto of = [&](const char* file, const char* letters) {
+        tree.set(text, "font", Value(file));
+        tree.set(text, "text", Value(letters));
+        return width();
+    };
+    for (const char* file : {"gpos.ttf", "kern.ttf"}) {
+        CAPTURE(file);
+        CHECK(of(file, "AV") < of(file, "A") + of(file, "V") - 0.03);
+        CHECK(of(file, "nn") == Approx(2 * of(file, "n")));
+        CHECK(of(file, "fi") == Approx(of(file, "f") + of(file, "i")).margin(0.03));
+    }
+}
+
 TEST_CASE_METHOD(Written, "letters that no font of the game has are taken from the system") {
     if (file_of(chinese_file).empty()) return;
     tree.set(text, "text", Value("\xf4\x8f\xbf\xbf\xf4\x8f\xbf\xbf"));  // no font has U+10FFFF

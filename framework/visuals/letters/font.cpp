@@ -1,12 +1,15 @@
-// Reads fonts with FreeType, which is made for files from strangers.
+// Reads fonts with FreeType, and their kerning with HarfBuzz. Both are made for files from
+// strangers.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <ft2build.h>
+#include <hb.h>
 #include FT_FREETYPE_H
 #include FT_ADVANCES_H
 #include FT_OUTLINE_H
@@ -52,12 +55,51 @@ Pixel pixel_of(const FT_Bitmap& from, unsigned x, unsigned y) {
 
 struct Font::Data {
     ~Data() {
+        hb_buffer_destroy(pair);
+        hb_font_destroy(spacing);
         if (face != nullptr) FT_Done_Face(face);
         if (library != nullptr) FT_Done_FreeType(library);
     }
+    void open_spacing(const std::string& file, int index);
+    double kerning(char32_t first, char32_t second) const;  // in units of the font
+
     FT_Library library = nullptr;
     FT_Face face = nullptr;
+    hb_font_t* spacing = nullptr;  // null for a font of pictures
+    hb_buffer_t* pair = nullptr;
 };
+
+void Font::Data::open_spacing(const std::string& file, int index) {
+    hb_blob_t* const blob = hb_blob_create(file.data(), static_cast<unsigned>(file.size()),
+                                           HB_MEMORY_MODE_READONLY, nullptr, nullptr);
+    hb_face_t* const described = hb_face_create(blob, static_cast<unsigned>(index));
+    spacing = hb_font_create(described);
+    pair = hb_buffer_create();
+    hb_face_destroy(described);
+    hb_blob_destroy(blob);
+}
+
+/// The two letters are set as a text: their width without the sum of their widths.
+double Font::Data::kerning(char32_t first, char32_t second) const {
+    // Letters stay what they are: each one is drawn by itself.
+    constexpr std::array<hb_feature_t, 3> features = {{{HB_TAG('l', 'i', 'g', 'a'), 0, 0, ~0u},
+                                                       {HB_TAG('c', 'l', 'i', 'g'), 0, 0, ~0u},
+                                                       {HB_TAG('c', 'a', 'l', 't'), 0, 0, ~0u}}};
+    const std::array<std::uint32_t, 2> letters = {first, second};
+    hb_buffer_reset(pair);
+    hb_buffer_add_utf32(pair, letters.data(), 2, 0, 2);
+    hb_buffer_set_direction(pair, HB_DIRECTION_LTR);
+    hb_buffer_guess_segment_properties(pair);
+    hb_shape(spacing, pair, features.data(), features.size());
+    unsigned count = 0;
+    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(pair, &count);
+    const hb_glyph_position_t* const places = hb_buffer_get_glyph_positions(pair, &count);
+    if (count != 2) return 0;
+    double added = 0;
+    for (unsigned i = 0; i < count; ++i)
+        added += places[i].x_advance - hb_font_get_glyph_h_advance(spacing, glyphs[i].codepoint);
+    return added;
+}
 
 Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::make_unique<Data>()) {
     if (FT_Init_FreeType(&data_->library) != 0) throw std::runtime_error("cannot be read");
@@ -71,6 +113,7 @@ Font::Font(std::string file, int index) : file_(std::move(file)), data_(std::mak
         unit_ = 1.0 / face->units_per_EM;
         ascent_ = unit_ * face->ascender;
         descent_ = -unit_ * face->descender;
+        data_->open_spacing(file_, index);
         return;
     }
     // Emoji are pictures of a few sizes.
@@ -111,12 +154,11 @@ double Font::advance(char32_t letter) const {
 }
 
 double Font::kerning(char32_t first, char32_t second) const {
-    if (!FT_HAS_KERNING(data_->face)) return 0;
-    FT_Vector between{};
-    if (FT_Get_Kerning(data_->face, glyph(first), glyph(second), FT_KERNING_UNSCALED, &between) !=
-        0)
-        return 0;
-    return unit_ * static_cast<double>(between.x);
+    if (data_->spacing == nullptr) return 0;
+    const auto [at, added] =
+        kernings_.try_emplace(std::uint64_t{first} << 32 | std::uint64_t{second}, 0.0);
+    if (added) at->second = unit_ * data_->kerning(first, second);
+    return at->second;
 }
 
 /// Sets the size in which letters are drawn next. Fonts of pictures have few sizes. Returns the

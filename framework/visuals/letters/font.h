@@ -30,6 +30,7 @@ class Font {
     bool has(char32_t letter) const;
     // Lengths for a font of size 1.
     double advance(char32_t letter) const;
+    /// What is added to the distance of two letters that follow each other.
     double kerning(char32_t first, char32_t second) const;
     double ascent() const { return ascent_; }    // of the highest letters above the baseline
     double descent() const { return descent_; }  // below it, positive
@@ -54,6 +55,7 @@ class Font {
     double ascent_ = 0, descent_ = 0;
     std::unordered_map<std::uint64_t, std::unique_ptr<Letter>> letters_;
     mutable std::unordered_map<char32_t, Glyph> glyphs_;
+    mutable std::unordered_map<std::uint64_t, double> kernings_;  // of pairs of letters
 };
 
 }  // namespace fettle::visuals

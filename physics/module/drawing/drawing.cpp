@@ -150,7 +150,8 @@ namespace {
 
 void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     HostedWorld& in = hosting.hosted(row);
-    if (!in.looks.get(slot_of(row)).visible) return;
+    const Look look = in.looks.get(slot_of(row));
+    if (!look.visible) return;
     const physics::Shape shape = hosting.shape(row);
     const physics::Body owner = shape.body();
     const Vec2 reach = owner ? last_motion(in.world, owner.index()) : Vec2(0, 0);
@@ -162,8 +163,7 @@ void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
     draw_form(shape, frame, paint, painter);
     if (!alone) painter.part_of(0);
-    // With several shapes, their positions show the rotation.
-    if (alone) draw_mark(shape, frame, paint, painter);
+    if (look.orientation_mark) draw_mark(shape, frame, paint, painter);
 }
 
 }  // namespace

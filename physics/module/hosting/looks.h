@@ -16,6 +16,7 @@ struct Look {
     std::optional<property::Color> fill;    // empty: the color of the body, or of its type
     std::optional<property::Color> border;  // empty: a darker fill
     bool visible = true;
+    bool orientation_mark = false;  // a line from the middle of a circle or an ellipse to its rim
 };
 
 /// Values of type T by slot; slots that were never written hold T{} and take no memory.

@@ -139,7 +139,8 @@ Row Hosting::leave_shape(Row from, std::uint32_t to, const physics::Shape& fresh
     note_departure(from);
     if (!hosted(from).looks.empty()) {
         const Look look = hosted(from).looks.take(slot_of(from));
-        if (look.fill || look.border || !look.visible) worlds_[to]->looks.set(fresh.index(), look);
+        if (look.fill || look.border || !look.visible || look.orientation_mark)
+            worlds_[to]->looks.set(fresh.index(), look);
     }
     shape(from).destroy();
     return make_row(to, fresh.index());

@@ -77,7 +77,8 @@ ModuleData read_module_data(property::ByteReader& from) {
     data.ties = from.list<Ties>();
     data.movers = from.list<MoverRecord>();
     for (const Look& look : data.looks)
-        from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible),
+        from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible) &&
+                         is_flag(look.orientation_mark),
                      "a look");
     for (const auto& color : data.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : data.velocities)

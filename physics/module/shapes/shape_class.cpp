@@ -26,6 +26,17 @@ void set_look(Hosting& hosting, Row row, const Look& look) {
     hosting.hosted(row).looks.set(slot_of(row), look);
 }
 
+template <bool Look::*Flag>
+Binding look_flag(Hosting& hosting) {
+    return accessor(
+        hosting, [](Hosting& h, Row row) { return look_of(h, row).*Flag; },
+        [](Hosting& h, Row row, const Value& value) {
+            Look look = look_of(h, row);
+            look.*Flag = value.boolean();
+            set_look(h, row, look);
+        });
+}
+
 /// A color that is computed unless it is set.
 template <std::optional<property::Color> Look::*Given, property::Color (Hosting::*Effective)(Row)>
 Binding paint(Hosting& hosting) {
@@ -47,16 +58,6 @@ Binding paint(Hosting& hosting) {
         return (look_of(*static_cast<Hosting*>(context), row).*Given).has_value();
     };
     return binding;
-}
-
-Binding visible(Hosting& hosting) {
-    return accessor(
-        hosting, [](Hosting& h, Row row) { return look_of(h, row).visible; },
-        [](Hosting& h, Row row, const Value& value) {
-            Look look = look_of(h, row);
-            look.visible = value.boolean();
-            set_look(h, row, look);
-        });
 }
 
 std::vector<Property> surface(Hosting& hosting) {
@@ -146,7 +147,8 @@ std::vector<Property> looks(Hosting& hosting) {
          .default_value = default_border(fill),
          .doc = "Color of its outline; a darker fill color unless it is set.",
          .binding = paint<&Look::border, &Hosting::border_of>(hosting)},
-        flag("visible", true, "True if it is drawn; it collides in any case.", visible(hosting)),
+        flag("visible", true, "True if it is drawn; it collides in any case.",
+             look_flag<&Look::visible>(hosting)),
     };
 }
 
@@ -192,6 +194,12 @@ std::vector<Property> derived(Hosting& hosting) {
 }
 
 }  // namespace
+
+Property orientation_mark(Hosting& hosting) {
+    return flag("orientation_mark", false,
+                "True if a line from its middle to its rim is drawn, which shows how it is turned.",
+                look_flag<&Look::orientation_mark>(hosting));
+}
 
 void define_shape(Hosting& hosting) {
     property::ClassDescriptor shape;

@@ -9,6 +9,7 @@ struct ShapeKind;
 
 void define_shapes(Hosting& hosting);  // Shape and all classes that derive from it
 void define_shape(Hosting& hosting);
+property::Property orientation_mark(Hosting& hosting);  // of round shapes
 property::Lifecycle shape_lifecycle(ShapeKind& kind);
 
 }  // namespace fettle::physics_module

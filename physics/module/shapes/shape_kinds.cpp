@@ -121,7 +121,7 @@ void define_ellipse(Hosting& hosting) {
                    bound<&Shape::radius_x, &Shape::set_radius_x>(hosting)),
             length("radius_y", ellipse.radius_y, size, "Half its height at angle 0.",
                    bound<&Shape::radius_y, &Shape::set_radius_y>(hosting)),
-            middle(hosting), turned(hosting)});
+            middle(hosting), turned(hosting), orientation_mark(hosting)});
 }
 
 void define_outlines(Hosting& hosting) {
@@ -154,7 +154,7 @@ void define_shapes(Hosting& hosting) {
     define(hosting, 0, "Circle", "A disc.",
            {length("radius", circle.radius, size, "Distance from its center to its rim.",
                    bound<&Shape::radius, &Shape::set_radius>(hosting)),
-            center});
+            center, orientation_mark(hosting)});
     define(hosting, 1, "Box", "A rectangle.",
            {length("width", box.width, size,
                    "Distance from its left to its right side, rounding included.",
