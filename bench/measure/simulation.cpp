@@ -1,6 +1,7 @@
 #include "measure/simulation.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "measure/timing.h"
@@ -67,13 +68,13 @@ void Simulation::make_steps(int steps) {
     }
 }
 
-std::size_t Simulation::topmost(bool free) const {
+std::size_t Simulation::topmost(bool free, float below) const {
     std::size_t top = scene_.bodies.size();
     float height = 0;
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
         if (scene_.bodies[i].motion != Motion::dynamic || (free && tied_[i])) continue;
         const float y = engine_->motion(i).position.y;
-        if (top == scene_.bodies.size() || y > height) {
+        if (y < below && (top == scene_.bodies.size() || y > height)) {
             top = i;
             height = y;
         }
@@ -83,19 +84,25 @@ std::size_t Simulation::topmost(bool free) const {
 
 StepTime Simulation::edited_step() {
     if (!scene_.groups.empty()) return timed_steps(1);  // the bodies outside groups do not move
-    std::size_t body = topmost(true);
+    constexpr float any_height = std::numeric_limits<float>::max();
+    std::size_t body = topmost(true, any_height);
     const bool held = body == scene_.bodies.size();
-    if (held) body = topmost(false);
-    // A body under a ceiling cannot move up, but then it can move down.
+    if (held) body = topmost(false, any_height);
+    // A body under a ceiling cannot move up, but then it can move down. One that others hit in this
+    // step goes where they send it; then the next one is tried.
+    constexpr int most_tried = 20;
     StepTime time;
     float moved = 0;
-    for (const float push : {1.0f, -1.0f}) {  // m/s
-        const BodyMotion before = engine_->motion(body);
-        engine_->edit_velocity(body, {before.velocity.x, before.velocity.y + push});
-        time += timed_steps(1);
-        const float alone = (before.velocity.y + scene_.gravity.y * time_step) * time_step;
-        moved = engine_->motion(body).position.y - before.position.y - alone;
-        if (held || moved * push > 0.5f * push * push * time_step) return time;
+    for (int tried = 0; tried < most_tried && body != scene_.bodies.size(); ++tried) {
+        for (const float push : {1.0f, -1.0f}) {  // m/s
+            const BodyMotion before = engine_->motion(body);
+            engine_->edit_velocity(body, {before.velocity.x, before.velocity.y + push});
+            time += timed_steps(1);
+            const float alone = (before.velocity.y + scene_.gravity.y * time_step) * time_step;
+            moved = engine_->motion(body).position.y - before.position.y - alone;
+            if (held || moved * push > 0.5f * push * push * time_step) return time;
+        }
+        body = topmost(true, engine_->motion(body).position.y);
     }
     throw std::runtime_error(scene_.name + " in " + name_ +
                              ": an edit of a body's velocity in mid-run had no effect: it moved " +

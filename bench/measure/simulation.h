@@ -38,7 +38,9 @@ class Simulation {
     StepTime timed_steps(int steps);
     void make_steps(int steps);
     StepTime edited_step();
-    std::size_t topmost(bool free) const;
+    /// The highest dynamic body lower than `below` (m), without joints if `free`; the number of
+    /// bodies if there is none.
+    std::size_t topmost(bool free, float below) const;
 
     const Scene& scene_;
     std::string name_;

@@ -48,9 +48,12 @@ struct ActingContact {
     bool serially = false;  ///< solved one at a time
     uint8_t tells = 0;      ///< bits of `Tells`
 
-    /// Reports: it touches, it tells hits. Bounces: it may bounce; it will, if nothing is between.
-    enum Tells : uint8_t { is_touching = 1, of_hits = 2, of_bounces = 4, meets = 8 };
+    /// Reports: it touches, it tells hits. Bounces: it has restitution; its shapes approach fast
+    /// enough for a bounce; a blow may pass through it in this step.
+    enum Tells : uint8_t { is_touching = 1, of_hits = 2, of_bounces = 4, meets = 8, of_blows = 16 };
     bool bounces() const { return (tells & of_bounces) != 0; }
+    /// It is in a group, but a blow is computed for it alone.
+    bool passes_blows() const { return (tells & of_blows) != 0 && !serially; }
     bool touching() const { return (tells & is_touching) != 0; }
     bool hit_events() const { return (tells & of_hits) != 0; }
 
@@ -70,6 +73,7 @@ struct ActingPiece {
     uint32_t begin = 0;
     NodeRanges nodes;           ///< from `begin` on
     uint32_t serially = 0;      ///< number of contacts that are solved one at a time
+    uint32_t passing = 0;       ///< number of contacts in groups that may pass a blow on
     bool links_blocks = false;  ///< one of them links two blocks of an earlier step
     bool meets = false;         ///< shapes that bounce approach fast
 

@@ -244,23 +244,27 @@ struct Coloring {
         });
     }
 
-    /// Lists the serial contacts in the order of the nodes.
-    void list_serial() {
-        contacts.serial_acting.clear();
-        contacts.serial_nodes.clear();
-        for (const ActingPiece& piece : contacts.acting_pieces) {
-            if (piece.serially == 0) continue;
-            for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-                if (!acting[i].serially) continue;
-                contacts.serial_acting.push_back(i);
-                contacts.serial_nodes.count(acting[i].node);
+    /// Lists the contacts that are computed one at a time, in the order of the nodes.
+    void list_single() {
+        list(contacts.serial, &ActingPiece::serially,
+             [](const ActingContact& c) { return c.serially; });
+        list(contacts.passing, &ActingPiece::passing,
+             [](const ActingContact& c) { return c.passes_blows(); });
+    }
+    void list(SingleContacts& into, uint32_t ActingPiece::*expected, auto&& belongs) {
+        const auto for_each = [&](auto&& visit) {
+            for (const ActingPiece& piece : contacts.acting_pieces) {
+                if (piece.*expected == 0) continue;
+                for (uint32_t i = piece.begin; i < piece.end(); ++i)
+                    if (belongs(acting[i])) visit(i);
             }
-        }
-        contacts.serial_nodes.sum_up();
-        auto next = contacts.serial_nodes.places();
-        contacts.serial_contacts.resize(contacts.serial_acting.size());
-        for (const uint32_t i : contacts.serial_acting)
-            contacts.serial_contacts[next[acting[i].node]++] = acting[i].slot;
+        };
+        into.nodes.clear();
+        for_each([&](uint32_t i) { into.nodes.count(acting[i].node); });
+        into.nodes.sum_up();
+        into.acting.resize(into.nodes.size());
+        auto next = into.nodes.places();
+        for_each([&](uint32_t i) { into.acting[next[acting[i].node]++] = i; });
     }
 };
 
@@ -278,8 +282,9 @@ bool approaches(const ContactRecord& record, const SolverBody& a, const SolverBo
     return false;
 }
 
-/// Contacts that bounce are solved one at a time, but only where a blow can arrive in this step: in
-/// the heaps (connected by contacts that bounce, and by joints) in which two shapes approach fast.
+/// Contacts whose shapes approach fast are solved one at a time. A blow can arrive from there in
+/// this step through the heap (what is connected by contacts that bounce, and by joints); the
+/// others of the heap pass it on.
 void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
                      const BodyScratch& bodies, ContactScratch& scratch) {
     UnionFind heaps;
@@ -315,8 +320,13 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
     for_each([&](ActingContact& c, ActingPiece& piece) {
         if (c.serially || !hit[heap_of(c)]) return;
-        c.serially = true;
-        ++piece.serially;
+        if ((c.tells & ActingContact::meets) != 0) {
+            c.serially = true;
+            ++piece.serially;
+        } else {
+            c.tells |= ActingContact::of_blows;
+            ++piece.passing;
+        }
     });
 }
 
@@ -387,7 +397,7 @@ void color_contacts(const ActiveLists& active, const BodyScratch& bodies, const 
     coloring.update_blocks();
     coloring.make_sections();
     coloring.color();
-    coloring.list_serial();
+    coloring.list_single();
     coloring.place_lanes();
 }
 

@@ -73,20 +73,20 @@ void add_wide(VelocitySums& sums, const SolverInput& input, const SolverBlock& b
     }
 }
 
-/// Calls `add(constraint, sum, side)` for the serial contacts of a body.
-void for_serial(VelocitySums& sums, const SolverInput& input, auto&& add) {
-    for (const ContactConstraint& c : input.contacts.constraints)
+/// Calls `add(constraint, sum, side)` for those of the contacts that are on the body.
+void for_single(VelocitySums& sums, const SingleContacts& contacts, auto&& add) {
+    for (const ContactConstraint& c : contacts.constraints)
         if (c.a == sums.solver_body || c.b == sums.solver_body)
             add(c, sum_of(sums, c.contact), c.b == sums.solver_body ? 1.0f : -1.0f);
 }
 
 /// Whether the normal and the levers of a contact follow its bodies. It has one point then.
 bool is_curved(const SolverInput& input, const ContactConstraint& c) {
-    return c.extra != 0 && input.contacts.extras[c.extra - 1].rolling != 0;
+    return c.extra != 0 && input.contacts.serial.extras[c.extra - 1].rolling != 0;
 }
 
 void add_serial(VelocitySums& sums, const SolverInput& input) {
-    for_serial(sums, input,
+    for_single(sums, input.contacts.serial,
                [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
                    Twist twist;
                    const bool curved = is_curved(input, c);
@@ -105,7 +105,7 @@ void add_serial(VelocitySums& sums, const SolverInput& input) {
                    }
                    if (c.extra != 0)
                        twist.add(side, 1.0f, 0.0f,
-                                 input.contacts.extras[c.extra - 1].rolling_impulse, 0.0f);
+                                 input.contacts.serial.extras[c.extra - 1].rolling_impulse, 0.0f);
                    add_twist(sums, sum, twist);
                });
 }
@@ -158,6 +158,22 @@ void add_joints(VelocitySums& sums, const SolverInput& input) {
                });
 }
 
+/// The impulses of bounces are not in those of any sub-step.
+void add_bounces(VelocitySums& sums, const SingleContacts& contacts) {
+    for_single(sums, contacts,
+               [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
+                   if (c.extra == 0) return;
+                   const ContactExtra& extra = contacts.extras[c.extra - 1];
+                   Twist twist;
+                   for (int k = 0; k < c.count; ++k) {
+                       const float bounced = extra.total[k] - sum.counted[k];
+                       sum.impulse = sum.impulse + side * along(c, bounced, 0.0f);
+                       twist.add(side, c.points[k], bounced, 0.0f);
+                   }
+                   add_twist(sums, sum, twist);
+               });
+}
+
 }  // namespace
 
 void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps, float h) {
@@ -197,7 +213,7 @@ void begin_sums(const SolverInput& input, const Columns& columns, uint64_t steps
 void add_biased(const SolverInput& input) {
     for (VelocitySums& sums : input.sums) {
         if (sums.solver_body == 0 || sums.block != 0) continue;
-        for_serial(sums, input,
+        for_single(sums, input.contacts.serial,
                    [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
                        if (!is_curved(input, c)) return;
                        const ConstraintPoint& p = c.points[0];
@@ -252,19 +268,8 @@ void end_sums(const SolverInput& input, const Columns& columns) {
     const ObjectState& objects = input.objects;
     for (VelocitySums& sums : input.sums) {
         if (sums.solver_body == 0) continue;
-        // The impulses of bounces are not in those of any sub-step.
-        for_serial(sums, input,
-                   [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
-                       if (c.extra == 0) return;
-                       const ContactExtra& extra = input.contacts.extras[c.extra - 1];
-                       Twist twist;
-                       for (int k = 0; k < c.count; ++k) {
-                           const float bounced = extra.total[k] - sum.counted[k];
-                           sum.impulse = sum.impulse + side * along(c, bounced, 0.0f);
-                           twist.add(side, c.points[k], bounced, 0.0f);
-                       }
-                       add_twist(sums, sum, twist);
-                   });
+        add_bounces(sums, input.contacts.serial);
+        add_bounces(sums, input.contacts.passing);
         std::erase_if(sums.contacts, [](const VelocitySums::OfContact& sum) {
             return sum.impulse.x == 0.0f && sum.impulse.y == 0.0f && sum.twist == 0.0f;
         });

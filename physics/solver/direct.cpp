@@ -24,8 +24,8 @@ class DirectSolver {
   public:
     DirectSolver(const SolverInput& input, float h, StepStatistics& statistics)
         : input_(input),
-          constraints_(input.contacts.constraints),
-          extras_(input.contacts.extras),
+          constraints_(input.contacts.serial.constraints),
+          extras_(input.contacts.serial.extras),
           bodies_(input.bodies.solver_bodies),
           h_(h),
           statistics_(statistics) {

@@ -52,8 +52,8 @@ class SequentialPass {
   public:
     SequentialPass(const SolverInput& input, float h)
         : input_(input),
-          constraints_(input.contacts.constraints),
-          extras_(input.contacts.extras),
+          constraints_(input.contacts.serial.constraints),
+          extras_(input.contacts.serial.extras),
           bodies_(input.bodies.solver_bodies),
           h_(h) {
         for (uint32_t i = 0; i < constraints_.size(); ++i) {

@@ -87,33 +87,33 @@ Vec2 inverse_masses(const BodyRecord& record, const SolverBody& body) {
 }
 
 /// Assigns an index in `extras` to each contact that needs one.
-void give_extras(ContactScratch& scratch) {
-    scratch.extras.clear();
+void give_extras(SingleContacts& contacts) {
+    contacts.extras.clear();
     uint32_t rolling = 0;
-    for (size_t i = 0; i < scratch.serial_notes.size(); ++i) {
-        const uint8_t note = scratch.serial_notes[i];
-        scratch.constraints[i].extra = 0;
+    for (size_t i = 0; i < contacts.notes.size(); ++i) {
+        const uint8_t note = contacts.notes[i];
+        contacts.constraints[i].extra = 0;
         if (note == 0) continue;
-        ContactExtra& extra = scratch.extras.emplace_back();
+        ContactExtra& extra = contacts.extras.emplace_back();
         if ((note & rolls) != 0) extra.rolling = ++rolling;
-        scratch.constraints[i].extra = uint32_t(scratch.extras.size());
+        contacts.constraints[i].extra = uint32_t(contacts.extras.size());
     }
-    scratch.rolling_contacts.resize(rolling);
+    contacts.rolling_contacts.resize(rolling);
 }
 
-void prepare_extra_of(size_t serial, const ObjectState& objects, const Columns& columns,
-                      std::span<const SolverBody> bodies, ContactScratch& scratch, float ratio) {
-    const ContactConstraint& c = scratch.constraints[serial];
+void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& columns,
+                      std::span<const SolverBody> bodies, SingleContacts& contacts, float ratio) {
+    const ContactConstraint& c = contacts.constraints[single];
     const ContactRecord& record = objects.contacts[c.contact];
-    ContactExtra& extra = scratch.extras[c.extra - 1];
+    ContactExtra& extra = contacts.extras[c.extra - 1];
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
-    if ((scratch.serial_notes[serial] & passes) != 0) extra.corner = corner_of(objects, record);
+    if ((contacts.notes[single] & passes) != 0) extra.corner = corner_of(objects, record);
     if (extra.rolling == 0) return;
     const auto bend = [&](uint32_t shape, Vec2 normal) {
         return bend_of(solid_of(objects, columns, shape), normal);
     };
-    scratch.rolling_contacts[extra.rolling - 1] = {c, bend(record.shape_a, c.normal),
-                                                   bend(record.shape_b, -c.normal)};
+    contacts.rolling_contacts[extra.rolling - 1] = {c, bend(record.shape_a, c.normal),
+                                                    bend(record.shape_b, -c.normal)};
 }
 
 /// Stores the impulses of a constraint in its contact; returns the note of the contact.
@@ -143,19 +143,18 @@ uint8_t store_constraint(const ContactConstraint& c, std::span<const ContactExtr
                    (record.hit_events ? may_hit : 0));
 }
 
-}  // namespace
-
-void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
-                    ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
-                    float ratio, ThreadPool* threads) {
-    const size_t count = scratch.serial_contacts.size();
-    scratch.constraints.resize(count);
-    scratch.serial_notes.resize(count);
+void prepare(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
+             std::span<const ActingContact> acting, SingleContacts& contacts,
+             const ContactStiffness& stiffness, float dt, float ratio, ThreadPool* threads) {
+    const size_t count = contacts.acting.size();
+    contacts.constraints.resize(count);
+    contacts.notes.resize(count);
     share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-            const ContactRecord& record = objects.contacts[scratch.serial_contacts[i]];
-            ContactConstraint& c = scratch.constraints[i];
-            c.contact = scratch.serial_contacts[i];
+            const uint32_t slot = acting[contacts.acting[i]].slot;
+            const ContactRecord& record = objects.contacts[slot];
+            ContactConstraint& c = contacts.constraints[i];
+            c.contact = slot;
             c.a = bodies.solver_ends[record.body_a].index();
             c.b = bodies.solver_ends[record.body_b].index();
             const SolverBody &a = bodies.solver_bodies[c.a], &b = bodies.solver_bodies[c.b];
@@ -171,40 +170,52 @@ void prepare_serial(const ObjectState& objects, const Columns& columns, const Bo
                                   max(a.inverse_mass, b.inverse_mass),
                                   min(gyration_of(a), gyration_of(b)));
             const bool corner = !record.curved && passes_corner(objects, bodies, record, dt);
-            scratch.serial_notes[i] =
+            contacts.notes[i] =
                 uint8_t((record.special ? needs_extra : 0) | (corner ? needs_extra | passes : 0) |
                         (record.curved ? needs_extra | rolls : 0));
         }
     });
-    give_extras(scratch);
+    give_extras(contacts);
     share_out_range(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            if (scratch.constraints[i].extra != 0)
-                prepare_extra_of(i, objects, columns, bodies.solver_bodies, scratch, ratio);
+            if (contacts.constraints[i].extra != 0)
+                prepare_extra_of(i, objects, columns, bodies.solver_bodies, contacts, ratio);
     });
 }
 
-void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
+void store_serial(SingleContacts& contacts, const Touching& touching, float hit_threshold,
                   ThreadPool* threads) {
-    const std::vector<ContactConstraint>& constraints = scratch.constraints;
-    std::vector<uint8_t>& notes = scratch.serial_notes;
+    const std::vector<ContactConstraint>& constraints = contacts.constraints;
+    std::vector<uint8_t>& notes = contacts.notes;
     ObjectState& objects = touching.objects;
     share_out_range(threads, constraints.size(), contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
-            notes[i] = store_constraint(constraints[i], scratch.extras,
+            notes[i] = store_constraint(constraints[i], contacts.extras,
                                         objects.contacts[constraints[i].contact]);
     });
     for (size_t i = 0; i < constraints.size(); ++i) {
         const ContactConstraint& c = constraints[i];
         if ((notes[i] & is_news) != 0) set_touching(touching, c.contact, (notes[i] & touches) != 0);
         if ((notes[i] & may_hit) == 0) continue;
-        const ContactExtra* const extra = c.extra != 0 ? &scratch.extras[c.extra - 1] : nullptr;
+        const ContactExtra* const extra = c.extra != 0 ? &contacts.extras[c.extra - 1] : nullptr;
         const auto hit = hit_of(objects, touching.columns, hit_threshold, c.contact, extra);
         if (hit) touching.events.contact_hit.push_back(*hit);
     }
 }
 
-namespace {
+/// Those that passed a blow on have touched, even if they are apart after the step.
+void note_passed_blows(ContactScratch& scratch) {
+    for (const ContactConstraint& constraint : scratch.passing.constraints) {
+        const ContactExtra& extra = scratch.passing.extras[constraint.extra - 1];
+        if (!(extra.greatest[0] + extra.greatest[1] > 0.0f)) continue;
+        const size_t index = size_t(&constraint - scratch.passing.constraints.data());
+        const ActingContact& c = scratch.acting[scratch.passing.acting[index]];
+        const auto lane = uint16_t(1u << c.place % lanes);
+        GroupNews& news = scratch.news[c.place / lanes];
+        news.touches |= lane;
+        news.reported |= lane;
+    }
+}
 
 /// Reports touches of wide contacts that begin or end, in the order of the acting contacts instead
 /// of the colors.
@@ -236,10 +247,18 @@ void report_wide(ContactScratch& scratch, const Touching& touching, float hit_th
 
 }  // namespace
 
+void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
+                    ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
+                    float ratio, ThreadPool* threads) {
+    for (SingleContacts* const contacts : {&scratch.serial, &scratch.passing})
+        prepare(objects, columns, bodies, scratch.acting, *contacts, stiffness, dt, ratio, threads);
+}
+
 void store_contacts(ContactScratch& contacts, const Touching& touching, float hit_threshold,
                     ThreadPool* threads) {
+    note_passed_blows(contacts);
     report_wide(contacts, touching, hit_threshold, threads);
-    store_serial(contacts, touching, hit_threshold, threads);
+    store_serial(contacts.serial, touching, hit_threshold, threads);
 }
 
 }  // namespace fettle::physics::detail

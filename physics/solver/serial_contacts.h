@@ -6,9 +6,10 @@
 #include <state/world_state.h>
 #include <threads/pool.h>
 
-// Contacts that are solved one at a time: if a body is locked along an axis, if surfaces roll,
-// bounce, move or are curved, or if no color was left. Constraints are written once per step in the
-// order of their nodes, and their impulses are read back.
+// Contacts that are solved one at a time: if a body is locked along an axis, if surfaces roll, move
+// or are curved, if they approach so fast that they bounce, or if no color was left. Constraints
+// are written once per step in the order of their nodes, and their impulses are read back.
+// Constraints of contacts that only pass a blow on serve for this; their group solves them.
 
 namespace fettle::physics::detail {
 
@@ -16,8 +17,6 @@ namespace fettle::physics::detail {
 void prepare_serial(const ObjectState& objects, const Columns& columns, const BodyScratch& bodies,
                     ContactScratch& scratch, const ContactStiffness& stiffness, float dt,
                     float ratio, ThreadPool* threads);
-void store_serial(ContactScratch& scratch, const Touching& touching, float hit_threshold,
-                  ThreadPool* threads);
 
 /// Stores the impulses of the serial contacts, and reports hits and touches that begin or end.
 /// (Impulses of wide contacts are stored when their block is solved.)

@@ -185,8 +185,9 @@ struct alignas(line_size) SoftStep {
     /// warm start of each contact. With many joints, separating their effect from that of the
     /// contacts would take longer than the warm start.
     bool repeats_pushes(const SolverBlock& block) {
-        if (!contacts.rolling_contacts.empty()) return false;  // their direction has changed
-        if (2 * input.joints.acting_joints() > (block.contacts + contacts.constraints.size()) / 4)
+        if (!contacts.serial.rolling_contacts.empty()) return false;  // their direction has changed
+        if (2 * input.joints.acting_joints() >
+            (block.contacts + contacts.serial.constraints.size()) / 4)
             return false;
         find_jointed(input.objects, input.joints, input.strips);
         return true;
@@ -198,15 +199,21 @@ struct alignas(line_size) FirstBlock {
     SoftStep& step;
     const JointStep& joint_step;
     WideBlock& wide;
-    ContactSolver serial;  // all constraints
+    ContactSolver serial, passing;  // all constraints
     bool repeats = false;
 
-    ContactSolver serial_of(const StripNodes& nodes) const {
-        ContactSolver some = serial;
-        const size_t begin = step.contacts.serial_nodes.begin(nodes),
-                     end = step.contacts.serial_nodes.end(nodes);
+    static ContactSolver part_of(const ContactSolver& all, const NodeRanges& ranges,
+                                 const StripNodes& nodes) {
+        ContactSolver some = all;
+        const size_t begin = ranges.begin(nodes), end = ranges.end(nodes);
         some.constraints = some.constraints.subspan(begin, end - begin);
         return some;
+    }
+    ContactSolver serial_of(const StripNodes& nodes) const {
+        return part_of(serial, step.contacts.serial.nodes, nodes);
+    }
+    ContactSolver passing_of(const StripNodes& nodes) const {
+        return part_of(passing, step.contacts.passing.nodes, nodes);
     }
     void around_joints(const StripNodes& nodes, auto&& pass) const {
         if (repeats)
@@ -254,20 +261,22 @@ struct alignas(line_size) FirstBlock {
             // A blow that goes through joints may reach bodies of any strip.
             JointResponse joints;
             joints.read(step.input, step.h);
-            ContactSolver all = serial;
-            for (uint8_t pass = 1; pass <= ContactSolver::most_passes; ++pass)
-                if (!all.bounce(substeps, pass, step.bodies.bounced, &joints)) return;
+            ContactSolver fast = serial, others = passing;
+            for (uint8_t pass = 1; pass <= ContactSolver::most_passes; ++pass) {
+                const bool any = fast.bounce(substeps, pass, step.bodies.bounced, &joints);
+                if (!others.bounce(substeps, pass, step.bodies.bounced, &joints) && !any) return;
+            }
             return;
         }
         std::atomic<bool> any = true;
         for (uint8_t pass = 1; any && pass <= ContactSolver::most_passes; ++pass) {
             any = false;
-            step.section_loop(
-                    block,
-                    [&](uint32_t, const StripNodes& nodes) {
-                        if (serial_of(nodes).bounce(substeps, pass, step.bodies.bounced, nullptr))
-                            any = true;
-                    })
+            step.section_loop(block,
+                              [&](uint32_t, const StripNodes& nodes) {
+                                  for (ContactSolver some : {serial_of(nodes), passing_of(nodes)})
+                                      if (some.bounce(substeps, pass, step.bodies.bounced, nullptr))
+                                          any = true;
+                              })
                 .run();
         }
     }
@@ -285,12 +294,15 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}};
     first.serial.bodies = step.bodies.solver_bodies;
     first.serial.forces = step.bodies.solver_forces;
-    first.serial.constraints = step.contacts.constraints;
-    first.serial.extras = step.contacts.extras;
-    first.serial.rolling = contacts.rolling_contacts;
+    first.serial.constraints = step.contacts.serial.constraints;
+    first.serial.extras = step.contacts.serial.extras;
+    first.serial.rolling = contacts.serial.rolling_contacts;
     first.serial.inverse_h = 1.0f / step.h;
     first.serial.push_speed = input.settings.push_speed;
     first.serial.restitution_threshold = input.settings.restitution_threshold;
+    first.passing = first.serial;
+    first.passing.constraints = step.contacts.passing.constraints;
+    first.passing.extras = step.contacts.passing.extras;
     first.repeats = step.repeats_pushes(block);
     const bool jointed = input.joints.acting_joints() > 0;
 
@@ -309,7 +321,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     const auto move_bodies = step.move_loop(block);
 
     step.prepare_block(block, first.wide);
-    if (!contacts.extras.empty()) first.bounce(block);
+    if (!contacts.serial.extras.empty()) first.bounce(block);
     zero_locked(input);
     begin_substeps(input, block);
     for (int substep = 0; substep < input.settings.substeps; ++substep) {
@@ -329,7 +341,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         strain_joints(input.joints);
         add_substep(input, block, first.wide);
     }
-    if (!contacts.extras.empty()) {
+    if (!contacts.serial.extras.empty()) {
         first.restitute(block);
         zero_locked(input);
     }

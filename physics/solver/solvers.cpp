@@ -41,7 +41,7 @@ void zero_locked(const SolverInput& input) {
 }
 
 void follow_curved_contacts(const SolverInput& input) {
-    ContactScratch& contacts = input.contacts;
+    SingleContacts& contacts = input.contacts.serial;
     if (contacts.rolling_contacts.empty()) return;
     const std::vector<SolverBody>& bodies = input.bodies.solver_bodies;
     for (ContactConstraint& c : contacts.constraints) {

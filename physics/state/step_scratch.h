@@ -103,6 +103,20 @@ struct JointScratch {
     FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.joint_notes, s.strains)
 };
 
+/// Acting contacts that are computed one at a time.
+struct SingleContacts {
+    std::vector<uint32_t>
+        acting;  ///< indices in the list of acting contacts, in order of the nodes
+    std::vector<ContactConstraint> constraints;  ///< of the same contacts
+    std::vector<ContactExtra> extras;
+    std::vector<RollingContact> rolling_contacts;
+    NodeRanges nodes;
+    std::vector<uint8_t> notes;
+
+    FETTLE_SCRATCH(SingleContacts, s.acting, s.constraints, s.extras, s.rolling_contacts, s.nodes,
+                   s.notes)
+};
+
 /// The acting contacts: those in lanes, and the serial contacts, which are solved one at a time.
 struct ContactScratch {
     std::vector<ActingContact> acting;
@@ -113,17 +127,11 @@ struct ContactScratch {
     std::vector<GroupNews> news;     ///< of each group
     std::vector<uint64_t> reported;  ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
-    std::vector<uint32_t> serial_acting;             ///< indices in the list of acting contacts
-    std::vector<uint32_t> serial_contacts;           ///< slots of the same contacts
-    std::vector<ContactConstraint> constraints;      ///< of the serial contacts
-    std::vector<ContactExtra> extras;
-    std::vector<RollingContact> rolling_contacts;
-    NodeRanges serial_nodes;  ///< of `constraints`
-    std::vector<uint8_t> serial_notes;
+    SingleContacts serial;
+    SingleContacts passing;  ///< those in lanes that a blow may pass through
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                   s.spare_lanes, s.news, s.reported, s.hits, s.serial_acting, s.serial_contacts,
-                   s.constraints, s.extras, s.rolling_contacts, s.serial_nodes, s.serial_notes)
+                   s.spare_lanes, s.news, s.reported, s.hits, s.serial, s.passing)
 };
 
 /// Groups of constraints that are solved together, and their order.

@@ -196,7 +196,7 @@ void WorldData::end_step() {
     statistics.contacts = contact_slots.count;
     statistics.awake_bodies = uint32_t(awake_bodies.size());
     statistics.awake_contacts = uint32_t(awake_contacts.size());
-    statistics.touching = uint32_t(constraints.size() + colored_count);
+    statistics.touching = uint32_t(serial.acting.size() + colored_count);
     statistics.islands = island_slots.count;
     trim();
 }
