@@ -301,6 +301,70 @@ TEST_CASE("the menu in front has the keyboard and gives it back") {
     CHECK(s.focus().empty());
 }
 
+TEST_CASE("a menu that is not modal has the keyboard again after a modal one above it") {
+    Screen s(R"(
+        game.m = Panel { Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } }
+        game.m.column.b:focus())");
+    s.turn();
+    const auto open_and_close = [&](const std::string& inside, const std::string& close) {
+        s.run("game.n = Panel { modal = true, " + inside + " }");
+        s.turn();
+        CHECK(s.focus() != "m.column.b");
+        s.tap("down");
+        s.run(close);
+        s.turn();
+    };
+    open_and_close(R"(Button { text = "c" })", "n:delete()");
+    CHECK(s.focus() == "m.column.b");
+    s.tap("up");
+    CHECK(s.focus() == "m.column.a");
+    open_and_close(R"(Button { text = "c" })", "n.visible = false");
+    CHECK(s.focus() == "m.column.a");
+    s.run("n:delete()");
+    open_and_close(R"(Label { text = "nothing to press" })", "n:delete()");
+    CHECK(s.focus() == "m.column.a");
+    // One modal menu above the other, and the one that takes the keyboard by itself.
+    s.run(R"(game.n = Panel { modal = true, Button { text = "c" } })");
+    s.turn();
+    s.run(R"(game.o = Panel { modal = true, Button { text = "d" } } o.button:focus())");
+    s.turn();
+    CHECK(s.focus() == "o.button");
+    s.run("o:delete() n:delete()");
+    s.turn();
+    CHECK(s.focus() == "m.column.a");
+    // It has not got it, if the player or the game has taken it away.
+    s.tap("escape");
+    open_and_close(R"(Button { text = "c" })", "n:delete()");
+    CHECK(s.focus().empty());
+    s.run("m.column.a:focus()");
+    s.turn();
+    s.run("interface.focus = nil");
+    s.turn();
+    CHECK(s.focus().empty());
+    s.run("m.column.a:focus()");
+    open_and_close(R"(Button { text = "c" })", "m.column.a.visible = false n:delete()");
+    CHECK(s.focus().empty());
+}
+
+TEST_CASE("a rewind into a modal menu knows what had the keyboard before") {
+    Screen s(R"(
+        game.m = Panel { Column { Button { name = "a", text = "a" }, Button { name = "b", text = "b" } } }
+        game.m.column.b:focus())");
+    s.turn();
+    s.run(R"(game.n = Panel { modal = true, Button { text = "c" } })");
+    s.turn();
+    const Snapshot then = s.tree.snapshot();
+    s.run("n:delete()");
+    s.turn();
+    s.tap("up");
+    s.tree.restore(then);
+    s.turn();
+    CHECK(s.focus() == "n.button");
+    s.run("n:delete()");
+    s.turn();
+    CHECK(s.focus() == "m.column.b");
+}
+
 TEST_CASE_METHOD(Menu, "what the player did is state") {
     set("time.rewind_limit", Value(60.0));
     click("menu.column.f");

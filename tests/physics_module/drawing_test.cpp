@@ -195,6 +195,20 @@ TEST_CASE_METHOD(Drawn, "a sensor is drawn so that shapes inside stay visible") 
     const float before = draw().figures.at(0).paint.fill.a;
     set(shape_of(gate), "sensor", true);
     CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
+    // The color of a body is that of all its shapes, also of what it sees.
+    set(gate, "color", Color{1, 0, 0, 1});
+    CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
+}
+
+TEST_CASE_METHOD(Drawn, "a sensor with a color of its own is drawn in that color") {
+    const Handle coin = body("Circle", {0, 0});
+    set(shape_of(coin), "sensor", true);
+    const Color gold{1, 0.8f, 0.2f, 1};
+    set(shape_of(coin), "color", gold);
+    CHECK(draw().figures.at(0).paint.fill == gold);
+    const Color glass{1, 0.8f, 0.2f, 0.3f};
+    set(shape_of(coin), "color", glass);
+    CHECK(draw().figures.at(0).paint.fill == glass);
 }
 
 // --- The drawn pose ---------------------------------------------------------------------------

@@ -61,6 +61,7 @@ void Player::focus(Widget* widget, bool shown) {
     if (!widgets_.tree().alive(service)) return;
     if (widgets_.board.focus_shown != shown) widgets_.set(service, "focus_shown", Value(shown));
     if (before == now) return;
+    if (modal() == nullptr) outside_ = now;
     widgets_.set(service, "focus", Value(now));
     if (Widget* const field = widgets_.find(before); field && !field->bind.empty())
         binding_.update(*field);
@@ -81,14 +82,24 @@ void Player::focus(Widget* widget, bool shown) {
     }
 }
 
-/// The modal widget in front has the keyboard; a widget that cannot have it loses it.
+/// The modal widget in front has the keyboard; a widget that cannot have it loses it. When no modal
+/// widget is left, the one has it again that had it before.
 void Player::keep_focus() {
     Widget* const now = focused();
     Widget* const top = modal();
+    const Handle beneath = widgets_.board.focus_beneath;
     if (top == nullptr) {
-        if (now == nullptr && widgets_.board.focus) focus(nullptr, widgets_.board.focus_shown);
+        Widget* const before = widgets_.find(beneath);
+        if (now == nullptr && before != nullptr && can_focus(*before))
+            focus(before, widgets_.board.focus_shown);
+        else if (now == nullptr && widgets_.board.focus)
+            focus(nullptr, widgets_.board.focus_shown);
+        if (beneath) widgets_.set(widgets_.service(), "focus_beneath", Value(Handle{}));
+        outside_ = widgets_.board.focus;
         return;
     }
+    if (outside_ && !beneath) widgets_.set(widgets_.service(), "focus_beneath", Value(outside_));
+    outside_ = {};
     if (now != nullptr && inside(*now, *top)) return;
     Widget* last = widgets_.find(top->last_focus);
     if (last == nullptr || !can_focus(*last) || !inside(*last, *top)) {

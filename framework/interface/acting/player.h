@@ -74,6 +74,7 @@ class Player {
     bool down_ = false;                               // the left button of the mouse
     bool drags_bar_ = false;                          // the bar of the list that is held
     property::Vec2 stick_{0, 0};
+    property::Handle outside_{};  // has the keyboard while no modal widget is there
 };
 
 }  // namespace fettle::interface

@@ -142,6 +142,14 @@ void Widgets::define_service(ServiceParts more) {
                  [](Widgets& w, Row) { return Value(w.board.focus_shown); },
                  [](Widgets& w, Row, const Value& v) { take(w.board.focus_shown, v); }),
              of_board(
+                 {.name = "focus_beneath",
+                  .type = Type::reference,
+                  .doc = "The widget that had the keyboard before a modal one took it.",
+                  .hidden = true,
+                  .reference_class = "Widget"},
+                 [](Widgets& w, Row) { return Value(w.board.focus_beneath); },
+                 [](Widgets& w, Row, const Value& v) { take(w.board.focus_beneath, v); }),
+             of_board(
                  {.name = "held",
                   .type = Type::reference,
                   .doc = "The widget that the player holds down; nil: none.",

@@ -18,6 +18,7 @@ namespace fettle::interface {
 struct Board {
     double scale = 0;
     property::Handle focus{}, held{};
+    property::Handle focus_beneath{};  // what had the keyboard before a modal widget took it
     bool focus_shown = true;
 };
 

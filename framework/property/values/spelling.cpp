@@ -39,10 +39,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
     return std::min(last[b.size()], limit + 1);
 }
 
-namespace {
-
-// Names that differ only in a number or a letter at the end: wheel1 and wheel2, item_a and item_b,
-// pointA and pointB. They are not typing errors.
 bool of_one_series(std::string_view a, std::string_view b) {
     const std::size_t shorter = std::min(a.size(), b.size());
     std::size_t front = 0, back = 0;
@@ -59,8 +55,6 @@ bool of_one_series(std::string_view a, std::string_view b) {
     const auto capital = [](std::string_view part) { return part[0] >= 'A' && part[0] <= 'Z'; };
     return a[front - 1] == '_' || (capital(of_a) && capital(of_b));
 }
-
-}  // namespace
 
 bool near_miss(std::string_view name, std::string_view declared) {
     if (name == declared) return false;

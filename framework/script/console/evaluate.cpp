@@ -24,6 +24,7 @@
 #include <lua/machine.h>
 #include <lua/sources.h>
 #include <lua/stack.h>
+#include <objects/hints.h>
 #include <objects/script_classes.h>
 #include <text/columns.h>
 #include <text/words.h>
@@ -117,8 +118,11 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
         ++changed;
         if (shown >= max_echoes) continue;
         ++shown;
+        const bool added = !edit.added.empty() && machine.tree.alive(edit.instance);
+        const std::string hint =
+            added ? machine.hints.of_added(edit.instance, edit.added) : std::string();
         if (!edit.note.empty()) {
-            evaluation.lines.push_back(edit.path + ": " + edit.note);
+            evaluation.lines.push_back(edit.path + ": " + edit.note + hint);
             continue;
         }
         std::string line = edit.path + ": ";
@@ -129,6 +133,7 @@ void add_echoes(Machine& machine, Evaluation& evaluation) {
             line += " (replaces its formula)";
         else if (same)
             line += " (unchanged)";
+        line += hint;
         evaluation.lines.push_back(std::move(line));
     }
     changed += machine.recording.dropped;

@@ -14,6 +14,7 @@
 #include <reference/language.h>
 #include <text/synonyms.h>
 #include <text/words.h>
+#include <values/recording.h>
 
 namespace fettle::script {
 
@@ -84,7 +85,27 @@ std::string Hints::child_with(Handle instance, std::string_view name) const {
     return {};
 }
 
+std::string Hints::of_added(Handle instance, std::string_view name) const {
+    constexpr std::size_t least = 3;  // letters; shorter names are similar to too many others
+    const property::Tree& tree = machine_.tree;
+    const Class& of = tree.class_of(instance);
+    if (const std::string meant = meaning(of, name); !meant.empty()) return meaning_hint(meant);
+    if (name.size() >= least) {
+        std::vector<std::string> known = of.member_names();
+        for (const property::Property* each : tree.ad_hoc(instance)) known.push_back(each->name);
+        for (Handle child = tree.first_child(instance); child; child = tree.next_sibling(child))
+            known.push_back(tree.name(child));
+        std::erase_if(known, [&](const std::string& each) {
+            return each == name || property::of_one_series(name, each);
+        });
+        if (std::string meant = property::suggestion(name, known); !meant.empty()) return meant;
+    }
+    const std::string child = child_with(instance, name);
+    return child.empty() ? child : "; " + child;
+}
+
 void Hints::property_added(Handle instance, std::string_view name) {
+    if (machine_.recording.active) return;  // the line of the change tells it
     const Class& of = machine_.tree.class_of(instance);
     const Class* native = &of;
     while (machine_.classes.scripted(*native)) native = native->base();

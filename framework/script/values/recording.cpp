@@ -25,12 +25,12 @@ Recording::Edit* Recording::edit_of(Handle of, property::Symbol written) {
     return added;
 }
 
-void Recording::note(Handle of, std::string path, std::string text) {
-    if (!active) return;
-    if (Edit* const added = add(of)) {
-        added->path = std::move(path);
-        added->note = std::move(text);
-    }
+Recording::Edit* Recording::note(Handle of, std::string path, std::string text) {
+    Edit* const noted = active ? add(of) : nullptr;
+    if (noted == nullptr) return nullptr;
+    noted->path = std::move(path);
+    noted->note = std::move(text);
+    return noted;
 }
 
 }  // namespace fettle::script

@@ -18,6 +18,7 @@ struct Recording {
         property::Value before;
         property::Value after;
         bool replaced = false;  // the property had a formula
+        std::string added;      // the name of the property, if it was added
         std::string note;       // instead of values: "new Body", "deleted"
     };
     bool active = false;  // while true, all reads and writes take the general path and are recorded
@@ -31,8 +32,8 @@ struct Recording {
 
     /// The record of a property, which the caller fills in; nullptr beyond the limit.
     Edit* edit_of(property::Handle of, property::Symbol written);
-    /// Records another action, if recording is active.
-    void note(property::Handle of, std::string path, std::string text);
+    /// Records another action; nullptr beyond the limit and if recording is not active.
+    Edit* note(property::Handle of, std::string path, std::string text);
 
   private:
     Edit* add(property::Handle of);

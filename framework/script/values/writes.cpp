@@ -66,6 +66,7 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     if (declarations.defers(instance))
         return declarations.defer(instance, name, std::move(formula));
     declarations.writing(instance, name);
+    const bool added = machine.tree.find(instance, name) == nullptr;
     machine.tree.set_formula(instance, name, std::move(formula));
     declarations.wrote(instance, name);
     if (!machine.recording.active) return;
@@ -76,7 +77,9 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     if (!property.unit.empty()) description += " " + property.unit;
     if (!problem.empty()) description = "is " + source + ", in error: " + problem;
     property::formula_problem_told(machine.tree, instance, property);
-    machine.recording.note(instance, machine.tree.path(instance, property), description);
+    Recording::Edit* const noted =
+        machine.recording.note(instance, machine.tree.path(instance, property), description);
+    if (added && noted != nullptr) noted->added = name;
 }
 
 void note_added(Machine& machine, Handle instance, std::string_view name) {
@@ -85,6 +88,7 @@ void note_added(Machine& machine, Handle instance, std::string_view name) {
     if (Recording::Edit* edit = machine.recording.edit_of(instance, property.symbol)) {
         if (edit->path.empty()) edit->path = machine.tree.path(instance, property);
         edit->after = machine.tree.get(instance, property);
+        edit->added = name;
     }
 }
 

@@ -20,7 +20,8 @@ using property::Paint;
 using property::Painter;
 using property::Vec2;
 
-/// Opacity of the fill of a sensor, low so that shapes inside stay visible.
+/// Opacity of the fill of a sensor that has no color of its own: it is an area, and what is in it
+/// stays visible. One that has a color is a thing of the game, such as a coin, and has that color.
 constexpr float sensor_opacity = 0.25f;
 
 bool sees(const Painter& painter, const physics::Aabb& box, const Vec2& reach) {
@@ -157,7 +158,7 @@ void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     const Vec2 reach = owner ? last_motion(in.world, owner.index()) : Vec2(0, 0);
     if (!sees(painter, shape.aabb(), reach)) return;
     Paint paint{.fill = hosting.fill_of(row), .border = hosting.border_of(row)};
-    if (shape.sensor()) paint.fill.a *= sensor_opacity;
+    if (shape.sensor() && !look.fill) paint.fill.a *= sensor_opacity;
     const Frame frame = owner ? Frame(in.world, owner.index(), alpha) : Frame();
     const bool alone = !owner || owner.shape_count() < 2;
     if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});

@@ -105,7 +105,8 @@ std::vector<Property> surface(Hosting& hosting) {
              "Both shapes must agree.",
              bound<&Shape::sensor_events, &Shape::set_sensor_events>(hosting)),
         flag("sensor", defaults.sensor,
-             "True if it reports overlapping shapes and does not push them.",
+             "True if it reports overlapping shapes and does not push them. It is drawn faint, so "
+             "that what is in it can be seen, unless it has a color of its own.",
              bound<&Shape::sensor, &Shape::set_sensor>(hosting)),
     };
 }

@@ -24,6 +24,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 /// wheel2, item_a and item_b) are different names.
 bool near_miss(std::string_view name, std::string_view declared);
 
+/// Names that differ only in a number or a letter at the end: wheel1 and wheel2, item_a and item_b,
+/// pointA and pointB. They are not typing errors.
+bool of_one_series(std::string_view a, std::string_view b);
+
 /// The candidate nearest to `name`, or "" if none is near enough.
 std::string nearest(std::string_view name, std::span<const std::string> candidates);
 
