@@ -188,6 +188,7 @@ void Timeline::switch_to(const std::string& branch) {
     require_between_steps("another branch cannot be gone to");
     settle();
     const auto found = other_branch(branch);
+    tree_.forget_writers_after(static_cast<std::uint64_t>(std::max<std::int64_t>(found->fork, 0)));
     exchange_with(*found);
     try {
         travel(newest());

@@ -28,7 +28,7 @@ void Changes::report_unreported() {
     const PlainWrites reported = writes.unreported();
     // The list is emptied first, because an observer may call functions that report writes again.
     // Observers write nothing.
-    writes.tell(author.writer, author.step);
+    writes.tell(author.writer, author.step, replaying);
     if (!replaying && !observers.all.empty())
         observers.tell([&](Observer& observer) { observer.wrote_plain(reported); });
 }
@@ -51,6 +51,7 @@ void Changes::written(Handle handle, const Node& node, const Property& property,
                       const Value& old_value) {
     note_edit();
     report_plain_writes();
+    if (replaying) return;
     writes.note(handle, property, author.writer, author.step);
     if (recording() || writes.closed_for(WritesLog::Reason::located))
         writes.note_in_full(handle, property.symbol, author.cause());

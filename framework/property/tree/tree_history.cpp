@@ -47,12 +47,17 @@ void Tree::locate_writes(bool on) {
     state_->changes.writes.close(WritesLog::Reason::located, on);
 }
 
+void Tree::forget_writers_after(std::uint64_t step) {
+    state_->changes.report_plain_writes();
+    state_->changes.writes.forget_after(step);
+}
+
 Provenance Tree::who(Handle instance, const Property& property) const {
     state_->instances.require(instance, property);
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
         return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step}};
     state_->changes.report_plain_writes();
-    Provenance written = state_->changes.writes.find(instance, property.symbol);
+    Provenance written = state_->changes.writes.find(instance, property.symbol, step());
     const bool computed = !property.derives_from.empty();
     if (written.known || !property.simulated || computed) return written;
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};

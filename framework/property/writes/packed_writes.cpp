@@ -47,14 +47,15 @@ PackedWrites::PackedWrites(std::span<const PlainWrite> writes)
     }
 }
 
-PackedWrites::Found PackedWrites::last(std::uint32_t index, Symbol property) const {
+PackedWrites::Found PackedWrites::last(std::uint32_t index, Symbol property,
+                                       std::size_t count) const {
     // Quick test that excludes most pieces.
     if (((index ^ index_.first) & ~index_.mask) != 0 ||
         ((property.id() ^ property_.first) & ~property_.mask) != 0)
         return {};
-    if (bytes_ == nullptr) return {count_, generation_.first};
+    if (bytes_ == nullptr) return {count, generation_.first};
     const std::size_t stride = index_.width + generation_.width + property_.width;
-    for (std::size_t number = count_; number > 0; --number) {
+    for (std::size_t number = count; number > 0; --number) {
         const std::byte* const generation = bytes_.get() + (number - 1) * stride + index_.width;
         if (index_.value(generation - index_.width) == index &&
             property_.value(generation + generation_.width) == property.id())

@@ -20,8 +20,9 @@ class PackedWrites {
         std::size_t number = 0;  // from 1; 0: the cell was not written
         std::uint32_t generation = 0;
     };
-    /// The last write to that property of an instance in that slot.
-    Found last(std::uint32_t index, Symbol property) const;
+    /// The last write, of the first `count` ones, to that property of an instance in that slot.
+    Found last(std::uint32_t index, Symbol property, std::size_t count) const;
+    std::size_t count() const { return count_; }
 
   private:
     /// One number of each write, stored as the bits in which it differs from the first write.

@@ -23,12 +23,14 @@ void WritesLog::next_chunk() {
     set_end();
 }
 
-void WritesLog::tell(Writer writer, std::uint64_t step) {
+void WritesLog::tell(Writer writer, std::uint64_t step, bool repeated) {
     const std::uint64_t count = ever();
-    if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step) {
+    if (runs_.empty() || runs_.back().writer != writer || runs_.back().step != step ||
+        runs_.back().lost != repeated || runs_.back().end == arrived_) {
         while (!runs_.empty() && runs_.front().end + max_count <= count) runs_.pop_front();
-        runs_.push_back({.end = reported_, .step = step, .writer = writer});
+        runs_.push_back({.end = reported_, .step = step, .writer = writer, .lost = repeated});
     }
+    if (!repeated) latest_step_ = std::max(latest_step_, step);
     // Allocations up to here may fail; then nothing has been reported yet.
     if (next_ == end_) next_chunk();
     runs_.back().end = reported_ = count;
@@ -43,53 +45,75 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};
 }
 
-void WritesLog::went_back(std::uint64_t step) {
+void WritesLog::leaves(std::uint64_t step) {
+    if (latest_step_ > step) {
+        for (Run& run : runs_)
+            if (run.end > arrived_) run.lost = true;
+        std::erase_if(full_, [&](const auto& each) { return each.second.second.step == step; });
+    }
+    arrived_ = reported_;
+}
+
+void WritesLog::begins(std::uint64_t step) {
+    if (latest_step_ < step || step == 0) return;
     for (Run& run : runs_)
-        if (run.step > step) run = {.end = run.end, .step = step, .writer = Writer::restore};
-    for (auto& [cell, written] : full_)
-        if (written.second.step > step)
-            written.second = {.writer = Writer::restore, .where = {}, .step = step};
+        if (run.step >= step) run.lost = true;
+    std::erase_if(full_, [&](const auto& each) { return each.second.second.step >= step; });
+    latest_step_ = step - 1;
 }
 
-/// Searches the full chunks. Numbers count from `first_`.
-PackedWrites::Found WritesLog::last_packed(std::uint32_t index, Symbol property) const {
-    for (std::size_t piece = packed_.size(); piece > 0; --piece) {
-        PackedWrites::Found found = packed_[piece - 1].last(index, property);
-        if (found.number == 0) continue;
-        found.number += (piece - 1) * in_chunk;
-        return found;
+void WritesLog::forget_after(std::uint64_t step) {
+    for (Run& run : runs_)
+        if (run.step >= step) run = {.end = run.end, .step = step, .writer = Writer::restore};
+    std::erase_if(full_, [&](const auto& each) { return each.second.second.step >= step; });
+    latest_step_ = std::min(latest_step_, step);
+}
+
+const WritesLog::Run& WritesLog::run_of(std::uint64_t number) const {
+    return *std::lower_bound(runs_.begin(), runs_.end(), number,
+                             [](const Run& r, std::uint64_t n) { return r.end < n; });
+}
+
+std::uint64_t WritesLog::last_number(Handle instance, Symbol property, std::uint64_t number) const {
+    const std::uint64_t packed = first_ + packed_.size() * in_chunk;
+    for (; number > packed; --number) {
+        const PlainWrite& write = (*chunk_)[number - packed - 1];
+        if (write.instance == instance && write.property->symbol == property) return number;
     }
-    return {};
+    while (number > first_) {
+        const std::size_t piece = (number - first_ - 1) / in_chunk;
+        const std::uint64_t before = first_ + piece * in_chunk;
+        const PackedWrites::Found found =
+            packed_[piece].last(instance.index, property, number - before);
+        // The write belongs to the instance only if the generation matches.
+        if (found.number != 0 && found.generation == instance.generation)
+            return before + found.number;
+        number = found.number == 0 ? before : before + found.number - 1;
+    }
+    return 0;
 }
 
-Provenance WritesLog::find(Handle instance, Symbol property) const {
+Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) const {
     Provenance out;
-    std::uint64_t number = reported_;
-    const PlainWrite* write = unreported_;
-    const auto is_it = [&](const PlainWrite& w) {
-        return w.instance.index == instance.index && w.property->symbol == property;
-    };
-    while (write != chunk_->data() && !is_it(*(write - 1))) --write, --number;
-    std::uint32_t generation = 0;
-    if (write != chunk_->data()) {
-        generation = (write - 1)->instance.generation;
-    } else {
-        const PackedWrites::Found found = last_packed(instance.index, property);
-        number = found.number == 0 ? 0 : first_ + found.number;
-        generation = found.generation;
-    }
-    // The write belongs to the instance only if the generation matches.
-    if (number != 0 && generation == instance.generation) {
-        const auto run = std::lower_bound(runs_.begin(), runs_.end(), number,
-                                          [](const Run& r, std::uint64_t n) { return r.end < n; });
-        out.known = true;
-        out.cause.writer = run->writer;
-        out.cause.step = run->step;
+    bool later = false;
+    std::uint64_t number = last_number(instance, property, reported_);
+    for (; number != 0; number = last_number(instance, property, number - 1)) {
+        const Run& run = run_of(number);
+        if (!run.lost && run.step <= now) {
+            out = {.known = true, .cause = {.writer = run.writer, .where = {}, .step = run.step}};
+            break;
+        }
+        later = true;
     }
     const auto full = full_.find({instance.index, property});
-    if (full == full_.end() || full->second.first != instance.generation) return out;
-    if (out.known && full->second.second.step < out.cause.step) return out;
-    return {.known = true, .cause = full->second.second};
+    if (full != full_.end() && full->second.first == instance.generation) {
+        const Cause& cause = full->second.second;
+        if (cause.step <= now && (!out.known || cause.step >= out.cause.step))
+            return {.known = true, .cause = cause};
+    }
+    if (!out.known && later)
+        return {.known = true, .cause = {.writer = Writer::restore, .where = {}, .step = now}};
+    return out;
 }
 
 }  // namespace fettle::property

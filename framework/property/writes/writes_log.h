@@ -67,8 +67,9 @@ class WritesLog {
     std::uint64_t ever() const {
         return reported_ + static_cast<std::uint64_t>(next_ - unreported_);
     }
-    /// Marks the entries as reported, with their writer and step.
-    void tell(Writer writer, std::uint64_t step);
+    /// Marks the entries as reported, with their writer and step. `repeated`: by repeating the
+    /// past, which has its writers already.
+    void tell(Writer writer, std::uint64_t step, bool repeated = false);
 
     /// Logs a write of any other kind. All entries must have been reported.
     void note(Handle instance, const Property& property, Writer writer, std::uint64_t step) {
@@ -79,10 +80,16 @@ class WritesLog {
         if (full_.size() >= max_count) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
     }
-    /// The tree returned to its state at `step`. Later entries now say that a restore wrote the
-    /// cell.
-    void went_back(std::uint64_t step);
-    Provenance find(Handle instance, Symbol property) const;
+    /// The tree goes from its state at `step` to another one. What was written at that step since
+    /// the last call is lost, if later steps are known: the past is not changed by looking at it.
+    void leaves(std::uint64_t step);
+    /// The step begins. Entries of it and of later ones are of a future that does not come.
+    void begins(std::uint64_t step);
+    /// The past is another one after `step`, when a person may have written, and its writers are
+    /// not known.
+    void forget_after(std::uint64_t step);
+    /// Among the writes up to the step `now`. The writer is `restore` if there are only later ones.
+    Provenance find(Handle instance, Symbol property, std::uint64_t now) const;
 
   private:
     static constexpr std::size_t max_count = std::size_t{1} << 18;
@@ -96,11 +103,14 @@ class WritesLog {
         std::uint64_t end;  // number of all writes up to its end
         std::uint64_t step;
         Writer writer;
+        bool lost = false;  // what it wrote is not in the tree
     };
 
     void next_chunk();
     void set_end() { open_end_ = reasons_ == 0 ? end_ : nullptr; }
-    PackedWrites::Found last_packed(std::uint32_t index, Symbol property) const;
+    const Run& run_of(std::uint64_t number) const;
+    /// The last number of an entry of the cell that is at most `number`; 0 if there is none.
+    std::uint64_t last_number(Handle instance, Symbol property, std::uint64_t number) const;
 
     std::shared_ptr<Chunk> chunk_ = std::make_shared<Chunk>();  // the chunk that is being filled
     std::vector<std::shared_ptr<Chunk>> spare_;  // former chunks, reused when unshared
@@ -113,6 +123,8 @@ class WritesLog {
     std::uint8_t reasons_ = 0;
     std::uint64_t reported_ = 0;  // number of writes that were ever reported
     std::deque<Run> runs_;
+    std::uint64_t latest_step_ = 0;  // of entries that are not lost
+    std::uint64_t arrived_ = 0;      // number of entries when the tree came to its state
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };
 

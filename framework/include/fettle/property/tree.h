@@ -285,6 +285,9 @@ class Tree {
     std::size_t history_bytes() const;
     std::size_t history_bytes_ever() const;  ///< with the entries that were dropped
     Provenance who(Handle instance, const Property& property) const;  ///< the last writer
+    /// To be called before the state becomes that of another past, which is the same up to `step`:
+    /// `who` says `restore` for what was written later.
+    void forget_writers_after(std::uint64_t step);
     /// Whether `who` has the place in a script of each write from now on. Otherwise it has those of
     /// edits and of changes of watched values only: finding the place takes longer than the write.
     void locate_writes(bool on);
