@@ -59,7 +59,10 @@ void Inspector::choose(Handle instance) {
 void Inspector::draw(ImFont* bold) {
     editor_.begin_frame();
     ImGui::SetNextItemWidth(-1);
-    input_line("##search", "search by name, class, or mass > 5", search_, 0);
+    const char* const hint = "search by name, class, or mass > 5";
+    const bool fits =
+        text_width(hint) + 2 * ImGui::GetStyle().FramePadding.x < ImGui::GetContentRegionAvail().x;
+    input_line("##search", fits ? hint : "search", search_, 0);
     outline_.search(search_);
     if (!outline_.problem().empty()) {
         ImGui::PushTextWrapPos(0);
@@ -176,7 +179,11 @@ void Inspector::draw_outline_row(const InstanceTree::Row& row) {
     std::string name =
         outline_.searched().empty() ? tree_.name(row.instance) : tree_.path(row.instance);
     if (name.empty()) name = tree_.path(row.instance);
-    draw_text_fit(list, ImVec2(x, y), palette::text, name, end.x - class_width - x - em * 0.5f);
+    // The name goes before the class.
+    const float room = end.x - x - em * 0.5f;
+    const bool has_class = text_width(name) <= room - class_width || room > 3 * class_width;
+    draw_text_fit(list, ImVec2(x, y), palette::text, name, has_class ? room - class_width : room);
+    if (!has_class) return;
     const FontScope font(fonts().sans);
     draw_text(list, ImVec2(end.x - class_width, y), palette::faint, kind.name());
 }
@@ -185,7 +192,9 @@ void Inspector::draw_splitter() {
     float thickness = std::max(6.0f, std::floor(ImGui::GetFontSize() * 0.4f));
     ImVec2 at = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x;
-    ImGui::InvisibleButton("splitter", ImVec2(std::max(1.0f, width), thickness));
+    // It can be grasped below the line, too: nothing in the header can be clicked.
+    ImGui::InvisibleButton("splitter", ImVec2(std::max(1.0f, width), button_height()));
+    ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + thickness + ImGui::GetStyle().ItemSpacing.y));
     bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     if (ImGui::IsItemActive()) {
@@ -231,12 +240,13 @@ void Inspector::draw_several(ImFont* bold) {
     ImGui::PushStyleColor(ImGuiCol_Text, alike ? class_color(kind) : palette::dim);
     ImGui::TextUnformatted(alike ? kind.c_str() : "what all of them have");
     ImGui::PopStyleColor();
-    if (ImGui::SmallButton("Delete")) delete_selection();
+    if (ImGui::Button("Delete", ImVec2(0, button_height()))) delete_selection();
     ImGui::SameLine();
-    if (ImGui::SmallButton("Clone")) clone_selection();
+    if (ImGui::Button("Clone", ImVec2(0, button_height()))) clone_selection();
     for (const int axis : {0, 1}) {
         ImGui::SameLine();
-        if (ImGui::SmallButton(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
+        if (ImGui::Button(axis == 0 ? "Align x" : "Align y", ImVec2(0, button_height())))
+            align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("Gives all the mean of their positions along %c",
                               axis == 0 ? 'x' : 'y');

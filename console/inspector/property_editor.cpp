@@ -156,7 +156,7 @@ void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {
     ImGui::SetCursorPosX(left);
     ImGui::PushTextWrapPos(0);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
 }
@@ -370,7 +370,7 @@ void PropertyEditor::nil(const Target& target, float width) {
     ImGui::TextDisabled("nil");
     if (target.property->read_only || type == Type::nil) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
-    if (width > 0 && ImGui::SmallButton("set")) write(target, zero_of(type));
+    if (width > 0 && ImGui::Button("set", ImVec2(0, button_height()))) write(target, zero_of(type));
 }
 
 // --- Lists
@@ -398,7 +398,7 @@ void PropertyEditor::list(const Target& target, const Value& value, float width)
         }
     ImGui::EndChild();
     if (target.property->read_only) return;
-    if (ImGui::SmallButton("+ add")) {
+    if (ImGui::Button("+ add", ImVec2(0, button_height()))) {
         List longer = elements;
         Type type = target.property->element;
         longer.push_back(!longer.empty() ? longer.back()

@@ -39,8 +39,11 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
         const FontScope font(fonts().sans);
         ImGui::TextUnformatted(target.property->doc.c_str());
     }
+    std::string sources;  // many, of a mass
     for (const std::string& source : target.property->derives_from)
-        ImGui::BulletText("from %s", source.c_str());
+        sources += (sources.empty() ? "from " : ", ") + source;
+    if (!sources.empty())
+        ImGui::TextUnformatted(wrapped(sources, ImGui::GetFontSize() * 28).c_str());
     if (const property::Provenance written = tree_.who(target.instance, *target.property);
         written.known)
         ImGui::TextUnformatted(("written last by " + written.cause.text()).c_str());

@@ -69,6 +69,12 @@ void draw_number_frame(ImVec2 low, ImVec2 high, double value, const NumberLook& 
                           static_cast<int>(look.unit.size()), look.unit.data());
 }
 
+/// The part of a motion of the mouse that a drag follows.
+double fineness() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.KeyCtrl ? 0.01 : io.KeyShift ? 0.1 : 1;
+}
+
 }  // namespace
 
 std::string short_number(double value, int digits) {
@@ -161,10 +167,8 @@ std::optional<double> Fields::number(const char* id, double value, const NumberL
         moved_ = moved_ || std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 2;
         if (!moved_ || io.MouseDelta.x == 0 || !std::isfinite(start_)) return std::nullopt;
         // The distance includes the part before the drag threshold.
-        travelled_ = travelled_ == 0 ? ImGui::GetMouseDragDelta(0, 0).x
-                                     : travelled_ + io.MouseDelta.x * (io.KeyCtrl    ? 0.01
-                                                                       : io.KeyShift ? 0.1
-                                                                                     : 1);
+        const float way = travelled_ == 0 ? ImGui::GetMouseDragDelta(0, 0).x : io.MouseDelta.x;
+        travelled_ += way * fineness();
         double next = dragged(travelled_, look);
         if (next != value) return next;
     } else if (ImGui::IsItemDeactivated() && !moved_ && ImGui::IsItemHovered()) {
@@ -181,9 +185,7 @@ double Fields::dragged(double pixels, const NumberLook& look) {
     double span = look.range.max - look.range.min;
     double speed = span > 0 && span <= widest ? span / 250 : std::max(std::abs(start_), 1.0) * 0.01;
     if (look.integer) speed = std::max(speed, 0.1);
-    ImGuiIO& io = ImGui::GetIO();
-    double fine = io.KeyCtrl ? 0.01 : io.KeyShift ? 0.1 : 1;
-    double exponent = std::floor(std::log10(speed * fine));
+    double exponent = std::floor(std::log10(speed * fineness()));
     int decimals = look.integer ? 0 : static_cast<int>(std::clamp(-exponent, 0.0, 12.0));
     char text[400];
     std::snprintf(text, sizeof text, "%.*f", decimals, start_ + pixels * speed);

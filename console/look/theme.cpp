@@ -164,6 +164,28 @@ float text_width(std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
+float button_height() {
+    constexpr float least = 16;
+    return std::max(least, std::ceil(ImGui::GetTextLineHeight()) + 2);
+}
+
+std::string wrapped(std::string_view text, float width) {
+    std::string out;
+    std::size_t line = 0;  // its begin in `out`
+    while (!text.empty()) {
+        const std::size_t blank = std::min(text.find_first_of(" \n", 1), text.size());
+        const std::string_view word = text.substr(0, blank);  // with the blank before it
+        if (word[0] == '\n') line = out.size() + 1;
+        const bool breaks =
+            word[0] == ' ' && out.size() > line &&
+            text_width(std::string_view(out).substr(line)) + text_width(word) > width;
+        out += breaks ? "\n" + std::string(word.substr(1)) : std::string(word);
+        if (breaks) line = out.size() - (word.size() - 1);
+        text.remove_prefix(blank);
+    }
+    return out;
+}
+
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text) {
     if (text.empty()) return 0;
     if (auto* const extra = static_cast<ExtraGlyphs*>(ImGui::GetIO().UserData)) extra->look(text);

@@ -71,8 +71,8 @@ property::ClassDescriptor console_class() {
                         "Factor of the size of the text, and of what is measured by it."));
     list.push_back(number_property("height", 0.45, {0.15, 1}, "",
                                    "Height of the console as a share of the window."));
-    list.push_back(
-        number_property("inspector_width", 380, {200, 2000}, "px", "Width of the inspector."));
+    list.push_back(number_property("inspector_width", 380, {200, 2000}, "px",
+                                   "Width of the inspector at a scale of 1."));
     list.push_back(number_property(
         "memory_limit", 128, {1, 1e6}, "MB",
         "How much memory one command may add, by Lua's values and by what it makes in the tree; a "

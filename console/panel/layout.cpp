@@ -42,9 +42,8 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_box(); });
     float right = 0;
     if (inspector_is_beside()) {
-        const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
-        right = inspector_width + margin;
-        draw_part([&] { draw_inspector(width - right, inspector_width); });
+        right = inspector_width() + margin;
+        draw_part([&] { draw_inspector(width - right, inspector_width()); });
     }
     draw_part([&] { draw_panel(width - 2 * margin - right, panel_height(), cell); });
     draw_part([&] { draw_time_bar(right); });
@@ -99,9 +98,13 @@ void Console::State::draw_part(const std::function<void()>& part) {
 
 /// In a narrow window the inspector is below the panel, so that there is room for a command.
 bool Console::State::inspector_is_beside() {
-    const float inspector_width = std::min(settings.number("inspector_width"), width * 0.6f);
     return settings.flag("inspector") &&
-           width - inspector_width - 3 * margin >= least_panel * ImGui::GetFontSize();
+           width - inspector_width() - 3 * margin >= least_panel * ImGui::GetFontSize();
+}
+
+/// In pixels of the screen: it grows with the text.
+float Console::State::inspector_width() {
+    return std::min(settings.number("inspector_width") * settings.number("scale"), width * 0.6f);
 }
 
 /// The panel covers nothing that is below it, and nothing covers the prompt, unless the window is
@@ -244,7 +247,9 @@ void Console::State::draw_filter(float& right, float em) {
     ImGui::SetCursorScreenPos(ImVec2(right, start.y));
     ImGui::SetNextItemWidth(wide);
     std::string text = settings.text("filter");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 0));
+    const float padding = (button_height() - ImGui::GetTextLineHeight()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(ImGui::GetStyle().FramePadding.x, padding));
     if (input_line("##filter", "filter the log", text, 0))
         settings.set("filter", property::Value(text));
     ImGui::PopStyleVar();
@@ -259,19 +264,20 @@ bool Console::State::title_button(const char* label, bool lit, float& right) {
     const std::string_view shown =
         std::string_view(label).substr(0, std::string_view(label).find("##"));
     float button_width = text_width(shown) + 2 * pad;
-    float button_height = ImGui::GetTextLineHeight() + 2;
+    const float high = button_height();
     ImVec2 start = ImGui::GetCursorScreenPos();
     if (right - button_width < start.x) return false;  // there is no room: it is left out
     right -= button_width;
     ImGui::SetCursorScreenPos(ImVec2(right, start.y));
     ImVec2 at = ImGui::GetCursorScreenPos();
-    bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, button_height));
+    bool pressed = ImGui::InvisibleButton(label, ImVec2(button_width, high));
     bool hovered = ImGui::IsItemHovered();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImVec2 end(at.x + button_width, at.y + button_height);
+    ImVec2 end(at.x + button_width, at.y + high);
     float rounding = ImGui::GetStyle().FrameRounding;
     list.AddRectFilled(at, end, hovered ? palette::hover : palette::raised, rounding);
-    draw_text(list, ImVec2(at.x + pad, at.y + 1), lit ? palette::accent : palette::dim, shown);
+    const float above = (high - ImGui::GetTextLineHeight()) / 2;
+    draw_text(list, ImVec2(at.x + pad, at.y + above), lit ? palette::accent : palette::dim, shown);
     right -= ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetCursorScreenPos(start);
     return pressed;
@@ -321,7 +327,7 @@ void Console::State::draw_title(float cell) {
     float hint_width = text_width(hints);
     if (x + hint_width + 2 * cell < right)
         draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
-    ImGui::Dummy(ImVec2(content, ImGui::GetTextLineHeight() + 4));
+    ImGui::Dummy(ImVec2(content, button_height() + 2));
     ImVec2 line = ImGui::GetCursorScreenPos();
     list.AddLine(ImVec2(panel_rect.low.x, line.y - 2), ImVec2(panel_rect.high.x, line.y - 2),
                  palette::line);
@@ -383,8 +389,10 @@ void Console::State::draw_width_handle() {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
         float wide = inspector_rect.high.x - ImGui::GetIO().MousePos.x;
+        const float scale = settings.number("scale");
+        const float most = std::min(2000.0f, width * 0.6f / scale);
         settings.set("inspector_width", property::Value(std::clamp<double>(
-                                            wide, 200, std::min(2000.0f, width * 0.6f))));
+                                            wide / scale, 200, std::max(200.0f, most))));
     }
 }
 

@@ -108,6 +108,7 @@ struct Console::State {
     void draw_part(const std::function<void()>& part);
     float panel_height();
     bool inspector_is_beside();
+    float inspector_width();
     float free_above() const;
     void draw_panel(float width, float height, float cell);
     void draw_log(float log_height, float cell);

@@ -1034,7 +1034,7 @@ Body = {}
 ---@field material integer A number for the game, for example to choose the sound of an impact. It has no effect on the simulation. · 0 to 65535 · default 0
 ---@field restitution number Share of the speed of approach with which shapes separate. Two shapes in contact use the greater of their values, or the world's restitution_mix. · 0 to 1 · default 0
 ---@field rolling_resistance number Resistance to rolling: the lever of the resisting torque as a share of the radius, of the other shape if this one has no round side. · at least 0 · default 0
----@field sensor boolean True if it reports overlapping shapes and does not push them. · true or false · default false
+---@field sensor boolean True if it reports overlapping shapes and does not push them. It is drawn faint, so that what is in it can be seen, unless it has a color of its own. · true or false · default false
 ---@field sensor_events boolean True if sensor_begin and sensor_end about it are reported, from the next touch on. Both shapes must agree. · true or false · default true
 ---@field surface_speed number Speed of the surface, as of a conveyor belt, counter-clockwise around the shape. · m/s · any finite number · default 0
 ---@field visible boolean True if it is drawn; it collides in any case. · true or false · default true
@@ -2945,7 +2945,7 @@ Transition = {}
 ---@field ghosts boolean Whether edits of a game that is paused show what would move, and where, as far as the physics says. · true or false · default true · not saved
 ---@field height number Height of the console as a share of the window. · 0.15 to 1 · default 0.45 · not saved
 ---@field inspector boolean Whether the inspector is shown with it. · true or false · default true · not saved
----@field inspector_width number Width of the inspector. · px · 200 to 2000 · default 380 · not saved
+---@field inspector_width number Width of the inspector at a scale of 1. · px · 200 to 2000 · default 380 · not saved
 ---@field key "a"|"b"|"c"|"d"|"e"|"f"|"g"|"h"|"i"|"j"|"k"|"l"|"m"|"n"|"o"|"p"|"q"|"r"|"s"|"t"|"u"|"v"|"w"|"x"|"y"|"z"|"0"|"1"|"2"|"3"|"4"|"5"|"6"|"7"|"8"|"9"|"space"|"enter"|"escape"|"tab"|"backspace"|"delete"|"insert"|"left"|"right"|"up"|"down"|"home"|"end"|"page_up"|"page_down"|"left_shift"|"right_shift"|"left_control"|"right_control"|"left_alt"|"right_alt"|"left_system"|"right_system"|"menu"|"pause"|"grave"|"minus"|"equal"|"left_bracket"|"right_bracket"|"backslash"|"semicolon"|"apostrophe"|"comma"|"period"|"slash"|"numpad_0"|"numpad_1"|"numpad_2"|"numpad_3"|"numpad_4"|"numpad_5"|"numpad_6"|"numpad_7"|"numpad_8"|"numpad_9"|"numpad_add"|"numpad_subtract"|"numpad_multiply"|"numpad_divide"|"f1"|"f2"|"f3"|"f4"|"f5"|"f6"|"f7"|"f8"|"f9"|"f10"|"f11"|"f12"|"f13"|"f14"|"f15" The key that opens and closes the console, by its name in the class Keys. · 101 texts · default "grave" · not saved
 ---@field listen boolean Whether `fettle repl --attach` may attach to this game: only this user, on this computer, with the token in the user's runtime folder. · true or false · default false · not saved
 ---@field memory_limit number How much memory one command may add, by Lua's values and by what it makes in the tree; a command that needs more is stopped. · MB · 1 to 1000000 · default 128 · not saved
@@ -3291,7 +3291,7 @@ function wait(seconds) end
 ---@return Connection
 function watch(pattern, handler) end
 
----Prints who wrote a property last, and at which step: "console:1, step 49". For a value that rewind, restore or load_game restored, it prints "restore, step 30". The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
+---Prints who wrote a property last, and at which step: "console:1, step 49". After going back in time, that is the last write before that moment, or "restore, step 30" if none is known. The file and line of a script are known if the property was watched when it was written; otherwise only "script" is printed. For a value that the simulation changes, the last other writer is printed; the simulation is printed only if there is no other writer or the property is watched.
 ---@param path string
 function who(path) end
 

@@ -192,9 +192,10 @@ const std::vector<GlobalDoc>& global_docs() {
          "Calls the function after a property that matches has changed: "
          "watch(\"world.*.velocity\", handler)."},
         {"who", "who(path: string)",
-         "Prints who wrote a property last, and at which step: \"console:1, step 49\". For a "
-         "value that rewind, restore or load_game restored, it prints \"restore, step 30\". The "
-         "file and line of a script are known if the property was watched when it was written; "
+         "Prints who wrote a property last, and at which step: \"console:1, step 49\". After "
+         "going back in time, that is the last write before that moment, or \"restore, step 30\" "
+         "if none is known. The file and line of a script are known if the property was watched "
+         "when it was written; "
          "otherwise only \"script\" is printed. For a value that the simulation changes, the "
          "last other writer is printed; the simulation is printed only if there is no other "
          "writer or the property is watched."},
