@@ -136,8 +136,9 @@ void Game::make_console(const fettle_hosted_def& def) {
         .tweaks = files.tweaks.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop.timeline().review(from, look); },
-        .branch = [this](std::int64_t from, const auto& change,
-                         const auto& look) { loop.timeline().branch(from, change, look); },
+        .repeat_with = [this](
+                           std::int64_t from, const auto& change,
+                           const auto& look) { loop.timeline().repeat_with(from, change, look); },
         .frames = &services.clock.frames};
     if (def.history_file != nullptr) options.history_file = def.history_file;
     console = std::make_unique<console::Console>(tree, lua, std::move(options));

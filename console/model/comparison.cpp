@@ -116,16 +116,16 @@ Comparison::Moment Comparison::moment(std::int64_t step) const {
     return made;
 }
 
-void Comparison::between_frames(const Review& review, const Branch& branch,
+void Comparison::between_frames(const Review& review, const RepeatWith& repeat_with,
                                 const ReviewBranch& other) {
-    if (asked_) compare_change(review, branch);
+    if (asked_) compare_change(review, repeat_with);
     if (asked_branch_) compare_branches(review, other);
 }
 
-void Comparison::compare_change(const Review& review, const Branch& branch) {
+void Comparison::compare_change(const Review& review, const RepeatWith& repeat_with) {
     const Asked asked = *std::exchange(asked_, std::nullopt);
     const std::int64_t first = first_step(asked);
-    if (!review || !branch || first >= static_cast<std::int64_t>(tree_.step()))
+    if (!review || !repeat_with || first >= static_cast<std::int64_t>(tree_.step()))
         return log_.error("ab: there is no past to compare with");
     std::string written;
     const auto change = [&] {
@@ -134,7 +134,7 @@ void Comparison::compare_change(const Review& review, const Branch& branch) {
         written = tree_.text(property::get(tree_, asked.path));
     };
     try {
-        branch(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
+        repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
         review(first, [&](std::int64_t step) { a_.push_back(moment(step)); });
     } catch (const std::exception& error) {
         end();

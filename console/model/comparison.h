@@ -19,8 +19,8 @@ class Comparison {
   public:
     using Look = std::function<void(std::int64_t step)>;
     using Review = std::function<void(std::int64_t from, const Look& look)>;
-    using Branch = std::function<void(std::int64_t from, const std::function<void()>& change,
-                                      const Look& look)>;
+    using RepeatWith = std::function<void(std::int64_t from, const std::function<void()>& change,
+                                          const Look& look)>;
     using ReviewBranch =
         std::function<void(const std::string& branch, std::int64_t from, const Look& look)>;
     static constexpr std::size_t most_poses = 1'000'000;  // of one side
@@ -49,7 +49,8 @@ class Comparison {
     /// Throws Error(unknown_name) if there is no such branch.
     void ask_branch(const std::string& name);
     void end();
-    void between_frames(const Review& review, const Branch& branch, const ReviewBranch& other);
+    void between_frames(const Review& review, const RepeatWith& repeat_with,
+                        const ReviewBranch& other);
 
     /// Whether there is something to show.
     bool shown() const { return !a_.empty() && !b_.empty(); }
@@ -72,7 +73,7 @@ class Comparison {
         std::string name;
         std::int64_t fork, newest;  // steps
     };
-    void compare_change(const Review& review, const Branch& branch);
+    void compare_change(const Review& review, const RepeatWith& repeat_with);
     void compare_branches(const Review& review, const ReviewBranch& other);
     void cut_to_common_steps();
     std::int64_t first_step(const Asked& asked) const;

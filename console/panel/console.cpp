@@ -325,7 +325,7 @@ void Console::between_frames() {
     s.observing.between_frames(s.options.review);
     s.export_plots();
     s.ghosts.watch(s.settings.flag("ghosts"));
-    s.comparison.between_frames(s.options.review, s.options.branch, s.options.review_branch);
+    s.comparison.between_frames(s.options.review, s.options.repeat_with, s.options.review_branch);
     s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
     s.onion_skins.between_frames(s.options.review);
 }

@@ -283,8 +283,9 @@ void Session::make_console(app::Clipboard* clipboard) {
         .tweaks = tweaks_.get(),
         .review = [this](std::int64_t from,
                          const auto& look) { loop_->timeline().review(from, look); },
-        .branch = [this](std::int64_t from, const auto& change,
-                         const auto& look) { loop_->timeline().branch(from, change, look); },
+        .repeat_with = [this](
+                           std::int64_t from, const auto& change,
+                           const auto& look) { loop_->timeline().repeat_with(from, change, look); },
         .review_branch =
             [this](const std::string& branch, std::int64_t from, const auto& look) {
                 loop_->timeline().review_branch(branch, from, look);

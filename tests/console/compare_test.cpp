@@ -24,7 +24,7 @@ struct CompareRig : Rig {
     CompareRig() {
         auto& options = state().options;
         options.review = [this](std::int64_t from, const auto& look) { run(from, look); };
-        options.branch = [this](std::int64_t from, const auto& change, const auto& look) {
+        options.repeat_with = [this](std::int64_t from, const auto& change, const auto& look) {
             const Value before = value("world.ball.mass");
             change();
             run(from, look);

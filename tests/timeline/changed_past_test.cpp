@@ -32,7 +32,7 @@ struct Branching : Playing {
     Branching() : Playing(bounce) {}
     Ways branch(std::int64_t from, const std::function<void()>& change, const char* path) {
         Ways ways;
-        time().branch(from, change, [&](std::int64_t step) {
+        time().repeat_with(from, change, [&](std::int64_t step) {
             CHECK(ways.emplace(step, get(path).vec2()).second);
         });
         return ways;
@@ -115,10 +115,10 @@ TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it w
     play(100);
     const auto nothing = [](std::int64_t) {};
     const auto fails = [] { throw std::runtime_error("no"); };
-    CHECK_THROWS_WITH(time().branch(50, fails, nothing), "no");
+    CHECK_THROWS_WITH(time().repeat_with(50, fails, nothing), "no");
     REQUIRE(loop->hash() == hashes[100]);
     int looks = 0;
-    CHECK_THROWS_WITH(time().branch(
+    CHECK_THROWS_WITH(time().repeat_with(
                           50, [] {},
                           [&](std::int64_t) {
                               if (++looks == 20) throw std::runtime_error("enough");
@@ -126,9 +126,9 @@ TEST_CASE_METHOD(Branching, "whatever throws in a branch leaves the game as it w
                       "enough");
     CHECK(looks == 20);
     REQUIRE(loop->hash() == hashes[100]);
-    CHECK_THROWS(time().branch(
+    CHECK_THROWS(time().repeat_with(
         500, [] {}, nothing));
-    CHECK_THROWS(time().branch(
+    CHECK_THROWS(time().repeat_with(
         -1, [] {}, nothing));
     for (const std::int64_t step : {10, 70, 100}) check(step);
 }

@@ -77,8 +77,8 @@ void Timeline::review(std::int64_t from, const std::function<void(std::int64_t s
     });
 }
 
-void Timeline::branch(std::int64_t from, const std::function<void()>& change,
-                      const std::function<void(std::int64_t step)>& look) {
+void Timeline::repeat_with(std::int64_t from, const std::function<void()>& change,
+                           const std::function<void(std::int64_t step)>& look) {
     require_between_steps("the past cannot be looked at");
     settle();
     require(from);

@@ -26,7 +26,7 @@ struct Order {
     }
 };
 
-struct Table {
+struct Lists {
     std::mutex mutex;  // each tree has a thread of its own
     std::set<std::vector<Field>, Order> lists;
 };
@@ -34,9 +34,9 @@ struct Table {
 }  // namespace
 
 const std::vector<Field>& lasting(const std::vector<Field>& fields) {
-    static Table table;
-    const std::scoped_lock lock(table.mutex);
-    return *table.lists.insert(fields).first;
+    static Lists all;
+    const std::scoped_lock lock(all.mutex);
+    return *all.lists.insert(fields).first;
 }
 
 }  // namespace fettle::property

@@ -52,11 +52,11 @@ struct Options {
     /// is refused.
     std::function<void(std::int64_t from, const std::function<void(std::int64_t step)>& look)>
         review{};
-    /// Repeats the kept past with a change at `from` (app::Timeline::branch). Without it, `ab` is
-    /// refused.
+    /// Repeats the kept past with a change at `from` (app::Timeline::repeat_with). Without it, `ab`
+    /// is refused.
     std::function<void(std::int64_t from, const std::function<void()>& change,
                        const std::function<void(std::int64_t step)>& look)>
-        branch{};
+        repeat_with{};
     /// As `review`, for the steps of another branch of the past (app::Timeline::review_branch).
     /// Without it, `compare_branch` is refused.
     std::function<void(const std::string& branch, std::int64_t from,

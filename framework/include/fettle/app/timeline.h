@@ -82,8 +82,8 @@ class Timeline {
     /// anew. At the end the tree is as it was, bit for bit, also if `change`, `look` or a step
     /// throws: the exception is thrown then. Throws as `go_to` does, and Error(out_of_range) if
     /// `from` is not kept.
-    void branch(std::int64_t from, const std::function<void()>& change,
-                const std::function<void(std::int64_t step)>& look);
+    void repeat_with(std::int64_t from, const std::function<void()>& change,
+                     const std::function<void(std::int64_t step)>& look);
 
     // --- Branches: what came later, where the game went on from an earlier step. The past that the
     // game goes on with is the present branch; `Clock::branch` is its name. The others are kept up
