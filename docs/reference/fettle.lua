@@ -1603,6 +1603,7 @@ Attractor = {}
 ---@field position vec Where its origin is, relative to what it hangs below; pixels in a layer on the screen. · m · -1000000000 to 1000000000 · default vec(0, 0)
 ---@field rows integer Number of rows of frames in the image. · 1 to 10000 · default 1
 ---@field scale number Enlarges it, and what is below it. · -1000000 to 1000000 · default 1
+---@field sheet integer[] Columns and rows in one value: { columns, rows }. The sheet that Aseprite exported is given by its JSON file as `image`. · 1 to 10000 · default computed · not saved
 ---@field size vec? Width and height; nil: those of the image, by pixels_per_unit. Pixels in a layer on the screen. · m · 0 to 1000000000 · default nil · may be nil
 ---@field smooth boolean Whether pixels are mixed when the image is enlarged; otherwise each is a square. · true or false · default true
 ---@field tint color The colors of the image are multiplied by it. · 0 to 1 · default color("#ffffff")
@@ -1915,14 +1916,14 @@ Timings = {}
 ---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
 ---@field background color The color behind everything. · 0 to 1 · default color("#1b1f27")
 ---@field center vec The point of the world in the middle of the screen. · m · -1000000000 to 1000000000 · default vec(0, 0) · simulated
----@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving the view. · m · 0 to 1000000000 · default vec(0, 0)
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1000000000 · default vec(0, 0)
 ---@field design vec The size of the picture for which the game is made, for `fit` letterbox and pixel. · px · 1 to 16384 · default vec(1280, 800)
 ---@field effect string A fragment shader in GLSL, a file in the game's folder (.frag, .glsl), through which the picture with its menus is drawn; empty: none. Its uniforms are the properties of `view.uniforms`. · any text · default ""
 ---@field fit "expand"|"letterbox"|"pixel" How the picture fits into the window. expand: all of the window is used. letterbox: what is seen has the proportions of `design`, with black bars beside it. pixel: so that each pixel of `design` is a whole number of pixels. · "expand", "letterbox", "pixel" · default "expand"
----@field follow Object? The view moves with this instance, from step to step. · any instance · default nil
----@field follow_damping number The time in which the view makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
+---@field follow Object? It moves with this instance, from step to step. · any instance · default nil
+---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of the screen to its top. · m · 0.001 to 1000000 · default 20
----@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If it is smaller than the view, it is in the middle. · m · any length · default {}
+---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field lower vec The smallest x and y of the world that are seen: the bottom left corner unless the view is turned. · m · any finite vec · read-only
 ---@field screen vec Size of the window. A headless run pretends to have one. · px · any finite vec · read-only, simulated
 ---@field upper vec The largest x and y of the world that are seen: the top right corner unless the view is turned. · m · any finite vec · read-only
@@ -1980,6 +1981,7 @@ Show = {}
 ---@field cursor_visible boolean Whether the pointer of the mouse is seen over the window. · true or false · default true · not saved
 ---@field fullscreen boolean Whether the game fills the screen. F11 and Alt+Enter change it, and the next run remembers it. · true or false · default false · not saved
 ---@field grab_mouse boolean Whether the pointer of the mouse is kept inside the window while the window has the keyboard. · true or false · default false · not saved
+---@field icon string An image file in the game's folder (PNG, JPEG, BMP, TGA) that the system shows for the window; at the start that of game.json. Empty: that of the system, or the last one. · any text · default "" · not saved
 ---@field resizable boolean Whether the player can change the size of the window. · true or false · default true · not saved
 ---@field size vec Size of the window while it is not fullscreen. view.screen is what is seen now. · px · 1 to 16384 · default vec(1280, 800) · simulated, not saved
 ---@field title string Title of the window; at the start that of game.json. · any text · default "Fettle" · not saved
@@ -2102,6 +2104,7 @@ Music = {}
 ---@field decay number How long it takes to end. · s · 0 to 10 · default 0.2
 ---@field duty number The part of a period in which a square wave is high. Other waves have none. · 0.01 to 0.99 · default 0.5
 ---@field duty_slide number How much `duty` grows a second. · 1/s · -100 to 100 · default 0
+---@field filter number A short name for `low_pass`. · Hz · 20 to 20000 · default computed · not saved
 ---@field flanger number The sound is heard a second time, so much later. 0: once. · ms · 0 to 50 · default 0
 ---@field flanger_slide number How fast that delay grows. · ms/s · -1000 to 1000 · default 0
 ---@field frequency number The pitch at the beginning. · Hz · 1 to 20000 · default 440
@@ -2412,12 +2415,21 @@ Action = {}
 ---@class Camera : Object
 ---@field angle number The turn of the viewer, counter-clockwise: the picture turns the other way. · rad · -1000000 to 1000000 · default 0
 ---@field background color? The color behind everything; nil: that of the view. · 0 to 1 · default nil · may be nil
----@field center vec The point of the world in its middle, unless it follows something. · m · -1000000000 to 1000000000 · default vec(0, 0)
----@field follow Object? The instance in its middle; nil: `center`. · any instance · default nil
+---@field center vec The point of the world in its middle. · m · -1000000000 to 1000000000 · default vec(0, 0)
+---@field dead_zone vec Width and height of the box round the center in which what it follows moves without moving it. · m · 0 to 1000000000 · default vec(0, 0)
+---@field follow Object? It moves with this instance, from step to step. · any instance · default nil
+---@field follow_damping number The time in which it makes two thirds of the way to what it follows; 0: it is always there. · s · 0 to 1000 · default 0
 ---@field height number How much of the world is seen from the bottom of its viewport to its top. · m · 0.001 to 1000000 · default 20
+---@field limits vec[] The lower and the upper corner of the part of the world that may be seen; empty: all of it. If that part is smaller than what is seen, it is in the middle. · m · any length · default {}
 ---@field viewport vec[] The part of the window that it fills: the upper left and the lower right corner, as parts of width and height from the top left. Without two different corners, it shows nothing. · 0 to 1 · default {vec(0, 0), vec(1, 1)}
 ---@field visible boolean Whether its picture is drawn. · true or false · default true
+---@field zoom number Pixels a meter. Setting it changes the height, which has a range of its own. · px/m · 0.001 to 1000000 · default computed · simulated, not saved
 local fettle_Camera = {}
+
+---Shakes the picture, for an explosion or a blow. Only what is drawn moves; a weaker shake does not end a stronger one.
+---@param amount number How far the picture is moved at the beginning. · m
+---@param seconds? number How long it takes to come to rest; 0.5 if it is left out. · s
+function fettle_Camera:shake(amount, seconds) end
 
 ---Where it shows a point of the world.
 ---@param point vec In the world. · m

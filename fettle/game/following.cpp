@@ -118,6 +118,7 @@ void Session::renew_settings() {
     if (now.size != before.size) state.size = now.size;
     if (now.fullscreen != before.fullscreen) state.fullscreen = now.fullscreen;
     if (now.resizable != before.resizable) state.resizable = now.resizable;
+    if (now.icon != before.icon) state.icon = now.icon;
     if (now.vsync != before.vsync) state.vsync = now.vsync;
 }
 

@@ -1,5 +1,6 @@
 #include <game/game_window.h>
 
+#include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
 
 #include <command_line/terminal.h>
@@ -11,6 +12,7 @@ app::WindowState window_state(const property::GameSettings& settings) {
     app::WindowState state;
     if (const std::string title = settings.title(); !title.empty()) state.title = title;
     const property::WindowSettings& window = settings.window;
+    state.icon = settings.icon;
     state.size = window.size.value_or(state.size);
     state.fullscreen = window.fullscreen.value_or(state.fullscreen);
     state.resizable = window.resizable.value_or(state.resizable);
@@ -37,8 +39,20 @@ GameWindow::GameWindow(const std::filesystem::path& game, const property::GameSe
 
 void GameWindow::before_start(Session& session) {
     session.set_screen(window_->size());
-    if (const std::string icon = session.icon(); !icon.empty() && !window_->set_icon(icon))
-        session.note("game.json: icon: this file is no image that can be shown");
+    show_icon(session);
+}
+
+void GameWindow::show_icon(Session& session) {
+    const std::string& name = session.services().view.window.icon;
+    if (name == icon_) return;
+    icon_ = name;
+    if (name.empty()) return;
+    try {
+        if (!window_->set_icon(session.icon()))
+            session.note("view.window.icon: \"" + name + "\" is no image that can be shown");
+    } catch (const property::Error& error) {
+        session.note(error.what());
+    }
 }
 
 /// The recording of a run holds these as writes, so that a replay does not depend on the player.
@@ -71,6 +85,7 @@ bool GameWindow::handle(const app::InputEvent& event, Session& session) {
 void GameWindow::follow(Session& session) {
     const app::WindowState& state = session.services().view.window;
     window_->follow(state);
+    show_icon(session);
     if (state.fullscreen == fullscreen_) return;
     fullscreen_ = state.fullscreen;
     player_.fullscreen = fullscreen_;

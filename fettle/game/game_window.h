@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <fettle/app/screen.h>
 #include <fettle/property/storage/game_settings.h>
@@ -31,12 +32,14 @@ class GameWindow {
     void follow(Session& session);
 
   private:
+    void show_icon(Session& session);
     void set(Session& session, const char* name, const property::Value& value);
 
     std::filesystem::path folder_;  // of the player
     property::PlayerSettings player_;
     std::unique_ptr<app::Window> window_;
-    bool fullscreen_;  // as last seen
+    bool fullscreen_;     // as last seen
+    std::string icon_{};  // as last seen
 };
 
 }  // namespace fettle::program

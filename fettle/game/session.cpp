@@ -136,8 +136,9 @@ std::uint64_t Session::seed() const {
 }
 
 std::string Session::icon() {
-    if (settings_.icon.empty()) return {};
-    return assets_.read(icon_setting, settings_.icon, image_endings);
+    const std::string& name = services_->view.window.icon;
+    if (name.empty()) return {};
+    return assets_.read("view.window.icon", name, image_endings);
 }
 
 void Session::set_screen(const property::Vec2& size) {

@@ -54,7 +54,8 @@ class Session {
     const property::GameSettings& settings() const { return settings_; }
     /// Sets the size of the screen, and that of the window unless it is fullscreen.
     void set_screen(const property::Vec2& size);
-    /// Content of the file of the game's icon; "" if it has none.
+    /// Content of the file that view.window.icon names; "" if it names none. Throws
+    /// property::Error.
     std::string icon();
     /// Reports something that a person should know and that is not an error of the game.
     void note(const std::string& text);

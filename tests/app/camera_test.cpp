@@ -134,14 +134,79 @@ TEST_CASE_METHOD(Pictures, "a camera draws the game again in its part of the win
 }
 
 TEST_CASE_METHOD(Pictures, "a camera follows an instance") {
-    runtime.run("game.place = Object { position = vec(0, 3) } game.camera.follow = game.place",
+    runtime.run(R"(
+        game.place = Object { position = vec(0, 3) }
+        game.camera.follow = game.place
+        print(game.camera:to_world(vec(640, 400)))  -- no step was made yet
+    )",
                 "t");
+    CHECK(heard() == "vec(0, 3)");
     set("camera.visible", true);
     CHECK(near(draw()[1].pixel, {640, 400 + 3 * 40}));
     set("place.position", Vec2(1, 0));
     CHECK(near(draw()[1].pixel, {640 - 40, 400}));
+    CHECK(get("camera.center").vec2() == Vec2(1, 0));
     runtime.run("game.place:delete()", "t");
-    CHECK(near(draw()[1].pixel, {640, 400}));
+    CHECK(near(draw()[1].pixel, {640 - 40, 400}));  // it stays
+}
+
+TEST_CASE_METHOD(Pictures, "a camera follows with a delay and within limits as the view does") {
+    runtime.run(R"(
+        game.place = Object { position = vec(8, 3) }
+        game.camera.follow = game.place
+        game.camera.follow_damping = 0.5
+    )",
+                "t");
+    for (int i = 0; i < 30; ++i) loop.frame(tick);
+    CHECK(near(get("camera.center").vec2(), Vec2(8, 3) * (1 - std::exp(-1.0))));
+    set("camera.follow_damping", 0.0);
+    set("camera.dead_zone", Vec2(2, 100));
+    loop.frame(tick);
+    CHECK(get("camera.center").vec2().x == Approx(7));
+    // Half of the window, so 8 x 20 m are seen.
+    set("camera.dead_zone", Vec2(0, 0));
+    set("camera.viewport", property::List{Vec2(0, 0), Vec2(0.25, 1)});
+    set("camera.limits", property::List{Vec2(-30, -10), Vec2(10, 50)});
+    loop.frame(tick);
+    CHECK(near(get("camera.center").vec2(), {6, 3}));
+    // The corners may come in any order, and a list that is no box is no limit.
+    set("camera.limits", property::List{Vec2(10, 50), Vec2(-30, -10)});
+    loop.frame(tick);
+    CHECK(near(get("camera.center").vec2(), {6, 3}));
+    set("camera.limits", property::List{Vec2(1, 1)});
+    loop.frame(tick);
+    CHECK(near(get("camera.center").vec2(), {8, 3}));
+}
+
+TEST_CASE_METHOD(Pictures, "a shake moves the picture of one camera and ends") {
+    set("camera.visible", true);
+    const Vec2 still = draw()[1].pixel;
+    runtime.run("game.camera:shake(0.5, 0.2)", "t");
+    double most = 0;
+    for (int i = 0; i < 11; ++i) {
+        const auto circles = draw();
+        CHECK(near(circles[0].pixel, {640, 400}));
+        most = std::max(most, (circles[1].pixel - still).length());
+    }
+    CHECK(most > 4);  // px, of 20
+    CHECK(most < 0.75 * 40);
+    CHECK(get("camera.center").vec2() == Vec2(0, 0));
+    for (int i = 0; i < 3; ++i) draw();
+    CHECK(near(draw()[1].pixel, still));
+}
+
+TEST_CASE_METHOD(Pictures, "the zoom of a camera is in pixels of its viewport") {
+    set("camera.viewport", property::List{Vec2(0, 0), Vec2(1, 0.5)});
+    CHECK(get("camera.zoom").number() == Approx(20));
+    set("camera.zoom", 80.0);
+    CHECK(get("camera.height").number() == Approx(5));
+    set("camera.height", 10.0);
+    CHECK(get("camera.zoom").number() == Approx(40));
+    set("camera.visible", true);
+    CHECK(draw()[1].radius == Approx(40));
+    CHECK_THROWS(set("camera.zoom", 1e6));  // 0.4 mm
+    runtime.run("game.second = Camera { zoom = 10 } print(game.second.height)", "t");
+    CHECK(heard() == "80.0");
 }
 
 TEST_CASE_METHOD(Pictures, "what is on the screen is drawn once and last") {

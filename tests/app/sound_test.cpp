@@ -418,6 +418,15 @@ TEST_CASE("presets sound and mutations are those of the seed") {
     CHECK(first.print("Synth.coin().frequency") == "988.0");
 }
 
+TEST_CASE("the filter of a synth is its low pass") {
+    SoundGame game;
+    game.run("game.s = Synth { filter = 800 } print(game.s.low_pass) game.s.low_pass = 500");
+    CHECK(game.errors.empty());
+    CHECK_THAT(game.printed, contains("800.0"));
+    CHECK(game.print("game.s.filter") == "500.0");
+    CHECK(game.print("(pcall(function() game.s.filter = 5 end))") == "false");
+}
+
 TEST_CASE("a synth that nothing holds lives until its voices end") {
     SoundGame game;
     game.run("Synth.explosion():play()");

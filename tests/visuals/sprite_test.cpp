@@ -129,6 +129,21 @@ TEST_CASE_METHOD(Gallery, "a missing image is a checkerboard and one error") {
     CHECK(tree.get(s, "image_height") == Value(4));
 }
 
+TEST_CASE_METHOD(Gallery, "columns and rows are one value as well") {
+    const Handle s = make("Sprite", hero);
+    tree.set(s, "sheet", Value(List{Value(4), Value(2)}));
+    CHECK(tree.get(s, "columns") == Value(4));
+    CHECK(tree.get(s, "rows") == Value(2));
+    tree.set(s, "frame", Value(6));
+    CHECK(draw()[0].area.left == 2);
+    CHECK(draw()[0].area.top == 2);
+    tree.set(s, "columns", Value(8));
+    CHECK(tree.get(s, "sheet") == Value(List{Value(8), Value(2)}));
+    CHECK_THROWS_AS(tree.set(s, "sheet", Value(List{Value(4)})), fettle::property::Error);
+    CHECK_THROWS_AS(tree.set(s, "sheet", Value(List{Value(4), Value(0)})), fettle::property::Error);
+    CHECK(tree.get(s, "columns") == Value(8));
+}
+
 TEST_CASE_METHOD(Gallery, "frames of a sheet go on with simulation time") {
     const Handle s = make("Sprite", hero);
     tree.set(s, "columns", Value(4));

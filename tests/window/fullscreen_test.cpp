@@ -51,6 +51,39 @@ TEST_CASE("a size that a game sets when it begins stays") {
     CHECK(game.prints("size\tvec(640, 400)\tvec(640, 400)"));
 }
 
+TEST_CASE("the icon of the window is that which the game names last") {
+    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
+        std::cout << "SKIPPED: xvfb-run not found\n";
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "main.lua")
+        << "function step()\n"
+           "    if time.step == 2 then view.window.icon = 'icon.tga' end\n"
+           "    if time.step == 4 then view.window.icon = 'icom.tga' end\n"
+           "    if time.step == 6 then view.window.icon = 'text.png' end\n"
+           "end\n";
+    // One red pixel, uncompressed, and a file that is no image.
+    const char pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 32, 0, 0, -1};
+    std::ofstream(folder.path / "icon.tga").write(pixel, sizeof pixel);
+    std::ofstream(folder.path / "text.png") << "no image";
+    const std::string out = (folder.path / "out").string();
+    const std::string command =
+        "LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s '-screen 0 1280x800x24' '" FETTLE_PROGRAM
+        "' run '" +
+        folder.path.string() + "' --steps 10 >'" + out + "' 2>&1 </dev/null";
+    CHECK(std::system(command.c_str()) == 0);
+    std::ifstream in(out);
+    const std::string told{std::istreambuf_iterator<char>(in), {}};
+    INFO(told);
+    CHECK(told.find("\"icon.tga\" is no image") == std::string::npos);
+    CHECK(
+        told.find("view.window.icon: there is no file \"icom.tga\" (did you mean \"icon.tga\"?)") !=
+        std::string::npos);
+    CHECK(told.find("view.window.icon: \"text.png\" is no image that can be shown") !=
+          std::string::npos);
+}
+
 TEST_CASE("a run begins as the player wants it and its replay needs no player") {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) {
         std::cout << "SKIPPED: xvfb-run not found\n";

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 
 #include <fettle/property/pose.h>
+
+#include <loop/following.h>
 
 namespace fettle::app {
 
@@ -16,8 +20,20 @@ using property::Vec2;
 
 namespace {
 
-std::vector<Property> camera_properties() {
-    return {
+constexpr property::Range heights{1e-3, 1e6};  // m
+
+/// The lower and the upper corner of a box; equal ones for a list that is none.
+std::array<Vec2, 2> corners_of(const Value& corners) {
+    const property::List& list = corners.list();
+    if (list.size() != 2) return {Vec2(0, 0), Vec2(0, 0)};
+    const Vec2 a = list[0].vec2(), b = list[1].vec2();
+    return {a.min(b), a.max(b)};
+}
+
+}  // namespace
+
+std::vector<Property> Cameras::properties() {
+    std::vector<Property> made{
         {.name = "viewport",
          .type = Type::list,
          .default_value = property::List{Value(Vec2(0, 0)), Value(Vec2(1, 1))},
@@ -30,21 +46,32 @@ std::vector<Property> camera_properties() {
          .type = Type::vec2,
          .unit = "m",
          .range = {-1e9, 1e9},
-         .doc = "The point of the world in its middle, unless it follows something."},
+         .doc = "The point of the world in its middle."},
         {.name = "height",
          .type = Type::number,
          .default_value = 20.0,
          .unit = "m",
-         .range = {1e-3, 1e6},
+         .range = heights,
          .doc = "How much of the world is seen from the bottom of its viewport to its top."},
+        {.name = "zoom",
+         .type = Type::number,
+         .default_value = 40.0,
+         .unit = "px/m",
+         .range = {1e-3, 1e6},
+         .doc = "Pixels a meter. Setting it changes the height, which has a range of its own.",
+         .binding = accessor(
+             *this, [](Cameras& c, property::Row row) { return c.zoom(row); },
+             [](Cameras& c, property::Row row, const Value& zoom) {
+                 c.set_zoom(row, zoom.number());
+             }),
+         .transient = true,
+         .simulated = true,  // changes with the size of the window
+         .derives_from = {"height", "viewport"}},
         {.name = "angle",
          .type = Type::number,
          .unit = "rad",
          .range = {-1e6, 1e6},
          .doc = "The turn of the viewer, counter-clockwise: the picture turns the other way."},
-        {.name = "follow",
-         .type = Type::reference,
-         .doc = "The instance in its middle; nil: `center`."},
         {.name = "background",
          .type = Type::color,
          .range = {0, 1},
@@ -55,17 +82,9 @@ std::vector<Property> camera_properties() {
          .default_value = true,
          .doc = "Whether its picture is drawn."},
     };
+    for (Property& property : following_properties()) made.push_back(std::move(property));
+    return made;
 }
-
-/// The corners of a viewport; equal ones for a list that is none.
-std::array<Vec2, 2> corners_of(const Value& viewport) {
-    const property::List& list = viewport.list();
-    if (list.size() != 2) return {Vec2(0, 0), Vec2(0, 0)};
-    const Vec2 a = list[0].vec2(), b = list[1].vec2();
-    return {a.min(b), a.max(b)};
-}
-
-}  // namespace
 
 Cameras::Cameras(property::Tree& tree, const View& view) : tree_(tree), view_(view) {
     define(tree);
@@ -96,34 +115,45 @@ void Cameras::define(property::Tree& tree) {
             "Another picture of the world in a part of the window, for a split screen or a small "
             "map. It shows what the view shows, from another place, without layers on the "
             "screen: these are drawn over all cameras.",
-        .properties = camera_properties(),
+        .properties = properties(),
         .methods = {
             method("to_world", pixels, world, "The point of the world that it shows at a pixel.",
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_, 1);
+                       const CameraPicture p = cameras.picture(self, cameras.view_.screen, 1);
                        return Value(p.view.to_world(given[0].vec2() - p.lower));
                    }),
             method("to_screen", world, pixels, "Where it shows a point of the world.",
                    [](void* context, property::Tree&, Handle self, property::Row,
                       std::span<const Value> given) -> property::Result {
                        const auto& cameras = *static_cast<Cameras*>(context);
-                       const CameraPicture p = cameras.picture(self, cameras.view_, 1);
+                       const CameraPicture p = cameras.picture(self, cameras.view_.screen, 1);
                        return Value(Vec2(p.lower + p.view.to_screen(given[0].vec2())));
                    })}};
+    described.methods.push_back(shake_method());
     described.lifecycle.context = this;
     described.lifecycle.create = [](void* context, property::Tree&, Handle self) {
-        static_cast<Cameras*>(context)->all_.push_back(self);
-        return property::Row{0};
+        auto& c = *static_cast<Cameras*>(context);
+        c.all_.push_back(self);
+        auto free = std::ranges::find(c.rows_, Handle{}, &Row::self);
+        if (free == c.rows_.end()) free = c.rows_.insert(free, Row{});
+        free->self = self;
+        return static_cast<property::Row>(free - c.rows_.begin());
     };
-    described.lifecycle.destroy = [](void* context, property::Tree&, Handle self, property::Row) {
-        std::erase(static_cast<Cameras*>(context)->all_, self);
+    described.lifecycle.destroy = [](void* context, property::Tree&, Handle self,
+                                     property::Row row) {
+        auto& c = *static_cast<Cameras*>(context);
+        std::erase(c.all_, self);
+        c.rows_[row] = {};
     };
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
-    of_ = {of("viewport"), of("center"),     of("height"),  of("angle"),
-           of("follow"),   of("background"), of("visible"), of("z")};
+    of_ = {of("viewport"),     of("center"),     of("height"),
+           of("angle"),        of("follow"),     of("follow_damping"),
+           of("dead_zone"),    of("limits"),     of("shake_amount"),
+           of("shake_length"), of("shake_left"), of("background"),
+           of("visible"),      of("z")};
 }
 
 std::vector<Handle> Cameras::shown() const {
@@ -137,23 +167,86 @@ std::vector<Handle> Cameras::shown() const {
     return found;
 }
 
-CameraPicture Cameras::picture(Handle camera, const View& view, double alpha) const {
+bool Cameras::without_delay(const View& view) const {
+    return view.follow && tree_.alive(view.follow) && view.follow_damping == 0 &&
+           view.dead_zone == Vec2(0, 0) && view.limits.empty();
+}
+
+CameraPicture Cameras::picture(Handle camera, const Vec2& screen, double alpha) const {
+    const auto value = [&](const Property* of) { return tree_.peek(camera, *of); };
     CameraPicture made;
-    const auto corners = corners_of(tree_.peek(camera, *of_.viewport));
-    made.lower = corners[0].times(view.screen);
-    made.upper = corners[1].times(view.screen);
-    made.view.screen = (made.upper - made.lower).max({1, 1});
-    made.view.center = tree_.peek(camera, *of_.center).vec2();
-    made.view.height = tree_.peek(camera, *of_.height).as_double();
-    made.view.angle = tree_.peek(camera, *of_.angle).as_double();
-    const Handle followed = tree_.peek(camera, *of_.follow).reference();
-    if (followed && tree_.alive(followed))
-        if (const auto place = property::place_below(tree_, followed, false, alpha))
-            made.view.center = place->origin;
+    const auto corners = corners_of(value(of_.viewport));
+    made.lower = corners[0].times(screen);
+    made.upper = corners[1].times(screen);
+    View& view = made.view;
+    view.screen = (made.upper - made.lower).max({1, 1});
+    view.center = value(of_.center).vec2();
+    view.height = value(of_.height).as_double();
+    view.angle = value(of_.angle).as_double();
+    view.follow = value(of_.follow).reference();
+    view.follow_damping = value(of_.follow_damping).as_double();
+    view.dead_zone = value(of_.dead_zone).vec2();
+    if (const auto box = corners_of(value(of_.limits)); box[0] != box[1])
+        view.limits = {box[0], box[1]};
+    view.shake_amount = value(of_.shake_amount).as_double();
+    view.shake_length = value(of_.shake_length).as_double();
+    view.shake_left = value(of_.shake_left).as_double();
+    // Also before the first step, and where a body has been put elsewhere.
+    if (without_delay(view))
+        if (const auto place = property::place_below(tree_, view.follow, false, alpha))
+            view.center = place->origin;
     return made;
 }
 
-void Cameras::draw(property::Painter& painter, const View& view, double alpha,
+CameraPicture Cameras::drawn(Handle camera, const Vec2& screen, double alpha, double now) const {
+    CameraPicture made = picture(camera, screen, alpha);
+    View& view = made.view;
+    // The shake first: what it adds does not depend on the center.
+    const Vec2 shaken = view.drawn(1, now).center - view.center;
+    const auto row = std::ranges::find(rows_, camera, &Row::self);
+    if (!without_delay(view) && row != rows_.end() && view.center == row->after)
+        view.center = row->before + alpha * (row->after - row->before);
+    view.center += shaken;
+    return made;
+}
+
+double Cameras::zoom(property::Row row) const {
+    return picture(rows_[row].self, view_.screen, 1).view.zoom();
+}
+
+void Cameras::set_zoom(property::Row row, double zoom) {
+    const Handle camera = rows_[row].self;
+    const double height = picture(camera, view_.screen, 1).view.screen.y / zoom;
+    if (height < heights.min || height > heights.max)
+        throw std::invalid_argument("the height seen would be " + property::number_text(height) +
+                                    " m, not between 0.001 and 1e+06 m");
+    tree_.set(camera, "height", Value(height));
+}
+
+void Cameras::advance(double dt) {
+    // By index: what a write calls may make cameras.
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (const Handle camera = rows_[i].self;
+            camera && tree_.alive(camera) && tree_.is_below(camera, tree_.root()))
+            advance(rows_[i], dt);
+}
+
+void Cameras::advance(Row& row, double dt) {
+    static std::function<std::string()> where = [] { return std::string("the camera"); };
+    const property::Tree::CauseScope cause(tree_, property::Writer::module, &where);
+    View view = picture(row.self, view_.screen, 1).view;
+    row.before = view.center = tree_.peek(row.self, *of_.center).vec2();
+    const double shaking = view.shake_left;
+    view.advance(tree_, dt);
+    row.after = view.center;
+    const Handle camera = row.self;
+    const bool moved = row.before != row.after;
+    if (moved && !tree_.formula(camera, *of_.center))
+        tree_.set(camera, "center", Value(view.center));
+    if (view.shake_left != shaking) tree_.set(camera, "shake_left", Value(view.shake_left));
+}
+
+void Cameras::draw(property::Painter& painter, const View& view, double alpha, double now,
                    const std::function<void(property::Painter&)>& game) const {
     const std::vector<Handle> cameras = shown();
     if (cameras.empty()) return game(painter);
@@ -163,7 +256,7 @@ void Cameras::draw(property::Painter& painter, const View& view, double alpha,
     }
     for (const Handle camera : cameras) {
         if (!tree_.alive(camera)) continue;  // a function that draws has deleted it
-        const CameraPicture shown = picture(camera, view, alpha);
+        const CameraPicture shown = drawn(camera, view.screen, alpha, now);
         if ((shown.upper - shown.lower).smallest() < 1) continue;
         const Value color = tree_.peek(camera, *of_.background);
         property::Paint paint{.border = {0, 0, 0, 0}};

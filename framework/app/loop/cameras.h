@@ -17,24 +17,47 @@ class Cameras {
     Cameras(property::Tree& tree, const View& view);
     Cameras(const Cameras&) = delete;
 
+    /// One step of the simulation, `dt` seconds long: cameras follow and keep to their limits.
+    void advance(double dt);
     /// Draws the game as the view shows it, then the pictures of the cameras, then what is on the
-    /// screen. `game` draws all of it with a painter; without cameras it is called once.
-    void draw(property::Painter& painter, const View& view, double alpha,
+    /// screen. `game` draws all of it with a painter; without cameras it is called once. `alpha`
+    /// of the way from the last step but one to the last; `now`: s, simulation time.
+    void draw(property::Painter& painter, const View& view, double alpha, double now,
               const std::function<void(property::Painter&)>& game) const;
 
   private:
+    /// What the tree does not store.
+    struct Row {
+        property::Handle self{};  // null: the row is free
+        // For drawing only: the center before and after the last step.
+        property::Vec2 before{0, 0}, after{0, 0};
+    };
     struct Properties {
-        const property::Property *viewport, *center, *height, *angle, *follow, *background,
-            *visible, *z;
+        const property::Property *viewport, *center, *height, *angle, *follow, *follow_damping,
+            *dead_zone, *limits, *shake_amount, *shake_length, *shake_left, *background, *visible,
+            *z;
     };
     void define(property::Tree& tree);
+    std::vector<property::Property> properties();
     /// The visible ones in the game, in the order of their z.
     std::vector<property::Handle> shown() const;
-    CameraPicture picture(property::Handle camera, const View& view, double alpha) const;
+    /// Whether it is always where what it follows is.
+    bool without_delay(const View& view) const;
+    /// What it shows, as a view, and where on the screen; what it follows is where it is drawn
+    /// at `alpha`.
+    CameraPicture picture(property::Handle camera, const property::Vec2& screen,
+                          double alpha) const;
+    /// The same between the last two steps, and shaken.
+    CameraPicture drawn(property::Handle camera, const property::Vec2& screen, double alpha,
+                        double now) const;
+    double zoom(property::Row row) const;
+    void set_zoom(property::Row row, double zoom);
+    void advance(Row& row, double dt);
 
     property::Tree& tree_;
     const View& view_;
     Properties of_{};
+    std::vector<Row> rows_{};
     std::vector<property::Handle> all_{};  // in the order in which they were made
 };
 

@@ -148,7 +148,7 @@ void Loop::draw(Screen& screen, double seconds) {
     const View drawn = view.drawn(clock.alpha, clock.now);
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
-    services_.cameras().draw(painter, drawn, clock.alpha, [this](property::Painter& on) {
+    services_.cameras().draw(painter, drawn, clock.alpha, clock.now, [this](property::Painter& on) {
         if (halted_ || runtime_life_.expired())
             tree_.draw(tree_.root(), on, services_.clock.alpha);
         else

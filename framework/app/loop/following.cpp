@@ -1,17 +1,99 @@
 // The view follows an instance, keeps to its limits, and shakes.
 
-#include <fettle/app/view.h>
+#include <loop/following.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include <fettle/app/view.h>
 #include <fettle/property/pose.h>
 
 namespace fettle::app {
 
 using property::Handle;
+using property::Property;
 using property::Tree;
+using property::Type;
+using property::Value;
 using property::Vec2;
+
+std::vector<Property> following_properties() {
+    return {
+        {.name = "follow",
+         .type = Type::reference,
+         .doc = "It moves with this instance, from step to step."},
+        {.name = "follow_damping",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e3},
+         .doc = "The time in which it makes two thirds of the way to what it follows; 0: it is "
+                "always there."},
+        {.name = "dead_zone",
+         .type = Type::vec2,
+         .unit = "m",
+         .range = {0, 1e9},
+         .doc = "Width and height of the box round the center in which what it follows moves "
+                "without moving it."},
+        {.name = "limits",
+         .type = Type::list,
+         .unit = "m",
+         .doc = "The lower and the upper corner of the part of the world that may be seen; empty: "
+                "all of it. If that part is smaller than what is seen, it is in the middle.",
+         .element = Type::vec2},
+        {.name = "shake_amount",
+         .type = Type::number,
+         .unit = "m",
+         .range = {0, 1e6},
+         .doc = "How far the picture is moved at the beginning of a shake.",
+         .hidden = true},
+        {.name = "shake_length",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e6},
+         .doc = "How long the last shake lasts.",
+         .hidden = true},
+        {.name = "shake_left",
+         .type = Type::number,
+         .unit = "s",
+         .range = {0, 1e6},
+         .doc = "How long the picture will be shaken; `shake` begins it.",
+         .hidden = true}};
+}
+
+property::Method shake_method() {
+    return {.name = "shake",
+            .parameters = {{.name = "amount",
+                            .type = Type::number,
+                            .unit = "m",
+                            .doc = "How far the picture is moved at the beginning.",
+                            .range = {0, 1e6}},
+                           {.name = "seconds",
+                            .type = Type::number,
+                            .unit = "s",
+                            .doc = "How long it takes to come to rest; 0.5 if it is left out.",
+                            .range = {0, 1e6}}},
+            .required = 1,
+            .doc =
+                "Shakes the picture, for an explosion or a blow. Only what is drawn moves; a "
+                "weaker shake does not end a stronger one.",
+            .call = [](void*, Tree& tree, Handle self, property::Row,
+                       std::span<const Value> arguments) -> property::Result {
+                const double amount = arguments[0].number();
+                const double seconds = arguments[1].is_nil() ? 0.5 : arguments[1].number();
+                if (!(amount >= 0 && amount <= 1e6 && seconds >= 0 && seconds <= 1e6))
+                    throw std::invalid_argument("expected an amount and a time from 0 to 1e+06");
+                const auto now = [&](const char* name) { return tree.get(self, name).number(); };
+                const double length = now("shake_length");
+                if (length > 0 && amount < now("shake_amount") * now("shake_left") / length)
+                    return Value();
+                tree.set(self, "shake_amount", Value(amount));
+                tree.set(self, "shake_length", Value(seconds));
+                tree.set(self, "shake_left", Value(seconds));
+                return Value();
+            },
+            .effect = property::Effect::tree};
+}
 
 Vec2 world_position(const Tree& tree, Handle instance) {
     return property::place_below(tree, instance, false, 1).value_or(property::Transform()).origin;

@@ -11,6 +11,7 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/explaining.h>
 
+#include <loop/cameras.h>
 #include <time/state_hash.h>
 
 namespace fettle::app {
@@ -128,6 +129,7 @@ void Loop::step_modules(double dt) {
         step(dt);
     }
     services_.view.advance(tree_, dt);
+    services_.cameras().advance(dt);
 }
 
 void Loop::add(SteppedModule module) {

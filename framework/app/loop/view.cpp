@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+
+#include <loop/following.h>
 
 namespace fettle::app {
 
@@ -147,107 +150,39 @@ std::vector<Property> where(View& view) {
     };
 }
 
+/// The properties of what it follows, with their places in the view.
 std::vector<Property> following(View& view) {
-    return {
-        {.name = "follow",
-         .type = Type::reference,
-         .doc = "The view moves with this instance, from step to step.",
-         .binding = accessor(
-             view, [](View& v, property::Row) { return Value(v.follow); },
-             [](View& v, property::Row, const Value& value) { v.follow = value.reference(); })},
-        {.name = "follow_damping",
-         .type = Type::number,
-         .unit = "s",
-         .range = {0, 1e3},
-         .doc = "The time in which the view makes two thirds of the way to what it follows; 0: it "
-                "is always there.",
-         .binding = column(view, Native::f64, 0, [](View& v) { return &v.follow_damping; })},
-        {.name = "dead_zone",
-         .type = Type::vec2,
-         .unit = "m",
-         .range = {0, 1e9},
-         .doc = "Width and height of the box round the center in which what it follows moves "
-                "without moving the view.",
-         .binding = column(view, Native::vec2d, 0, [](View& v) { return v.dead_zone.data(); })},
-        {.name = "limits",
-         .type = Type::list,
-         .unit = "m",
-         .doc = "The lower and the upper corner of the part of the world that may be seen; empty: "
-                "all of it. If it is smaller than the view, it is in the middle.",
-         .binding = accessor(
-             view,
-             [](View& v, property::Row) {
-                 return Value(property::List(v.limits.begin(), v.limits.end()));
-             },
-             [](View& v, property::Row, const Value& value) {
-                 const property::List& corners = value.list();
-                 if (!corners.empty() &&
-                     (corners.size() != 2 || corners[0].vec2().x > corners[1].vec2().x ||
-                      corners[0].vec2().y > corners[1].vec2().y))
-                     throw std::invalid_argument(
-                         "expected the lower and the upper corner of a box, or an empty list");
-                 v.limits.clear();
-                 for (const Value& corner : corners) v.limits.push_back(corner.vec2());
-             }),
-         .element = Type::vec2},
-        {.name = "shake_amount",
-         .type = Type::number,
-         .unit = "m",
-         .range = {0, 1e6},
-         .doc = "How far the picture is moved at the beginning of a shake.",
-         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_amount; }),
-         .hidden = true},
-        {.name = "shake_length",
-         .type = Type::number,
-         .unit = "s",
-         .range = {0, 1e6},
-         .doc = "How long the last shake lasts.",
-         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_length; }),
-         .hidden = true},
-        {.name = "shake_left",
-         .type = Type::number,
-         .unit = "s",
-         .range = {0, 1e6},
-         .doc = "How long the picture will be shaken; `shake` begins it.",
-         .binding = column(view, Native::f64, 0, [](View& v) { return &v.shake_left; }),
-         .simulated = true,
-         .hidden = true},
+    std::vector<Property> made = following_properties();
+    const auto put = [&made](std::string_view name, property::Binding binding) {
+        std::ranges::find(made, name, &Property::name)->binding = std::move(binding);
     };
-}
-
-property::Method shake_method(View& view) {
-    return {.name = "shake",
-            .parameters = {{.name = "amount",
-                            .type = Type::number,
-                            .unit = "m",
-                            .doc = "How far the picture is moved at the beginning.",
-                            .range = {0, 1e6}},
-                           {.name = "seconds",
-                            .type = Type::number,
-                            .unit = "s",
-                            .doc = "How long it takes to come to rest; 0.5 if it is left out.",
-                            .range = {0, 1e6}}},
-            .required = 1,
-            .doc =
-                "Shakes the picture, for an explosion or a blow. Only what is drawn moves; a "
-                "weaker shake does not end a stronger one.",
-            .context = &view,
-            .call = [](void* context, property::Tree& tree, property::Handle self, property::Row,
-                       std::span<const Value> arguments) -> property::Result {
-                View& v = *static_cast<View*>(context);
-                const double amount = arguments[0].number();
-                const double seconds = arguments[1].is_nil() ? 0.5 : arguments[1].number();
-                if (!(amount >= 0 && amount <= 1e6 && seconds >= 0 && seconds <= 1e6))
-                    throw std::invalid_argument("expected an amount and a time from 0 to 1e+06");
-                const double now =
-                    v.shake_length > 0 ? v.shake_amount * v.shake_left / v.shake_length : 0;
-                if (amount < now) return Value();
-                tree.set(self, "shake_amount", Value(amount));
-                tree.set(self, "shake_length", Value(seconds));
-                tree.set(self, "shake_left", Value(seconds));
-                return Value();
+    put("follow",
+        accessor(
+            view, [](View& v, property::Row) { return Value(v.follow); },
+            [](View& v, property::Row, const Value& value) { v.follow = value.reference(); }));
+    put("follow_damping", column(view, Native::f64, 0, [](View& v) { return &v.follow_damping; }));
+    put("dead_zone", column(view, Native::vec2d, 0, [](View& v) { return v.dead_zone.data(); }));
+    put("limits",
+        accessor(
+            view,
+            [](View& v, property::Row) {
+                return Value(property::List(v.limits.begin(), v.limits.end()));
             },
-            .effect = property::Effect::tree};
+            [](View& v, property::Row, const Value& value) {
+                const property::List& corners = value.list();
+                if (!corners.empty() &&
+                    (corners.size() != 2 || corners[0].vec2().x > corners[1].vec2().x ||
+                     corners[0].vec2().y > corners[1].vec2().y))
+                    throw std::invalid_argument(
+                        "expected the lower and the upper corner of a box, or an empty list");
+                v.limits.clear();
+                for (const Value& corner : corners) v.limits.push_back(corner.vec2());
+            }));
+    put("shake_amount", column(view, Native::f64, 0, [](View& v) { return &v.shake_amount; }));
+    put("shake_length", column(view, Native::f64, 0, [](View& v) { return &v.shake_length; }));
+    put("shake_left", column(view, Native::f64, 0, [](View& v) { return &v.shake_left; }));
+    std::ranges::find(made, "shake_left", &Property::name)->simulated = true;
+    return made;
 }
 
 std::vector<Property> looks(View& view) {
@@ -384,7 +319,7 @@ property::Handle define_view(property::Tree& tree, View& view) {
     for (Property& property : following(view)) properties.push_back(std::move(property));
     for (Property& property : looks(view)) properties.push_back(std::move(property));
     std::vector<property::Method> methods = conversions(view);
-    methods.push_back(shake_method(view));
+    methods.push_back(shake_method());
     const property::Class& view_class =
         tree.define({.name = "View",
                      .doc = "Which part of the world is seen, and what lies over it.",

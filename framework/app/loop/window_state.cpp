@@ -53,6 +53,16 @@ void define_window(property::Tree& tree, property::Handle view_instance, View& v
                       v.window.title = title.text();
                   }),
               .transient = true},
+             {.name = "icon",
+              .type = Type::text,
+              .default_value = view.window.icon,
+              .doc = "An image file in the game's folder (PNG, JPEG, BMP, TGA) that the system "
+                     "shows for the window; at the start that of game.json. Empty: that of the "
+                     "system, or the last one.",
+              .binding = property::accessor(
+                  view, [](View& v, property::Row) { return v.window.icon; },
+                  [](View& v, property::Row, const Value& icon) { v.window.icon = icon.text(); }),
+              .transient = true},
              {.name = "size",
               .type = Type::vec2,
               .default_value = view.window.size,

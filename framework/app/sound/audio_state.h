@@ -80,6 +80,7 @@ struct Audio::State {
     SourceProperties of_source{};
     VoiceProperties of_voice{};
     const property::Property *of_music_fade = nullptr, *synth_wave = nullptr, *synth_seed = nullptr;
+    const property::Property* synth_low_pass = nullptr;
     const property::Property *bus_volume = nullptr, *bus_muted = nullptr, *bus_pauses = nullptr;
     std::vector<const property::Property*> synth_numbers_of{};
 

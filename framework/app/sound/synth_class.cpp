@@ -92,7 +92,7 @@ Property number_property(const SynthNumber& number) {
             .doc = number.doc};
 }
 
-std::vector<Property> properties_of_synths() {
+std::vector<Property> properties_of_synths(Audio::State& state) {
     std::vector<Property> all;
     all.push_back({.name = "wave",
                    .type = Type::text,
@@ -109,6 +109,24 @@ std::vector<Property> properties_of_synths() {
                    .default_value = 0.5,
                    .doc = "Loudness, 1 being as loud as a file can be."});
     for (const SynthNumber& number : synth_numbers()) all.push_back(number_property(number));
+    const auto low_pass = std::ranges::find(all, "low_pass", &Property::name);
+    all.push_back({.name = "filter",
+                   .type = Type::number,
+                   .default_value = low_pass->default_value,
+                   .unit = low_pass->unit,
+                   .range = low_pass->range,
+                   .doc = "A short name for `low_pass`.",
+                   .binding = property::accessor(
+                       state,
+                       [](Audio::State& s, Row row) {
+                           const Handle synth = s.sources[row].self;
+                           return s.number(synth, *s.synth_low_pass);
+                       },
+                       [](Audio::State& s, Row row, const Value& value) {
+                           s.tree.set(s.sources[row].self, *s.synth_low_pass, value);
+                       }),
+                   .transient = true,
+                   .derives_from = {"low_pass"}});
     return all;
 }
 
@@ -200,9 +218,10 @@ void define_synth(Audio::State& state) {
          .doc = "A sound from parameters, without a file. `Synth.coin()`, `jump`, `hit`, "
                 "`explosion`, `blip` and `power_up` make ready ones. A changed parameter is heard "
                 "at once, also in voices that sound.",
-         .properties = properties_of_synths(),
+         .properties = properties_of_synths(state),
          .methods = methods_of_synths(state)});
     state.synth_wave = state.synth_class->property("wave");
+    state.synth_low_pass = state.synth_class->property("low_pass");
     state.synth_seed = state.synth_class->property("seed");
     for (const SynthNumber& number : synth_numbers())
         state.synth_numbers_of.push_back(state.synth_class->property(number.name));

@@ -90,6 +90,29 @@ std::vector<Property> Sprites::frame_properties() {
          .default_value = 1,
          .range = {1, 10'000},
          .doc = "Number of rows of frames in the image."},
+        // After columns and rows in the order of names, so a constructor may give any of them.
+        {.name = "sheet",
+         .type = Type::list,
+         .default_value = property::List{Value(1), Value(1)},
+         .range = {1, 10'000},
+         .doc = "Columns and rows in one value: { columns, rows }. The sheet that Aseprite "
+                "exported is given by its JSON file as `image`.",
+         .binding = accessor(
+             *this,
+             [](Sprites& s, property::Row row) {
+                 const Reader read(*s.tree_, s.rows_[row].self);
+                 return Value(property::List{read.value(s.of_.columns), read.value(s.of_.rows)});
+             },
+             [](Sprites& s, property::Row row, const Value& value) {
+                 const property::List& sheet = value.list();
+                 if (sheet.size() != 2)
+                     throw std::invalid_argument("expected two numbers: { columns, rows }");
+                 s.tree_->set(s.rows_[row].self, *s.of_.columns, sheet[0]);
+                 s.tree_->set(s.rows_[row].self, *s.of_.rows, sheet[1]);
+             }),
+         .transient = true,
+         .element = Type::integer,
+         .derives_from = {"columns", "rows"}},
         restarts({.name = "animation",
                   .type = Type::text,
                   .doc = "The frames that are played: a tag of an Aseprite file, or the first and "

@@ -38,7 +38,7 @@ class Services {
     Audio audio;  ///< the instance `audio`
     Input input;  ///< the instance `input`
     /// The cameras of the game beside the view.
-    const Cameras& cameras() const { return *cameras_; }
+    Cameras& cameras() { return *cameras_; }
     /// The effect of the view.
     Effects& effects() { return *effects_; }
     /// Receives what is wrong with the effect of the view.

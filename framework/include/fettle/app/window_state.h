@@ -37,6 +37,7 @@ struct WindowState {
     bool cursor_visible = true;
     Cursor cursor = Cursor::arrow;
     bool grab_mouse = false;  // the pointer stays in the window
+    std::string icon{};       // an image file of the game; empty: that of the system
 };
 
 /// Adds the window of the view to the tree, below `view`. The view must outlive all use by the

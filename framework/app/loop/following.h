@@ -1,0 +1,17 @@
+#pragma once
+// What the view and a camera have in common: following an instance, limits, shaking.
+
+#include <vector>
+
+#include <fettle/property/class.h>
+
+namespace fettle::app {
+
+/// `follow`, `follow_damping`, `dead_zone`, `limits` and the hidden numbers of a shake, as values
+/// that the tree stores.
+std::vector<property::Property> following_properties();
+
+/// `shake` of a class with these properties.
+property::Method shake_method();
+
+}  // namespace fettle::app
