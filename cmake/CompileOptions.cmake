@@ -1,9 +1,6 @@
 # Flags every part is built with: `fettle_compile_options(TARGET)` keeps them in one place.
 
 include(BuildSpeed)
-include(CheckCXXCompilerFlag)
-
-check_cxx_compiler_flag(-munroll-only-small-loops FETTLE_UNROLLS_SMALL_LOOPS)
 
 option(FETTLE_WERROR "Treat warnings as errors" OFF)
 set(FETTLE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
@@ -36,11 +33,7 @@ endfunction()
 # For code that runs rarely, or that mostly calls other libraries: -O1 compiles in little more than half the time of -O3.
 function(fettle_optimize_little target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  # GCC 13 and later refuse a precompiled header made at another level, because of this option alone. It is part of -O2
-  # and -O3, and without effect at -O1.
-  if(FETTLE_UNROLLS_SMALL_LOOPS)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-munroll-only-small-loops>)
-  endif()
+  set_target_properties(${target} PROPERTIES FETTLE_OPTIMIZED_LITTLE ON)
 endfunction()
 
 # Files whose functions a game calls ten thousand times a frame. Where they begin in a line of the

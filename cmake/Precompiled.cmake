@@ -12,22 +12,30 @@ function(fettle_precompile target)
   target_precompile_headers(${target} PRIVATE ${fettle_common_headers} ${ARGN})
 endfunction()
 
-# fettle_precompile_tree(TARGET): for a library on top of the property tree. All of these share one precompiled header,
-# which needs the very same flags for each; that is why it is made of fettle_compile_options and nothing else.
+# fettle_precompile_tree(TARGET): for a library on top of the property tree, after fettle_optimize_little(TARGET) if there
+# is one. All of these share one precompiled header, and those that are optimized little another one: it needs the very
+# same flags for each, also those of the optimization. That is why it is made of fettle_compile_options and nothing else.
 function(fettle_precompile_tree target)
-  if(NOT TARGET fettle_tree_headers)
-    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cmake/tree_headers.cpp"
-      CONTENT "// Has no code: the precompiled header is made for it.\n")
-    add_library(fettle_tree_headers OBJECT "${PROJECT_BINARY_DIR}/cmake/tree_headers.cpp")
-    target_include_directories(fettle_tree_headers PRIVATE "${PROJECT_SOURCE_DIR}/framework/include")
-    fettle_with_vectors(fettle_tree_headers)
-    if(NOT BUILD_SHARED_LIBS)
-      target_compile_definitions(fettle_tree_headers PRIVATE FETTLE_PROPERTY_STATIC)
-    endif()
-    fettle_compile_options(fettle_tree_headers)
-    set_target_properties(fettle_tree_headers PROPERTIES
-      CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-    fettle_precompile(fettle_tree_headers <chrono> <filesystem> <fettle/property/tree.h>)
+  set(headers fettle_tree_headers)
+  get_target_property(little ${target} FETTLE_OPTIMIZED_LITTLE)
+  if(little)
+    set(headers fettle_tree_headers_little)
   endif()
-  target_precompile_headers(${target} REUSE_FROM fettle_tree_headers)
+  if(NOT TARGET ${headers})
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cmake/${headers}.cpp"
+      CONTENT "// Has no code: the precompiled header is made for it.\n")
+    add_library(${headers} OBJECT "${PROJECT_BINARY_DIR}/cmake/${headers}.cpp")
+    target_include_directories(${headers} PRIVATE "${PROJECT_SOURCE_DIR}/framework/include")
+    fettle_with_vectors(${headers})
+    if(NOT BUILD_SHARED_LIBS)
+      target_compile_definitions(${headers} PRIVATE FETTLE_PROPERTY_STATIC)
+    endif()
+    fettle_compile_options(${headers})
+    if(little)
+      fettle_optimize_little(${headers})
+    endif()
+    set_target_properties(${headers} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    fettle_precompile(${headers} <chrono> <filesystem> <fettle/property/tree.h>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
