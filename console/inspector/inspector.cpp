@@ -94,7 +94,7 @@ void Inspector::draw(ImFont* bold) {
         else
             draw_several(bold);
         ImGui::BeginChild("properties");
-        draw_properties(bold);
+        if (tree_.alive(selected())) draw_properties(bold);  // a button may have deleted it
         ImGui::EndChild();
     }
     editor_.end_frame();
@@ -240,13 +240,12 @@ void Inspector::draw_several(ImFont* bold) {
     ImGui::PushStyleColor(ImGuiCol_Text, alike ? class_color(kind) : palette::dim);
     ImGui::TextUnformatted(alike ? kind.c_str() : "what all of them have");
     ImGui::PopStyleColor();
-    if (ImGui::Button("Delete", ImVec2(0, button_height()))) delete_selection();
+    if (low_button("Delete")) delete_selection();
     ImGui::SameLine();
-    if (ImGui::Button("Clone", ImVec2(0, button_height()))) clone_selection();
+    if (low_button("Clone")) clone_selection();
     for (const int axis : {0, 1}) {
         ImGui::SameLine();
-        if (ImGui::Button(axis == 0 ? "Align x" : "Align y", ImVec2(0, button_height())))
-            align(tree_, selection(), axis);
+        if (low_button(axis == 0 ? "Align x" : "Align y")) align(tree_, selection(), axis);
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("Gives all the mean of their positions along %c",
                               axis == 0 ? 'x' : 'y');

@@ -7,6 +7,7 @@
 
 #include <fettle/property/exception_text.h>
 
+#include <inspector/bit_field.h>
 #include <look/theme.h>
 
 namespace fettle::console {
@@ -269,6 +270,10 @@ void PropertyEditor::boolean(const Target& target, const Value& value) {
 }
 
 void PropertyEditor::number(const Target& target, const Value& value, float width) {
+    if (target.property->bits && value.is(Type::integer)) {
+        if (const auto changed = bit_field(value.integer(), width)) write(target, Value(*changed));
+        return;
+    }
     NumberLook look = look_of(*target.property);
     look.integer = value.is(Type::integer);
     auto changed = fields_.number("##value", value.as_double(), look, width);
@@ -370,7 +375,7 @@ void PropertyEditor::nil(const Target& target, float width) {
     ImGui::TextDisabled("nil");
     if (target.property->read_only || type == Type::nil) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 2);
-    if (width > 0 && ImGui::Button("set", ImVec2(0, button_height()))) write(target, zero_of(type));
+    if (width > 0 && low_button("set")) write(target, zero_of(type));
 }
 
 // --- Lists
@@ -398,7 +403,7 @@ void PropertyEditor::list(const Target& target, const Value& value, float width)
         }
     ImGui::EndChild();
     if (target.property->read_only) return;
-    if (ImGui::Button("+ add", ImVec2(0, button_height()))) {
+    if (low_button("+ add")) {
         List longer = elements;
         Type type = target.property->element;
         longer.push_back(!longer.empty() ? longer.back()

@@ -169,6 +169,15 @@ float button_height() {
     return std::max(least, std::ceil(ImGui::GetTextLineHeight()) + 2);
 }
 
+bool low_button(const char* label) {
+    const float padding = (button_height() - ImGui::GetTextLineHeight()) / 2;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(ImGui::GetStyle().FramePadding.x, padding));
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleVar();
+    return pressed;
+}
+
 std::string wrapped(std::string_view text, float width) {
     std::string out;
     std::size_t line = 0;  // its begin in `out`

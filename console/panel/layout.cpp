@@ -382,9 +382,12 @@ void Console::State::draw_inspector_below() {
 }
 
 void Console::State::draw_width_handle() {
+    // The whole edge: a window cuts off what is drawn in the half of its padding.
+    const float thick = std::max(handle_size, ImGui::GetStyle().WindowPadding.x);
+    ImGui::PushClipRect(inspector_rect.low, inspector_rect.high, false);
     ImGui::SetCursorScreenPos(inspector_rect.low);
-    ImGui::InvisibleButton("width",
-                           ImVec2(handle_size, inspector_rect.high.y - inspector_rect.low.y));
+    ImGui::InvisibleButton("width", ImVec2(thick, inspector_rect.high.y - inspector_rect.low.y));
+    ImGui::PopClipRect();
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <fettle/property/value.h>
 
 #include <look/theme.h>
 #include <model/utf8.h>
@@ -166,6 +169,22 @@ void LogView::draw(float height, float cell) {
     ImGui::EndChild();
 }
 
+namespace {
+
+constexpr float swatch_height = 3;  // px; below the text, so that it covers nothing
+
+/// The color of a text such as "#ff8000" in `color("#ff8000")`.
+std::optional<ImU32> color_at(std::string_view text, const Span& span) {
+    if (span.token != Token::string || !text.substr(0, span.begin).ends_with("color(")) return {};
+    const std::string_view quoted = text.substr(span.begin, span.end - span.begin);
+    property::Color found;
+    if (quoted.size() < 2 || !property::parse_color(quoted.substr(1, quoted.size() - 2), found))
+        return {};
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(found.r, found.g, found.b, found.a));
+}
+
+}  // namespace
+
 void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell) {
     const LogLine* found = line(row.line);
     if (found == nullptr) return;
@@ -198,6 +217,9 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         float from = x;
         bool is_path = span.token == Token::path && found->kind != LineKind::error;
         put(span.end, colored(found->kind) || is_path ? token_color(span.token) : base);
+        if (const auto swatch = color_at(text, span); swatch && x > from)
+            list.AddRectFilled(ImVec2(from, at.y + line_height - swatch_height),
+                               ImVec2(x, at.y + line_height), *swatch);
         bool hovered = hovering_link_ && link_line_ == row.line && link_.begin == span.begin;
         if (hovered && x > from) {
             float y = std::round(at.y + ImGui::GetTextLineHeight()) - 1;

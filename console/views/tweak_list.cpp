@@ -67,7 +67,7 @@ void TweakList::act(const char* function, const std::string& pattern) {
 
 bool TweakList::small_button(int row, const char* label, const char* hint) {
     ImGui::PushID(row);
-    const bool pressed = ImGui::Button(label, ImVec2(0, button_height()));
+    const bool pressed = low_button(label);
     ImGui::PopID();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     drawn_.push_back({row, label, {low, high}});

@@ -33,6 +33,7 @@ property::Result body_at(void*, property::Tree& tree, Handle world, property::Ro
 std::vector<Property> body_properties() {
     constexpr double inf = std::numeric_limits<double>::infinity();
     std::vector<Property> list;
+    list.push_back({.name = "mask", .type = Type::integer, .default_value = -1, .bits = true});
     list.push_back({.name = "type",
                     .type = Type::text,
                     .default_value = "dynamic",

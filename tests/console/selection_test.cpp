@@ -226,6 +226,26 @@ TEST_CASE("positions are aligned to their mean") {
     CHECK(console::all_of_class(rig.tree, rig.tree.class_of(rig.ball)).size() == 3);
 }
 
+TEST_CASE("the button that deletes all selected leaves no error") {
+    SelectionRig rig;
+    rig.console.select(std::vector{rig.ball, rig.crate});
+    rig.draw(3);
+    bool deleted = false;
+    rig.state().inspector.run = [&](const std::string&) {
+        deleted = true;
+        rig.tree.destroy(rig.ball);
+        rig.tree.destroy(rig.crate);
+    };
+    const console::Rect& all = rig.state().inspector_rect;
+    // From below the buttons upwards, where a click does nothing, until it is found.
+    for (float y = (all.low.y + all.high.y) / 2; y > all.low.y + 60 && !deleted; y -= 8)
+        rig.click(all.low.x + 45, y);
+    REQUIRE(deleted);
+    rig.draw(3);
+    CHECK_FALSE(rig.logged("console:"));
+    CHECK_FALSE(rig.logged("was deleted"));
+}
+
 TEST_CASE("deleted instances leave the selection") {
     SelectionRig rig;
     rig.select_all();

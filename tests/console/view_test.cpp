@@ -1,5 +1,6 @@
 // What the console draws: the log with selection and links, sizes, fonts, any surface.
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -8,12 +9,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include <look/theme.h>
 #include "catch.h"
 #include "rig.h"
 
 namespace view_test {
 
 using namespace fettle;
+using console::Rect;
+using console::text_width;
+using console::wrapped;
 using console::test::RasterSurface;
 using console::test::Rig;
 using property::Value;
@@ -182,10 +187,57 @@ TEST_CASE("the text grows by a factor") {
     property::set(rig.tree, "console.scale", Value(2.0));
     rig.draw(3);
     CHECK(rig.state().log_view.cell() == Approx(2 * cell).margin(1));
+    // What is measured in text grows with it, as long as there is room beside the panel.
+    property::set(rig.tree, "console.scale", Value(1.25));
+    rig.draw(3);
+    const auto wide = [&] {
+        return rig.state().inspector_rect.high.x - rig.state().inspector_rect.low.x;
+    };
+    CHECK(wide() == Approx(1.25 * 380).margin(2));
+    const float edge = rig.state().inspector_rect.low.x;
+    rig.drag(edge + 2, 200, edge + 52, 200);
+    rig.draw(2);
+    CHECK(wide() == Approx(1.25 * 380 - 50).margin(4));
     property::set(rig.tree, "console.scale", Value(4.0));
     property::set(rig.tree, "console.font_size", Value(48.0));
     rig.draw(3);
     CHECK(rig.surface.faults() == 0);
+}
+
+TEST_CASE("what can be clicked in the title is high enough") {
+    Rig rig;
+    property::set(rig.tree, "console.font_size", Value(10.0));
+    rig.key("grave");
+    rig.draw(3);
+    const Rect& field = rig.state().filter_rect;
+    CHECK(field.high.y - field.low.y >= 16);
+}
+
+TEST_CASE("remarks break at blanks and not inside of numbers") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(2);
+    rig.state().ui.activate();
+    const std::string text = "mixed: -0.0005695 to 0.0003446 rad";
+    CHECK(wrapped(text, 1000) == text);
+    CHECK(wrapped(text, text_width("mixed: -0.0005695 to 0.00")) ==
+          "mixed: -0.0005695 to\n0.0003446 rad");
+    CHECK(wrapped(text, 1) == "mixed:\n-0.0005695\nto\n0.0003446\nrad");
+    CHECK(wrapped("a\nb c", text_width("b c")) == "a\nb c");
+    CHECK(wrapped("", 10).empty());
+}
+
+TEST_CASE("a color in the log has a swatch") {
+    Rig rig;
+    rig.key("grave");
+    rig.state().log.output("world.ball.color: color(\"#12fe34\")");
+    rig.draw(3);
+    const auto& pixels = rig.surface.pixels();
+    CHECK(std::ranges::count(pixels, console::test::Pixel{0x12, 0xfe, 0x34}) > 30);
+    rig.state().log.clear();
+    rig.state().log.output("\"#12fe34\" is no color here");
+    rig.draw(3);
+    CHECK(std::ranges::count(rig.surface.pixels(), console::test::Pixel{0x12, 0xfe, 0x34}) == 0);
 }
 
 TEST_CASE("changes of the size properties take effect at once") {

@@ -117,7 +117,8 @@ void define_field(Hosting& hosting) {
              [](Hosting& h, Row row, const Value& value) {
                  change(h, row,
                         [&](FieldDef& def) { def.mask = from_value<std::uint64_t>(value); });
-             })},
+             }),
+         .bits = true},
     };
     hosting.abstract_classes.push_back(&hosting.tree.define(std::move(field)));
 }

@@ -150,18 +150,21 @@ std::vector<Property> limits(Hosting& h) {
                  MoverRecord record = record_of(g, row);
                  record.ledges = from_value<std::uint64_t>(value);
                  g.hosted(row).movers.set(slot_of(row), record);
-             })},
+             }),
+         .bits = true},
         {.name = "category",
          .type = Type::integer,
          .default_value = 1,
          .doc = "Its categories, as bits: see `Shape.category`.",
-         .binding = of_capsule<&physics::Shape::category, &physics::Shape::set_category, 1>(h)},
+         .binding = of_capsule<&physics::Shape::category, &physics::Shape::set_category, 1>(h),
+         .bits = true},
         {.name = "mask",
          .type = Type::integer,
          .default_value = -1,
          .doc = "Categories of the shapes that stop it and that meet it, as bits; -1 is all.",
          .binding =
-             of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h)},
+             of_capsule<&physics::Shape::mask, &physics::Shape::set_mask, ~std::uint64_t{0}>(h),
+         .bits = true},
         flag("visible", true, "True if its capsule is drawn; turn it off under a sprite.",
              capsule_visible(h)),
     };

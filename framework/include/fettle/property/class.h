@@ -142,6 +142,7 @@ struct Property {
     bool any_type = false;   // takes any type (ad-hoc properties)
     bool hidden = false;     // not listed by inspectors
     bool sparse = false;     // stored number: only values that differ from the default take memory
+    bool bits = false;       // an integer whose bits have a meaning each
 
     std::vector<std::string> enumerators{};  // a text property takes only these
     Type element = Type::nil;                // type of a list's elements; nil: any
