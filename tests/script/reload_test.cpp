@@ -130,6 +130,22 @@ TEST_CASE("new instances come, those that the file does not make any more go") {
           "Circle\tfalse\ttrue");
 }
 
+TEST_CASE("what the file adds to game itself is compared, too") {
+    Game game("game:add(Object { n = 1 }, 'sounds') game.menu = Object { n = 1 } game.level = 3");
+    game.run("game.sounds.played = true kept = game.menu game.level = 7");
+    CHECK(game.change("game:add(Object { n = 2 }, 'sounds') game.menu = Object { n = 1 } "
+                      "game.level = 3 game.more = Object { n = 5 }")
+              .empty());
+    CHECK(game.number("sounds.n") == 2);
+    CHECK(game.get("sounds.played").boolean());
+    CHECK(game.number("more.n") == 5);
+    CHECK(game.number("level") == 7);  // the file says what it said before
+    game.run("assert(game.menu == kept)");
+    CHECK(game.change("game:add(Object { n = 2 }, 'sounds') game.level = 4").empty());
+    CHECK(game.number("level") == 4);
+    game.run("assert(not kept:alive()) assert(game.sounds.played)");
+}
+
 TEST_CASE("what the game has deleted stays deleted, and what it renamed is changed where it is") {
     Game game("world.a = Body { mass = 2 } world.b = Body { mass = 2 }");
     game.run("world.a = nil; world.b.name = 'c'");

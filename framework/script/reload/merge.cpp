@@ -68,7 +68,8 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
     place_new();
     // Instances of the game that the top level did not make.
     for (const Declared& now : next_)
-        if (!now.made && tree_.alive(now.instance) && tree_.is_below(now.instance, tree_.root()))
+        if (!now.made && tree_.alive(now.instance) &&
+            (now.instance == tree_.root() || tree_.is_below(now.instance, tree_.root())))
             apply(now, now.instance, said_before(now.instance, now.path));
     for (const Declared& before : machine_.declarations.last())
         if (!before.made && tree_.alive(before.instance) &&

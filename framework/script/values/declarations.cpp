@@ -127,7 +127,7 @@ void Declarations::wrote(Handle instance, std::string_view name) {
 // --- While it is loaded again
 
 bool Declarations::defers(Handle instance) const {
-    return again() && tree_.is_below(instance, tree_.root());
+    return again() && (instance == tree_.root() || tree_.is_below(instance, tree_.root()));
 }
 
 void Declarations::defer(Handle instance, std::string_view name, const Value& value) {
