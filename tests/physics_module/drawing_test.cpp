@@ -196,17 +196,17 @@ TEST_CASE_METHOD(Drawn, "a sensor is drawn so that shapes inside stay visible") 
     set(shape_of(gate), "sensor", true);
     CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
     // The color of a body is that of all its shapes, also of what it sees.
-    set(gate, "color", Color{1, 0, 0, 1});
+    set(gate, "color", property::Color{1, 0, 0, 1});
     CHECK(draw().figures.at(0).paint.fill.a < 0.5f * before);
 }
 
 TEST_CASE_METHOD(Drawn, "a sensor with a color of its own is drawn in that color") {
     const Handle coin = body("Circle", {0, 0});
     set(shape_of(coin), "sensor", true);
-    const Color gold{1, 0.8f, 0.2f, 1};
+    const property::Color gold{1, 0.8f, 0.2f, 1};
     set(shape_of(coin), "color", gold);
     CHECK(draw().figures.at(0).paint.fill == gold);
-    const Color glass{1, 0.8f, 0.2f, 0.3f};
+    const property::Color glass{1, 0.8f, 0.2f, 0.3f};
     set(shape_of(coin), "color", glass);
     CHECK(draw().figures.at(0).paint.fill == glass);
 }
