@@ -45,11 +45,13 @@ void WritesLog::take_back(PlainWrite& entry) {
         entry.instance = {};
 }
 
-void WritesLog::leaves(std::uint64_t step) {
-    if (latest_step_ > step) {
+void WritesLog::went(std::uint64_t from, std::uint64_t to) {
+    arrival_step_ = to;
+    if (from == to) return;
+    if (latest_step_ > from) {
         for (Run& run : runs_)
             if (run.end > arrived_) run.lost = true;
-        std::erase_if(full_, [&](const auto& each) { return each.second.second.step == step; });
+        std::erase_if(full_, [&](const auto& each) { return each.second.second.step == from; });
     }
     arrived_ = reported_;
 }
@@ -112,7 +114,8 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
             return {.known = true, .cause = cause};
     }
     if (!out.known && later)
-        return {.known = true, .cause = {.writer = Writer::restore, .where = {}, .step = now}};
+        return {.known = true,
+                .cause = {.writer = Writer::restore, .where = {}, .step = arrival_step_}};
     return out;
 }
 

@@ -80,9 +80,10 @@ class WritesLog {
         if (full_.size() >= max_count) full_.clear();
         full_[{instance.index, property}] = {instance.generation, cause};
     }
-    /// The tree goes from its state at `step` to another one. What was written at that step since
-    /// the last call is lost, if later steps are known: the past is not changed by looking at it.
-    void leaves(std::uint64_t step);
+    /// The tree went from its state at the step `from` to that at `to`. What was written at `from`
+    /// since the last call is lost, if later steps are known: looking at the past does not change
+    /// it.
+    void went(std::uint64_t from, std::uint64_t to);
     /// The step begins. Entries of it and of later ones are of a future that does not come.
     void begins(std::uint64_t step);
     /// The past is another one after `step`, when a person may have written, and its writers are
@@ -124,7 +125,8 @@ class WritesLog {
     std::uint64_t reported_ = 0;  // number of writes that were ever reported
     std::deque<Run> runs_;
     std::uint64_t latest_step_ = 0;  // of entries that are not lost
-    std::uint64_t arrived_ = 0;      // number of entries when the tree came to its state
+    std::uint64_t arrival_step_ = 0;
+    std::uint64_t arrived_ = 0;  // number of entries when the tree came to its state
     std::unordered_map<Cell, std::pair<std::uint32_t, Cause>, CellHash> full_;
 };
 
