@@ -18,16 +18,21 @@ from ._call import Error, Invalid, Locked, Stale, version
 from ._values import Aabb, Pose, Vec2
 from .body import Body
 from .fields import Attractor, Buoyancy, Drag, Field, Wind
-from .geometry import Box, Chain, Circle, Concave, Ellipse, Polygon, Segment, convex_hull
+from .geometry import Box, Chain, Circle, Concave, Ellipse, Geometry, Movement, Polygon, Segment, convex_hull
+from .hooks import set_failure_function, set_log, simd_width
 from .joints import (DistanceJoint, FilterJoint, GearJoint, GrooveJoint, Joint, MotorJoint, MouseJoint, PinSlotJoint,
                      PrismaticJoint, PulleyJoint, RatchetJoint, RevoluteJoint, RotaryLimitJoint, WeldJoint, WheelJoint)
 from .mover import Moved, Mover, MoverPlane, MoverState
-from .shape import Shape
+from .outlines import Line, grid_outlines, join_lines, without_straight_points
+from .recording import Replay, ReplayedStep
+from .shape import SegmentSurface, Shape
 from .vector_world import VectorWorld
 from .world import World
 
-__all__ = ["Aabb", "Attractor", "Body", "Box", "Buoyancy", "Chain", "Circle", "Concave", "DistanceJoint", "Drag", "Ellipse",
-           "Error", "Field", "FilterJoint", "GearJoint", "GrooveJoint", "Invalid", "Joint", "Locked", "MotorJoint", "MouseJoint",
-           "Moved", "Mover", "MoverPlane", "MoverState",
-           "PinSlotJoint", "Polygon", "Pose", "PrismaticJoint", "PulleyJoint", "RatchetJoint", "RevoluteJoint",
-           "RotaryLimitJoint", "Segment", "Shape", "Stale", "Vec2", "VectorWorld", "WeldJoint", "WheelJoint", "Wind", "World", "convex_hull", "version"]
+__all__ = ["Aabb", "Attractor", "Body", "Box", "Buoyancy", "Chain", "Circle", "Concave", "convex_hull", "DistanceJoint",
+           "Drag", "Ellipse", "Error", "Field", "FilterJoint", "GearJoint", "Geometry", "grid_outlines", "GrooveJoint",
+           "Invalid", "join_lines", "Joint", "Line", "Locked", "MotorJoint", "MouseJoint", "Moved", "Movement", "Mover",
+           "MoverPlane", "MoverState", "PinSlotJoint", "Polygon", "Pose", "PrismaticJoint", "PulleyJoint", "RatchetJoint",
+           "Replay", "ReplayedStep", "RevoluteJoint", "RotaryLimitJoint", "Segment", "SegmentSurface", "set_failure_function",
+           "set_log", "Shape", "simd_width", "Stale", "Vec2", "VectorWorld", "version", "WeldJoint", "WheelJoint", "Wind",
+           "without_straight_points", "World"]

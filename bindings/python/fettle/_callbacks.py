@@ -1,30 +1,88 @@
 """Functions of Python that a world calls."""
 
-from ._call import ffi, keep_exception
-from ._values import vec2
+from ._call import Stale, ffi, keep_exception
+from ._properties import to_number
+from ._values import Pose, pair, vec2
+from .body import Body
 from .shape import Shape
 
 
-class ContactEdit:
-    """A contact about to be solved. `friction`, `restitution`, `surface_speed` and `enabled` may be set; it is valid during the
-    call."""
+class Edit:
+    """What a function of the program gets, some members of which it may set. It is valid during the call."""
 
     __slots__ = ("world", "_c")
+    settable = ()
 
     def __init__(self, world, c):
         object.__setattr__(self, "world", world)
         object.__setattr__(self, "_c", c)
 
+    def _valid(self):
+        if self._c is None:
+            raise Stale(f"the {type(self).__name__} is valid only during the call that has got it")
+        return self._c
+
     def __getattr__(self, name):
-        value = getattr(self._c, name)
+        value = getattr(self._valid(), name)
         if name in ("shape_a", "shape_b"):
             return Shape(self.world, value)
-        return vec2(value) if name in ("point", "normal") else value
+        if name == "body":
+            return Body(self.world, value)
+        if not isinstance(value, ffi.CData):
+            return value
+        return vec2(value) if ffi.typeof(value).cname == "struct fettle_vec2" else Pose(vec2(value.position), value.angle)
 
     def __setattr__(self, name, value):
-        if name not in ("friction", "restitution", "surface_speed", "enabled"):
-            raise AttributeError(f"{name} of a contact cannot be set")
-        setattr(self._c, name, value)
+        if name not in self.settable:
+            raise AttributeError(f"{name} of a {type(self).__name__} cannot be set; there are {', '.join(self.settable)}")
+        member = getattr(self._valid(), name)
+        if not isinstance(member, ffi.CData):
+            setattr(self._c, name, to_number("_Bool" if isinstance(member, bool) else "float", value, name))
+        elif ffi.typeof(member).cname == "struct fettle_vec2":
+            member.x, member.y = pair(value, name)
+        else:
+            position, angle = value
+            (member.position.x, member.position.y), member.angle = pair(position, name), to_number("float", angle, name)
+
+
+class ContactEdit(Edit):
+    """A contact about to be solved."""
+
+    __slots__ = ()
+    settable = ("friction", "restitution", "surface_speed", "enabled", "ignored")
+
+
+class VelocityEdit(Edit):
+    """The motion of a body in a step, before contacts and joints act."""
+
+    __slots__ = ()
+    settable = ("velocity", "angular_velocity")
+
+
+class PositionEdit(Edit):
+    """The pose of a body at the end of a step."""
+
+    __slots__ = ()
+    settable = ("pose",)
+
+
+def _edits(ctype, kind):
+    def make(world, function):
+        def call(user, pointer, c):
+            edit = kind(world, c)
+            try:
+                function(edit)
+            finally:
+                object.__setattr__(edit, "_c", None)
+
+        return ffi.callback(ctype, call, onerror=keep_exception)
+
+    return make
+
+
+contact_callback = _edits("fettle_contact_callback", ContactEdit)
+velocity_function = _edits("fettle_velocity_function", VelocityEdit)
+position_function = _edits("fettle_position_function", PositionEdit)
 
 
 def pair_filter(world, function):
@@ -32,13 +90,26 @@ def pair_filter(world, function):
                         error=True, onerror=keep_exception)
 
 
-def contact_callback(world, function):
-    def call(user, pointer, contact):
-        function(ContactEdit(world, contact))
-
-    return ffi.callback("fettle_contact_callback", call, onerror=keep_exception)
-
-
 def accept(world, function):
     return ffi.callback("fettle_accept", lambda user, pointer, shape: bool(function(Shape(world, shape))),
                         error=False, onerror=keep_exception)
+
+
+def shape_visitor(world, function):
+    return ffi.callback("fettle_shape_visitor", lambda user, pointer, shape: function(Shape(world, shape)) is not False,
+                        error=False, onerror=keep_exception)
+
+
+def ray_visitor(function, hit_of):
+    return ffi.callback("fettle_ray_visitor", lambda user, pointer, hit: function(hit_of(hit)) is not False,
+                        error=False, onerror=keep_exception)
+
+
+def recording_sink(world, function):
+    return ffi.callback("fettle_recording_sink",
+                        lambda user, pointer, begin, size: function(ffi.buffer(begin, size)[:]) and None, onerror=keep_exception)
+
+
+def after_step(waiting):
+    """Calls the first of the functions that wait."""
+    return ffi.callback("fettle_after_step", lambda user, pointer: waiting.popleft()() and None, onerror=keep_exception)

@@ -31,6 +31,13 @@ def to_number(ctype, value, name):
     raise Invalid(f"{name} = {value!r}: expected a number that fits {ctype.strip('_')}")
 
 
+def to_text(value, name):
+    """The bytes of a text for C."""
+    if not isinstance(value, str) or "\0" in value:
+        raise Invalid(f"{name} = {value!r}: expected a text without a zero")
+    return value.encode()
+
+
 def _getter(function, out, has_id):
     convert = _convert[out]
 
@@ -48,6 +55,9 @@ def _setter(function, types, has_id, name):
         check(function(self._pointer, self.id, *values) if has_id else function(self._pointer, *values))
 
     return set
+
+
+bound = set()  # the functions in C that properties call
 
 
 def bind(prefix, has_id=True):
@@ -69,6 +79,8 @@ def bind(prefix, has_id=True):
                 values = [value.cname for value in ffi.typeof(functions[set_name]).args[first:]]
                 if all(value in _convert for value in values):
                     setter = _setter(functions[set_name], values, has_id, name)
+                    bound.add(set_name)
+            bound.add(full)
             setattr(cls, name, property(_getter(function, out.item.cname, has_id), setter))
         return cls
 

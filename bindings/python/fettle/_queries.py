@@ -2,9 +2,8 @@
 
 from typing import NamedTuple
 
-from . import geometry as geometries
+from . import _callbacks, geometry as geometries
 from ._call import Invalid, check, definition, ffi, lib, list_of
-from ._callbacks import accept as accept_callback
 from ._properties import to_number
 from ._values import Vec2, pair, to_aabb, vec2
 from .shape import Shape
@@ -35,7 +34,7 @@ class Queries:
         kept = None
         for name, value in only.items():
             if name == "accept":
-                made.accept = kept = accept_callback(self, value)
+                made.accept = kept = _callbacks.accept(self, value)
             elif name in ("category", "mask", "group", "sensors"):
                 ctype = {"group": "int32_t", "sensors": "_Bool"}.get(name, "uint64_t")
                 setattr(made, name, to_number(ctype, value, name))
@@ -47,19 +46,10 @@ class Queries:
         return [Shape(self, i) for i in list_of("fettle_id", call)]
 
     def _hit(self, found, hit):
-        if not found[0]:
-            return None
-        return RayHit(Shape(self, hit.shape), vec2(hit.point), vec2(hit.normal), hit.fraction)
+        return self._ray_hit(hit) if found[0] else None
 
-    @staticmethod
-    def _pose(pose):
-        if pose is None:
-            return ffi.NULL
-        position, angle = pose
-        made = ffi.new("fettle_pose*")
-        made.position.x, made.position.y = pair(position, "position")
-        made.angle = to_number("float", angle, "angle")
-        return made
+    def _ray_hit(self, hit):
+        return RayHit(Shape(self, hit.shape), vec2(hit.point), vec2(hit.normal), hit.fraction)
 
     def query_point(self, point, **only):
         """Shapes that contain a point."""
@@ -77,7 +67,7 @@ class Queries:
         if isinstance(shape, Shape):
             return self._shapes(lambda *a: lib.fettle_world_query_overlap(self._pointer, shape._pointer, shape.id, given, *a))
         geometry, points = geometries.to_c(shape)
-        at = self._pose(pose)
+        at = geometries.to_pose(pose)
         return self._shapes(lambda *a: lib.fettle_world_query_overlap_geometry(self._pointer, geometry, at, given, *a))
 
     def cast_ray(self, start, end, **only):
@@ -92,7 +82,7 @@ class Queries:
         given, kept = self._filter(only)
         ray = *pair(start, "start"), *pair(end, "end")
         hits = list_of("fettle_ray_hit", lambda *a: lib.fettle_world_cast_ray_all(self._pointer, *ray, given, *a))
-        return [RayHit(Shape(self, h.shape), vec2(h.point), vec2(h.normal), h.fraction) for h in hits]
+        return [self._ray_hit(hit) for hit in hits]
 
     def cast_shape(self, shape, motion, pose=None, **only):
         """The first hit of a shape, or of a geometry at a pose, along a motion, or None."""
@@ -103,8 +93,34 @@ class Queries:
             check(lib.fettle_world_cast_shape(self._pointer, shape._pointer, shape.id, *way, given, found, hit))
         else:
             geometry, points = geometries.to_c(shape)
-            check(lib.fettle_world_cast_geometry(self._pointer, geometry, self._pose(pose), *way, given, found, hit))
+            check(lib.fettle_world_cast_geometry(self._pointer, geometry, geometries.to_pose(pose), *way, given, found, hit))
         return self._hit(found, hit)
+
+    # Visitors: `function` is called for each find. Where it returns False, the query ends.
+
+    def visit_point(self, point, function, **only):
+        """Calls `function(shape)` for shapes that contain a point."""
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        check(lib.fettle_world_visit_point(self._pointer, *pair(point, "point"), given, visitor, ffi.NULL))
+
+    def visit_aabb(self, box, function, **only):
+        """Calls `function(shape)` for shapes that overlap a box: ((left, bottom), (right, top))."""
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        check(lib.fettle_world_visit_aabb(self._pointer, to_aabb(box, "box"), given, visitor, ffi.NULL))
+
+    def visit_overlap(self, shape, function, pose=None, **only):
+        """Calls `function(shape)` for shapes that overlap a shape, or a geometry at a pose."""
+        (given, kept), visitor = self._filter(only), _callbacks.shape_visitor(self, function)
+        if isinstance(shape, Shape):
+            check(lib.fettle_world_visit_overlap(self._pointer, shape._pointer, shape.id, given, visitor, ffi.NULL))
+            return
+        geometry, points = geometries.to_c(shape)
+        check(lib.fettle_world_visit_overlap_geometry(self._pointer, geometry, geometries.to_pose(pose), given, visitor, ffi.NULL))
+
+    def visit_ray(self, start, end, function, **only):
+        """Calls `function(hit)` for all hits on a ray, nearest first."""
+        (given, kept), visitor = self._filter(only), _callbacks.ray_visitor(function, self._ray_hit)
+        check(lib.fettle_world_visit_ray(self._pointer, *pair(start, "start"), *pair(end, "end"), given, visitor, ffi.NULL))
 
     def closest(self, point, reach=float("inf"), **only):
         """The shape nearest to a point, at most `reach` meters away, or None."""

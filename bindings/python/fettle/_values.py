@@ -30,6 +30,9 @@ body_types = names_of("fettle_body_type", "FETTLE_BODY_")
 shape_types = names_of("fettle_shape_type", "FETTLE_SHAPE_")
 joint_types = names_of("fettle_joint_type", "FETTLE_JOINT_")
 mix_rules = names_of("fettle_mix_rule", "FETTLE_MIX_")
+hull_statuses = names_of("fettle_hull_status", "FETTLE_HULL_")
+log_levels = names_of("fettle_log_level", "FETTLE_LOG_")
+windings = names_of("fettle_winding", "FETTLE_WINDING_")
 solvers = names_of("fettle_solver", "FETTLE_SOLVER_")
 
 

@@ -3,7 +3,7 @@
 from . import geometry as geometries
 from ._call import check, ffi, lib, list_of
 from ._handle import Handle
-from ._properties import bind, to_number
+from ._properties import bind, to_number, to_text
 from ._values import Pose, body_types, number_of, pair, vec2
 from .shape import Shape, contact_of
 
@@ -82,6 +82,15 @@ class Body(Handle):
         given = ffi.NULL if center is None else ffi.new("fettle_vec2*", pair(center, "center"))
         check(lib.fettle_body_set_center(self._pointer, self.id, given))
 
+    @property
+    def sleep_speed(self):
+        """m/s; the body rests below it. None: that of the world."""
+        return self._number("sleep_speed")
+
+    @sleep_speed.setter
+    def sleep_speed(self, speed):
+        self._override("sleep_speed", speed)
+
     def _overridden(self, name, ctype):
         is_set, value = ffi.new("bool*"), ffi.new(ctype + "*")
         check(getattr(lib, f"fettle_body_{name}_override")(self._pointer, self.id, is_set, value))
@@ -103,6 +112,37 @@ class Body(Handle):
     def center_override(self):
         """Body coordinates, or None if the center of mass comes from the shapes."""
         return self._overridden("center", "fettle_vec2")
+
+    @property
+    def sleep_speed_override(self):
+        """m/s, or None if it has that of the world."""
+        return self._overridden("sleep_speed", "float")
+
+    @property
+    def name(self):
+        """For messages and tools, at most 63 bytes."""
+        out = ffi.new("char const**")
+        check(lib.fettle_body_name(self._pointer, self.id, out))
+        return ffi.string(out[0]).decode(errors="replace")
+
+    @name.setter
+    def name(self, name):
+        check(lib.fettle_body_set_name(self._pointer, self.id, to_text(name, "name")))
+
+    def set_target(self, pose, dt):
+        """Sets both velocities so that steps of `dt` seconds in all bring the body to a pose: (position, angle)."""
+        position, angle = pose
+        x, y = pair(position, "position")
+        check(lib.fettle_body_set_target(self._pointer, self.id, x, y, to_number("float", angle, "angle"),
+                                         to_number("float", dt, "dt")))
+
+    def set_velocity_function(self, function):
+        """`function(edit)` may set `velocity` and `angular_velocity` in every step, before contacts and joints act. None: none."""
+        self.world._keep_function(lib.fettle_body_set_velocity_function, "velocity", self, function)
+
+    def set_position_function(self, function):
+        """`function(edit)` may set `pose` at the end of every step. None: none."""
+        self.world._keep_function(lib.fettle_body_set_position_function, "position", self, function)
 
     def _apply(self, name, vector, at):
         x, y = pair(vector, name)

@@ -6,7 +6,7 @@ from . import geometry as geometries
 from ._call import Invalid, check, definition, ffi, lib, list_of
 from ._handle import Handle
 from ._properties import bind, to_number
-from ._values import Vec2, pair, points, shape_types, vec2
+from ._values import Vec2, hull_statuses, pair, points, shape_types, vec2
 
 
 class ContactPoint(NamedTuple):
@@ -27,6 +27,24 @@ class Contact(NamedTuple):
     friction: float
     restitution: float
     normal_force: float
+
+
+class SegmentSurface(NamedTuple):
+    """The surface of one segment of a chain."""
+    friction: float = 0.6
+    restitution: float = 0.0
+    rolling_resistance: float = 0.0
+    surface_speed: float = 0.0  # m/s, against the order of the points
+    material: int = 0
+
+
+def _surface_of(c):
+    return SegmentSurface(*(getattr(c, name) for name in SegmentSurface._fields))
+
+
+def _surface_to_c(surface):
+    types = {name: member.type.cname for name, member in ffi.typeof("fettle_segment_surface").fields}
+    return {name: to_number(types[name], getattr(surface, name), name) for name in SegmentSurface._fields}
 
 
 def contact_of(world, c):
@@ -106,6 +124,37 @@ class Shape(Handle):
     def vertices(self, values):
         given, count = points(values, "vertices")
         check(lib.fettle_shape_set_vertices(self._pointer, self.id, given, count))
+
+    def try_set_vertices(self, values):
+        """Polygon: becomes the hull of points and returns "ok", or says what is wrong with them, as in "collinear"."""
+        (given, count), status = points(values, "vertices"), ffi.new("int32_t*")
+        check(lib.fettle_shape_try_set_vertices(self._pointer, self.id, given, count, status))
+        return hull_statuses[status[0]]
+
+    def segment_surface(self, segment):
+        """Chain: the surface of a segment, its own or that of the shape. They count from 0."""
+        out = ffi.new("fettle_segment_surface*")
+        check(lib.fettle_shape_segment_surface(self._pointer, self.id, to_number("uint32_t", segment, "segment"), out))
+        return _surface_of(out)
+
+    def segment_surface_override(self, segment):
+        """Chain: the own surface of a segment, or None."""
+        is_set, out = ffi.new("bool*"), ffi.new("fettle_segment_surface*")
+        number = to_number("uint32_t", segment, "segment")
+        check(lib.fettle_shape_segment_surface_override(self._pointer, self.id, number, is_set, out))
+        return _surface_of(out) if is_set[0] else None
+
+    def set_segment_surface(self, segment, surface):
+        """Chain: gives a segment a surface of its own. None: that of the shape."""
+        made = ffi.NULL if surface is None else ffi.new("fettle_segment_surface*", _surface_to_c(surface))
+        number = to_number("uint32_t", segment, "segment")
+        check(lib.fettle_shape_set_segment_surface(self._pointer, self.id, number, made))
+
+    def set_segment_surfaces(self, surfaces):
+        """Chain: the surfaces of all segments in order; an empty list: all have that of the shape."""
+        made = [_surface_to_c(surface) for surface in surfaces]
+        given = ffi.new("fettle_segment_surface[]", made) if made else ffi.NULL
+        check(lib.fettle_shape_set_segment_surfaces(self._pointer, self.id, given, len(made)))
 
     def add_vertex(self, point):
         """Polygon: becomes the hull with one point more."""

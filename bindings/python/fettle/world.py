@@ -1,9 +1,11 @@
 """Worlds."""
 
-from . import fields, geometry as geometries, joints
+from collections import deque
+
+from . import _callbacks, fields, geometry as geometries, joints
 from ._call import Invalid, Locked, check, definition, ffi, lib, list_of
-from ._callbacks import contact_callback, pair_filter
 from ._columns import Columns
+from ._drawing import drawing_of
 from ._events import events_of
 from ._handle import id_of
 from ._properties import bind, to_number
@@ -40,7 +42,7 @@ class World(Queries):
     it stay valid while they are created. A world belongs to one thread at a time. Copies by `copy` and `pickle` are as those by
     `clone`; of a world and its handles together, both are copied."""
 
-    __slots__ = ("_pointer", "_columns", "_callbacks", "__weakref__")
+    __slots__ = ("_pointer", "_columns", "_callbacks", "_waiting", "__weakref__")
 
     def __init__(self, room=0, **settings):
         self._pointer = ffi.NULL
@@ -59,6 +61,14 @@ class World(Queries):
         self._pointer = pointer
         self._columns = Columns(self)
         self._callbacks = {}
+        self._waiting = deque()  # functions for the end of the step
+
+    @classmethod
+    def _of(cls, pointer):
+        """The world of a pointer that the library has made."""
+        world = cls.__new__(cls)
+        world._begin(pointer)
+        return world
 
     def __del__(self):
         if getattr(self, "_pointer", ffi.NULL) != ffi.NULL:
@@ -154,6 +164,19 @@ class World(Queries):
             raise
         return joint
 
+    def dormant_joint(self, type):
+        """A new joint without bodies, to be set and then connected."""
+        made = ffi.new("fettle_id*")
+        check(lib.fettle_world_create_joint(self._pointer, number_of(joint_types, type, "type"), 0, made))
+        return joints.classes[type](self, made[0])
+
+    def joint_like(self, like):
+        """A new joint without bodies, with the settings of another one of any world."""
+        made = ffi.new("fettle_id*")
+        like_id = id_of(like, joints.Joint)
+        check(lib.fettle_world_create_joint_like(self._pointer, like._pointer if like else ffi.NULL, like_id, made))
+        return self._joint(made[0])
+
     def _joint(self, id):
         return joints.classes[joints.Joint(self, id).type](self, id)
 
@@ -183,6 +206,52 @@ class World(Queries):
         """Touching contacts of the last step."""
         found = list_of("fettle_contact", lambda *a: lib.fettle_world_contacts(self._pointer, *a))
         return [contact_of(self, c) for c in found]
+
+    def contacts_of(self, a, b):
+        """Contacts of two shapes, one for each touching part."""
+        ids = id_of(a, Shape), id_of(b, Shape)
+        found = list_of("fettle_contact", lambda *out: lib.fettle_world_contacts_of(self._pointer, *ids, *out))
+        return [contact_of(self, c) for c in found]
+
+    def is_touching(self, a, b):
+        """Whether two shapes touch."""
+        out = ffi.new("bool*")
+        check(lib.fettle_world_is_touching(self._pointer, id_of(a, Shape), id_of(b, Shape), out))
+        return out[0]
+
+    def ignore_until_separated(self, a, b):
+        """Two shapes that touch have no contact until they have separated."""
+        check(lib.fettle_world_ignore_until_separated(self._pointer, id_of(a, Shape), id_of(b, Shape)))
+
+    @property
+    def moved_bodies(self):
+        """Bodies that the last step has moved."""
+        return [Body(self, i) for i in list_of("fettle_id", lambda *a: lib.fettle_world_moved_bodies(self._pointer, *a))]
+
+    def _in(self, function, slot, kind):
+        out = ffi.new("fettle_id*")
+        check(function(self._pointer, to_number("uint32_t", slot, "slot"), out))
+        return kind(self, out[0]) if out[0] else None
+
+    def body_in(self, slot):
+        """The body of a row of the arrays, or None."""
+        return self._in(lib.fettle_world_body_in, slot, Body)
+
+    def shape_in(self, slot):
+        """The shape in a slot, or None."""
+        return self._in(lib.fettle_world_shape_in, slot, Shape)
+
+    def reserve(self, bodies=0, shapes=0, contacts=0, joints=0):
+        """Makes room for so many objects at least."""
+        self._columns.may_move("reserve")
+        counts = dict(bodies=bodies, shapes=shapes, contacts=contacts, joints=joints)
+        check(lib.fettle_world_reserve(self._pointer, *(to_number("uint32_t", n, name) for name, n in counts.items())))
+
+    @property
+    def memory(self):
+        """Bytes in use, and with the room that is reserved, by purpose."""
+        found = list_of("fettle_memory_share", lambda *a: lib.fettle_world_memory(self._pointer, *a))
+        return {ffi.string(share.purpose).decode(): (share.used, share.reserved) for share in found}
 
     @property
     def events(self):
@@ -235,9 +304,15 @@ class World(Queries):
         """A copy with the same future; ids are valid in both. It has no callbacks."""
         made = ffi.new("fettle_world**")
         check(lib.fettle_world_clone(self._pointer, made))
-        copy = World.__new__(World)
-        copy._begin(made[0])
-        return copy
+        return World._of(made[0])
+
+    def take(self, other):
+        """Gets the state of another world, without a copy; the other one is empty afterwards."""
+        if not isinstance(other, World):
+            raise Invalid(f"expected a World, got {other!r}")
+        for world in (self, other):
+            world._columns.may_move("take")
+        check(lib.fettle_world_take(self._pointer, other._pointer))
 
     def __reduce__(self):
         return _restored, (self.save(),)
@@ -253,15 +328,49 @@ class World(Queries):
 
     def set_filter(self, function):
         """`function(shape_a, shape_b)` says whether two shapes may collide. None: all may."""
-        self._call_with("set_filter", pair_filter, function)
+        self._call_with("set_filter", _callbacks.pair_filter, function)
 
     def set_mixing(self, function):
         """`function(contact)` may set friction, restitution and surface_speed of a contact."""
-        self._call_with("set_mixing", contact_callback, function)
+        self._call_with("set_mixing", _callbacks.contact_callback, function)
 
     def set_before_solve(self, function):
-        """`function(contact)` may also set `enabled` to False for a step."""
-        self._call_with("set_before_solve", contact_callback, function)
+        """`function(contact)` may also set `enabled` to False for a step, and `ignored` to True until the shapes
+        have separated."""
+        self._call_with("set_before_solve", _callbacks.contact_callback, function)
+
+    def _keep_function(self, set_function, kind, body, function):
+        make = {"velocity": _callbacks.velocity_function, "position": _callbacks.position_function}[kind]
+        callback = ffi.NULL if function is None else make(self, function)
+        check(set_function(self._pointer, body.id, callback, ffi.NULL))
+        self._callbacks[kind, body.slot] = callback
+
+    def after_step(self, function):
+        """Calls `function()` once when the running step has ended, or after the next one. It may edit the world."""
+        callback = self._callbacks.setdefault("after_step", _callbacks.after_step(self._waiting))
+        check(lib.fettle_world_after_step(self._pointer, callback, ffi.NULL))
+        self._waiting.append(function)
+
+    def draw(self, target, **options):
+        """Calls `target.polygon(points, closed, color)`, `circle(center, radius, angle, color)`, `segment(begin, end, color)` and
+        `point(at, color)` for all that is to be drawn; those that it has not are left out. `options`: `shapes`, `joints`,
+        `contacts`, `boxes`, `centers`, `region`, `fraction`. Colors are 0xRRGGBB."""
+        made, kept = drawing_of(target, options)
+        check(lib.fettle_world_draw(self._pointer, made))
+
+    # --- Recordings: `Replay` repeats them ---------------------------------------------------------
+
+    def start_recording(self, write):
+        """Records the world: `write(bytes)` gets its state now and the changes in every step, as `file.write` does."""
+        callback = _callbacks.recording_sink(self, write)
+        # A world that is recorded already goes on with the function that it has.
+        if not self.is_recorded:
+            self._callbacks["recording"] = callback
+        check(lib.fettle_world_start_recording(self._pointer, callback, ffi.NULL))
+
+    def stop_recording(self):
+        """Ends the recording, if there is one."""
+        check(lib.fettle_world_stop_recording(self._pointer))
 
     @property
     def statistics(self):

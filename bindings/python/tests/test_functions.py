@@ -1,0 +1,352 @@
+"""Functions of the program that a world calls, recordings, surfaces of segments, and functions without a world."""
+
+import gc
+import math
+import unittest
+
+import fettle
+
+
+def a_world():
+    world = fettle.World(gravity=(0, -10))
+    ground = world.body("static", position=(0, -0.5))
+    ground.add(fettle.Box(40, 1))
+    ball = world.body(position=(0, 2))
+    ball.add(fettle.Circle(0.5))
+    return world, ground, ball
+
+
+def run(world, steps):
+    for _ in range(steps):
+        world.step(1 / 60)
+
+
+class Functions(unittest.TestCase):
+    def test_a_velocity_function_replaces_gravity(self):
+        world, _, ball = a_world()
+        seen = []
+
+        def rise(edit):
+            seen.append((edit.body, edit.dt, edit.before.y))
+            edit.velocity = (0, 1)
+
+        ball.set_velocity_function(rise)
+        gc.collect()
+        run(world, 60)
+        self.assertAlmostEqual(ball.position.y, 3, delta=0.05)
+        self.assertEqual((seen[0][0], len(seen)), (ball, 60))
+        ball.set_velocity_function(None)
+        run(world, 60)
+        self.assertLess(ball.position.y, 1)
+
+    def test_a_position_function_holds_a_body_on_a_line(self):
+        world, _, ball = a_world()
+
+        def hold(edit):
+            edit.pose = ((1, edit.pose.position.y), 0.25)
+
+        ball.set_position_function(hold)
+        run(world, 20)
+        self.assertAlmostEqual(ball.position.x, 1, delta=1e-4)
+        self.assertAlmostEqual(ball.angle, 0.25, delta=1e-4)
+
+    def test_an_edit_is_valid_during_its_call_and_refuses_other_members(self):
+        world, _, ball = a_world()
+        kept, errors = [], []
+
+        def keep(contact):
+            kept.append(contact)
+            for name, value in (("point", (0, 0)), ("friction", "much"), ("color", 1)):
+                try:
+                    setattr(contact, name, value)
+                except (AttributeError, fettle.Invalid) as error:
+                    errors.append(str(error))
+
+        world.set_before_solve(keep)
+        run(world, 60)
+        self.assertIn("point of a ContactEdit cannot be set; there are friction, ", errors[0])
+        self.assertIn("friction = 'much': expected a number", errors[1])
+        with self.assertRaises(fettle.Stale):
+            kept[0].friction
+        with self.assertRaises(fettle.Stale):
+            kept[0].friction = 1
+
+    def test_a_contact_can_be_ignored_until_the_shapes_have_separated(self):
+        world, ground, ball = a_world()
+        run(world, 60)
+        pair = ground.shapes[0], ball.shapes[0]
+        self.assertTrue(world.is_touching(*pair))
+        self.assertEqual(len(world.contacts_of(*pair)), 1)
+        world.ignore_until_separated(*pair)
+        run(world, 10)
+        self.assertLess(ball.position.y, 0.4)
+        self.assertFalse(world.is_touching(*pair))
+        ball.position = (0, 3)
+        run(world, 1)
+
+        def ignore(contact):
+            contact.ignored = True
+
+        world.set_before_solve(ignore)
+        run(world, 60)
+        self.assertLess(ball.position.y, 0)
+
+    def test_functions_for_the_end_of_a_step_run_once_and_in_order(self):
+        world, _, ball = a_world()
+        order = []
+        world.after_step(lambda: order.append("first"))
+        world.after_step(lambda: order.append(world.body().slot))
+
+        def burst(contact):
+            with self.assertRaises(fettle.Locked):
+                ball.destroy()
+            if ball.is_valid and "burst" not in order:
+                order.append("burst")
+                world.after_step(ball.destroy)
+
+        world.set_before_solve(burst)
+        run(world, 60)
+        self.assertEqual(order[0], "first")
+        self.assertEqual(order[2:], ["burst"])
+        self.assertFalse(ball.is_valid)
+
+    def test_what_such_a_function_raises_comes_out_of_the_step(self):
+        world, _, ball = a_world()
+
+        def fail(*_):
+            raise KeyError("mine")
+
+        world.after_step(fail)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            world.step(1 / 60)
+        world.step(1 / 60)
+        ball.set_velocity_function(fail)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            world.step(1 / 60)
+
+    def test_visitors_end_when_they_return_false(self):
+        world, ground, ball = a_world()
+        for x in range(5):
+            world.body("static", position=(x, 5)).add(fettle.Box())
+        shape = ground.shapes[0]
+        visits = [
+            lambda see: world.visit_aabb(((-9, 4.9), (9, 5.1)), see),
+            lambda see: world.visit_ray((-9, 5), (9, 5), see),
+            lambda see: world.visit_overlap(fettle.Box(20, 0.2), see, ((0, 5), 0)),
+        ]
+        for visit in visits:
+            found = []
+            visit(found.append)
+            self.assertEqual(len(found), 5)
+            first = []
+            visit(lambda each: first.append(each) or False)
+            self.assertEqual(len(first), 1)
+            with self.assertRaises(ZeroDivisionError):
+                visit(lambda each: 1 / 0)
+        found = []
+        world.visit_point((0, -0.5), found.append)
+        world.visit_point((0, -0.5), found.append, category=0)
+        self.assertEqual(found, [shape])
+        world.body(position=(0, -0.5)).add(fettle.Box())
+        found = []
+        world.visit_overlap(shape, found.append)
+        self.assertEqual(len(found), 1)
+
+    def test_a_recording_is_repeated_with_the_edits_and_answers_of_functions(self):
+        world, _, ball = a_world()
+        recording = bytearray()
+        world.set_before_solve(lambda contact: setattr(contact, "restitution", 0.5))
+        world.start_recording(recording.extend)
+        with self.assertRaises(fettle.Invalid):
+            world.start_recording(print)
+        gc.collect()
+        run(world, 40)
+        ball.velocity = (3, 1)
+        run(world, 40)
+        self.assertTrue(world.is_recorded)
+        world.stop_recording()
+        self.assertFalse(world.is_recorded)
+        replay = fettle.Replay(recording)
+        self.assertEqual(replay.steps, 80)
+        steps = list(replay)
+        self.assertEqual([step.number for step in steps], list(range(80)))
+        self.assertTrue(all(step.same and step.recorded_hash == step.hash for step in steps))
+        self.assertIn("set_velocity", steps[40].calls)
+        self.assertEqual(replay.world.hash, world.hash)
+        self.assertIsNone(replay.step())
+        recording[len(recording) // 2] ^= 1
+        with self.assertRaises(fettle.Invalid):
+            fettle.Replay(recording)
+
+    def test_a_world_is_drawn_by_the_methods_that_a_target_has(self):
+        class Picture:
+            def __init__(self):
+                self.drawn = []
+
+            def polygon(self, points, closed, color):
+                self.drawn.append(("polygon", len(points), closed))
+
+            def circle(self, center, radius, angle, color):
+                self.drawn.append(("circle", center.x, radius))
+
+        world, _, _ = a_world()
+        picture = Picture()
+        world.draw(picture)
+        self.assertIn(("polygon", 4, True), picture.drawn)
+        self.assertIn(("circle", 0.0, 0.5), picture.drawn)
+        picture.drawn.clear()
+        world.draw(picture, region=((100, 100), (101, 101)))
+        self.assertEqual(picture.drawn, [])
+        with self.assertRaisesRegex(fettle.Invalid, "no colours"):
+            world.draw(picture, colours=True)
+        picture.circle = lambda *_: 1 / 0
+        with self.assertRaises(ZeroDivisionError):
+            world.draw(picture)
+
+    def test_the_log_of_the_process(self):
+        lines = []
+        world, _, ball = a_world()
+        ball.set_velocity_function(lambda edit: setattr(edit, "velocity", (math.nan, 0)))
+        fettle.set_log(lambda level, text: lines.append((level, text)))
+        run(world, 3)
+        fettle.set_log(None)
+        told = len(lines)
+        run(world, 3)
+        self.assertEqual(lines[0], ("warning", "a function that moves a body set NaN, which changes nothing"))
+        self.assertEqual(len(lines), told)
+        self.assertIn(fettle.simd_width(), (4, 8, 16))
+        faults = []
+        fettle.set_failure_function(faults.append)
+        world, _, _ = a_world()
+        run(world, 5)
+        fettle.set_failure_function(None)
+        self.assertEqual(faults, [])
+
+
+class Objects(unittest.TestCase):
+    def test_segments_of_a_chain_have_surfaces(self):
+        world = fettle.World(gravity=(0, -10))
+        ground = world.body("static").add(fettle.Chain([(0, 0), (10, 0), (20, 0), (30, 0)]), friction=0.5)
+        ice = fettle.SegmentSurface(friction=0, material=4)
+        ground.set_segment_surface(1, ice)
+        self.assertEqual(ground.segment_surface(1), ice)
+        self.assertIsNone(ground.segment_surface_override(0))
+        self.assertEqual(ground.segment_surface_override(1), ice)
+        boxes = [world.body(position=(x, 0.5), velocity=(5, 0)) for x in (2, 12)]
+        for box in boxes:
+            box.add(fettle.Box(), friction=0.5)
+        run(world, 60)
+        self.assertAlmostEqual(boxes[0].velocity.x, 0, delta=0.01)
+        self.assertAlmostEqual(boxes[1].velocity.x, 5, delta=0.01)
+        ground.set_segment_surface(1, None)
+        self.assertIsNone(ground.segment_surface_override(1))
+        ground.set_segment_surfaces([ice] * 3)
+        self.assertEqual(ground.segment_surface(2), ice)
+        with self.assertRaisesRegex(fettle.Invalid, "surfaces: expected none or 3"):
+            ground.set_segment_surfaces([ice])
+        with self.assertRaises(fettle.Invalid):
+            ground.set_segment_surface(3, ice)
+
+    def test_bodies_have_names_and_targets(self):
+        world, ground, ball = a_world()
+        ball.name = "bäll"
+        self.assertEqual((ball.name, ground.name), ("bäll", ""))
+        with self.assertRaises(fettle.Invalid):
+            ball.name = 3
+        lift = world.body("kinematic")
+        lift.set_target(((0, 1), 0.5), 0.5)
+        run(world, 30)
+        self.assertAlmostEqual(lift.position.y, 1, delta=1e-3)
+        self.assertAlmostEqual(lift.angle, 0.5, delta=1e-3)
+        ball.sleep_speed = 0.25
+        self.assertEqual((ball.sleep_speed, ball.sleep_speed_override), (0.25, 0.25))
+        ball.sleep_speed = None
+        self.assertIsNone(ball.sleep_speed_override)
+
+    def test_worlds_tell_what_moved_and_what_is_where(self):
+        world, ground, ball = a_world()
+        run(world, 1)
+        self.assertEqual(world.moved_bodies, [ball])
+        self.assertEqual(world.body_in(ball.slot), ball)
+        self.assertEqual(world.shape_in(ball.shapes[0].slot), ball.shapes[0])
+        self.assertIsNone(world.body_in(999))
+        world.reserve(bodies=100)
+        self.assertTrue(all(used <= reserved for used, reserved in world.memory.values()))
+        self.assertGreater(sum(used for used, _ in world.memory.values()), 0)
+        view = world.states
+        for move in (lambda: world.reserve(bodies=10000), lambda: world.take(fettle.World())):
+            with self.assertRaises(BufferError):
+                move()
+        del view
+        other = fettle.World()
+        other.take(world)
+        self.assertEqual((other.body_count, world.body_count), (2, 0))
+
+    def test_joints_like_others(self):
+        world, _, ball = a_world()
+        hinge = world.dormant_joint("revolute")
+        hinge.motor_speed = 3
+        other = world.joint_like(hinge)
+        self.assertEqual((other.type, other.motor_speed), ("revolute", 3))
+        other.connect(None, ball)
+        self.assertEqual(ball.joints, [other])
+        self.assertEqual(ball.shapes[0].type, "circle")
+        with self.assertRaises(fettle.Error):
+            world.joint_like(None)
+
+    def test_vertices_are_tried(self):
+        world, _, ball = a_world()
+        triangle = ball.add(fettle.Polygon([(0, 0), (1, 0), (0, 1)]))
+        self.assertEqual(triangle.try_set_vertices([(0, 0), (1, 1), (2, 2)]), "collinear")
+        self.assertEqual(triangle.try_set_vertices([(0, 0), (2, 0), (0, 2)]), "ok")
+        self.assertEqual(len(triangle.vertices), 3)
+
+
+class Standalone(unittest.TestCase):
+    def test_geometries_are_measured(self):
+        box, ball = fettle.Box(2, 1), fettle.Circle(0.5)
+        mass = box.mass_properties(density=3)
+        self.assertAlmostEqual(mass.area, 2, delta=1e-5)
+        self.assertAlmostEqual(mass.mass, 6, delta=1e-4)
+        self.assertEqual(box.bounding_box(((5, 0), 0)), ((4, -0.5), (6, 0.5)))
+        self.assertTrue(box.contains((5.9, 0), ((5, 0), 0)))
+        self.assertFalse(box.contains((5.9, 0)))
+        hit = box.cast_ray((-5, 0), (5, 0))
+        self.assertAlmostEqual(hit.fraction, 0.4, delta=1e-5)
+        self.assertIsNone(box.cast_ray((-5, 3), (5, 3)))
+        distance, near, far = box.distance(ball, None, ((3, 0), 0))
+        self.assertAlmostEqual(distance, 1.5, delta=1e-5)
+        self.assertAlmostEqual(far.x - near.x, 1.5, delta=1e-5)
+        manifold, = box.contact_manifolds(ball, None, ((1.4, 0), 0))
+        self.assertAlmostEqual(manifold.normal.x, 1, delta=1e-5)
+        self.assertAlmostEqual(manifold.points[0][1], -0.1, delta=1e-4)
+        still = (((0, 0), 0), ((0, 0), 0))
+        time = ball.time_of_impact((((-10, 0), 0), ((10, 0), 0)), box, still)
+        self.assertAlmostEqual(time, 8.5 / 20, delta=1e-3)
+        self.assertIsNone(ball.time_of_impact((((-10, 5), 0), ((10, 5), 0)), box, still))
+        concave = fettle.Concave([(0, 0), (2, 0), (2, 2), (1, 0.5), (0, 2)])
+        self.assertGreater(len(concave.parts()), 1)
+        with self.assertRaises(fettle.Invalid):
+            box.distance("ball")
+        with self.assertRaises(fettle.Invalid):
+            box.contains((math.nan, 0))
+
+    def test_lines_are_joined_and_grids_outlined(self):
+        lines = fettle.join_lines([[(0, 0), (1, 0)], [(2, 1), (1, 0)], [(5, 5), (6, 5)]])
+        self.assertEqual(sorted(len(line.points) for line in lines), [2, 3])
+        square, = fettle.join_lines([[(0, 0), (1, 0), (1, 1)], [(1, 1), (0, 1), (0, 0)]], closed="clockwise")
+        self.assertTrue(square.closed)
+        self.assertEqual(len(square.points), 4)
+        self.assertEqual(fettle.join_lines([]), [])
+        self.assertEqual(fettle.without_straight_points([(0, 0), (1, 0), (2, 0)], 0.01), [(0, 0), (2, 0)])
+        outline, = fettle.grid_outlines([[0, 0, 0, 0], [0, 1, 1, 0], [0, 1, 1, 0], [0, 0, 0, 0]], origin=(10, 0))
+        self.assertTrue(outline.closed)
+        self.assertTrue(all(10 < x < 13 for x, _ in outline.points))
+        with self.assertRaises(fettle.Invalid):
+            fettle.grid_outlines([1, 2, 3])
+        with self.assertRaises(fettle.Invalid):
+            fettle.join_lines([[(0, 0)]], closed="left")
+
+
+if __name__ == "__main__":
+    unittest.main()
