@@ -172,7 +172,7 @@ web_project() {
 case_web() {
     web_project
     cp -- "$project"/bindings/web/tests/* .
-    node --test package.test.mjs
+    node --expose-gc --test package.test.mjs functions.test.mjs
     # The program of the guide, and what it prints.
     sed -n '/^```js drop.mjs$/,/^```$/{/^```/!p}' "$project/docs/guide/web.md" >drop.mjs
     sed -n '/^```text$/,/^```$/{/^```/!p}' "$project/docs/guide/web.md" >expected.txt

@@ -1,5 +1,6 @@
 export * from "./interface.js";
 export { FettleError, Handle, Invalid, Locked, NoMemory, Stale, load } from "./runtime.js";
+export { Replay } from "./replay.js";
 
 import { ShapeType } from "./interface.js";
 

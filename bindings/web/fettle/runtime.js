@@ -1,11 +1,13 @@
 // The library in WebAssembly: loading it, its memory, its errors, and the objects that stand for ids.
 
+import { addressOf, forget, imports as called, know, lent } from "./called.js";
+
 /** The functions of the library. */
 export let c;
 let memory;
 /** Views of its memory, made anew when it has grown. */
 export const view = { u8: new Uint8Array(0) };
-let classes;
+export let classes;
 
 function refresh() {
   const { buffer } = memory;
@@ -25,9 +27,16 @@ export class Locked extends FettleError {}
 export class NoMemory extends FettleError {}
 const errors = [, Invalid, Stale, Locked, NoMemory];
 
-/** Throws the error that a code stands for. */
+let raised;  // what a function of the program has thrown inside this call
+
+/** Throws what a function of the program has thrown, or the error that a code stands for. */
 export function done(code) {
   if (view.u8.length === 0) refresh();
+  if (raised !== undefined) {
+    const { error } = raised;
+    raised = undefined;
+    throw error;
+  }
   if (code !== 0) throw new (errors[code] ?? FettleError)(text(c.fettle_last_error()));
 }
 
@@ -54,15 +63,36 @@ export const yOf = (value) => value.y;
 
 // --- Memory of one call ---------------------------------------------------------------------------
 
-// What a call gets and gives lies in one block; what is too large for it is freed by the next call.
+// What a call gets and gives lies in one block, and behind it that of the calls that a function of the program makes inside. What is too
+// large for the block is freed by the next call.
 const blockSize = 1 << 16;
-let block = 0, top = 0;
-const large = [];
+let block = 0, bottom = 0, top = 0;
+/** What the next call does first: functions. */
+export const passing = [];
+let passingFrom = 0;
 
 export function begin() {
   if (view.u8.length === 0) refresh();
-  top = block;
-  while (large.length) c.free(large.pop());
+  top = bottom;
+  while (passing.length > passingFrom) passing.pop()();
+}
+
+/** Calls a function of the program inside a call. What it throws, the outer call throws when it is over. Gives 1 or 0, `otherwise` after an
+    error. */
+export function nested(otherwise, act) {
+  const outer = [bottom, top, passingFrom], before = raised;
+  let result = otherwise, error;
+  [bottom, passingFrom, raised] = [top, passing.length, undefined];
+  try {
+    if (view.u8.length === 0) refresh();
+    result = act();
+  } catch (caught) {
+    error = { error: caught };
+  }
+  begin();
+  [bottom, top, passingFrom] = outer;
+  raised = before ?? error;
+  return result ? 1 : 0;
 }
 /** The address of `size` bytes, aligned to 8, with anything in them. */
 export function room(size) {
@@ -72,7 +102,7 @@ export function room(size) {
     p = c.malloc(needed) >>> 0;
     if (p === 0) throw new NoMemory(`no memory for ${size} bytes`);
     if (view.u8.length === 0) refresh();
-    large.push(p);
+    passing.push(() => c.free(p));
   } else top += needed;
   return p;
 }
@@ -197,7 +227,10 @@ export function pointerOf(world, name) {
   return world.pointer;
 }
 
-const forgotten = new FinalizationRegistry((pointer) => c.fettle_world_destroy(pointer));
+const forgotten = new FinalizationRegistry((pointer) => {
+  c.fettle_world_destroy(pointer);
+  forget(pointer);
+});
 
 /** What a world has besides the functions in C. */
 export class WorldBase {
@@ -218,6 +251,7 @@ export class WorldBase {
   own(pointer) {
     this.pointer = pointer;
     this.handles = [, [], [], [], []];
+    know(this);
     forgotten.register(this, pointer, this);
   }
   /** Destroys the world and all in it; it can be called again. */
@@ -225,6 +259,15 @@ export class WorldBase {
     forgotten.unregister(this);
     c.fettle_world_destroy(this.pointer);
     this.handles = [, [], [], [], []];
+  }
+  draw(target, options = {}) {
+    begin();
+    const { size, write, functions } = classes.debugDraw;
+    const def = struct(options, size, "options", write, (p) => c.fettle_debug_draw_init(p, size));
+    const [, number] = lent(target, "target");
+    for (const [name, offset] of Object.entries(functions))
+      view.u32[(def + offset) >> 2] = name === "user" ? number : typeof target?.[name] === "function" ? addressOf(name) : 0;
+    done(c.fettle_world_draw(this.pointer, def));
   }
   column(offset, floats) {
     begin();
@@ -321,7 +364,7 @@ async function instantiate(source) {
   memory = c.memory;
   refresh();
   c._initialize?.();
-  block = c.malloc(blockSize);
+  block = bottom = top = c.malloc(blockSize);
   refresh();
 }
 
@@ -346,6 +389,7 @@ async function compiled(source) {
 const now = () => BigInt(Math.round(performance.now() * 1e6));
 const fail = (what) => () => { throw new FettleError(what); };
 const imports = {
+  get fettle() { return called; },
   env: new Proxy({ emscripten_notify_memory_growth() { refresh(); } }, {
     get: (known, name) => known[name] ?? fail(`fettle.wasm asks for ${String(name)}`),
   }),

@@ -20,10 +20,34 @@ export declare class Handle {
   readonly isValid: boolean;
 }
 
+/** What `world.draw` calls. */
+export interface DrawTarget {
+  polygon?(points: Vec2[], closed: boolean, color: number): void;
+  circle?(center: Vec2, radius: number, angle: number, color: number): void;
+  segment?(from: Vec2, to: Vec2, color: number): void;
+  point?(at: Vec2, color: number): void;
+}
+
+/** Repeats a recording of `world.startRecording`, step by step. */
+export declare class Replay implements Iterable<ReplayedStep> {
+  /** A copy of the bytes. Throws `Invalid` if they are damaged, cut off, or of another version of the library. */
+  constructor(recording: Uint8Array);
+  /** Number of steps in the recording. */
+  readonly steps: bigint;
+  /** Repeats the next step; null at the end, and after a step that was not the same. */
+  step(): ReplayedStep | null;
+  /** A copy of the world after the last repeated step. */
+  readonly world: World;
+  [Symbol.iterator](): Iterator<ReplayedStep>;
+  destroy(): void;
+}
+
 declare class WorldBase {
   constructor(definition?: WorldDef);
   /** Destroys the world and all in it. A world that nothing refers to any more is destroyed too, at some time. */
   destroy(): void;
+  /** Calls the methods of `target` for all that is to be drawn; those that it has not are left out. Colors are 0xRRGGBB. */
+  draw(target: DrawTarget, options?: Partial<DebugDraw>): void;
   /** x, y, angle, angular velocity, velocity x and y, cosine and sine of the body in each slot. A view without a copy, until
       bodies are made or a step needs more memory. */
   readonly states: Float32Array;

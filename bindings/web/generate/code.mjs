@@ -1,13 +1,14 @@
 // Writes interface.js: the structures, and the methods and properties of each class.
 
-import { camel, classes, handleOf, moverProperties } from "./shape.mjs";
+import { camel, classes, edits, handleOf, kindsOfCalls, moverProperties, pascal } from "./shape.mjs";
 import { sizeOf, visibleMembers } from "./layout.mjs";
 
 // What runtime.js gives to the code; arguments with these names get another one.
 const helpers = [
-  "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "list", "members", "number", "optional",
+  "Edit", "Handle", "MoverBase", "WorldBase", "begin", "bits", "bytes", "c", "chars", "copyOf", "done", "handle", "idOf", "keep", "lent", "list", "members", "number", "optional",
   "pointerOf", "readAll", "readList", "register", "room", "struct", "text", "typeOf", "view", "whole", "xOf", "yOf",
 ];
+const inCalled = ["Edit", "keep", "lent"];
 const variable = (input) => (helpers.includes(input.name) ? input.name + "Given" : input.name);
 
 const short = (type) => type.replace(/^fettle_/, "");
@@ -53,7 +54,8 @@ function structCode(struct, structs) {
   const fields = members.map((member) => {
     const p = at(member.offset);
     let value;
-    if (member.type === "char") value = `text(view.u32[(${p}) >> 2])`;
+    if (member.type === "fettle_accept") value = "null";  // only written
+    else if (member.type === "char") value = `text(view.u32[(${p}) >> 2])`;
     else if (member.pointer) value = `readList(view.u32[(${p}) >> 2], view.u32[(${at(member.counted.offset)}) >> 2], ${sizeOf({ type: member.type }, structs).size}, (p) => ${read(member.type, "p", "world")})`;
     else if (member.count > 1) value = `readList(${p}, ${readScalar[member.counted.type](at(member.counted.offset))}, ${member.stride}, (p) => ${read(member.type, "p", "world")})`;
     else value = read(member.type, p, "world");
@@ -63,7 +65,10 @@ function structCode(struct, structs) {
   const writers = members.filter((member) => (!member.pointer || member.type === "char" || member.name === "points") && member.count === 1).map((member) => {
     const p = at(member.offset), says = `name + ".${camel(member.name)}"`;
     let code;
-    if (member.type === "char") code = `view.u32[(${p}) >> 2] = chars(v, ${says});`;
+    if (member.type === "fettle_accept") {
+      const user = struct.members.find((other) => other.name === "user").offset;
+      code = `if (v === null) return; const [call, user] = lent(v, ${says}, "accept"); view.u32[(${p}) >> 2] = call; view.u32[(${at(user)}) >> 2] = user;`;
+    } else if (member.type === "char") code = `view.u32[(${p}) >> 2] = chars(v, ${says});`;
     else if (member.pointer) code = `view.u32[(${p}) >> 2] = list(v, ${sizeOf({ type: member.type }, structs).size}, ${says}, (p, v, name) => { ${write(member.type, "p", "v", "name")} }); view.u32[(${at(member.counted.offset)}) >> 2] = v.length;`;
     else code = write(member.type, p, "v", says);
     if (member.has) code = `view.u8[${at(member.has.offset)}] = v === null ? 0 : 1; if (v !== null) { ${code} }`;
@@ -81,6 +86,7 @@ function given(input, structs) {
     case "id": return `idOf(${v}, ${name})`;
     case "world": return `pointerOf(${v}, ${name})`;
     case "text": return `chars(${v}, ${name})`;
+    case "function": return `...lent(${v}, ${name}, "${input.call}")`;
     case "bytes": return `...bytes(${v}, ${name})`;
     case "array": return `list(${v}, ${sizeOf({ type: input.type }, structs).size}, ${name}, (p, v, name) => { ${write(input.type, "p", "v", "name")} }), ${v}.length`;
     case "optional": return `optional(${v}, (p) => { ${write(input.type, "p", v, name)} })`;
@@ -104,6 +110,13 @@ function methodBody(plan, structs) {
   }
   const list = plan.outputs.find((output) => output.kind === "list");
   code.push("begin();");
+  if (plan.keeps) {
+    // A function of a body is one for its slot; each of those for the end of a step is called once.
+    const key = plan.bare === "after_step" ? "null" : plan.owner === "Body" ? `"${plan.bare} " + this.slot` : `"${plan.bare}"`;
+    const [input] = plan.inputs, args = [...fixed, "call", "user"].join(", ");
+    if (plan.inputs.length !== 1) throw new Error(`${plan.fn.name}: there is no code for more than a function`);
+    return `begin(); keep(${world}, ${key}, ${variable(input)}, ${JSON.stringify(input.name)}, "${input.call}", (call, user) => c.${plan.fn.name}(${args}));`;
+  }
   if (plan.owner === "Mover") code.push("const mover = this.written();");
   // What is written to memory is written before the places of the results are taken.
   const args = [];
@@ -113,7 +126,7 @@ function methodBody(plan, structs) {
       code.push("const flag = room(1);");
       args.push("flag");
     } else if (plan.inputs.includes(g)) {
-      if (["struct", "array", "optional", "bytes"].includes(g.kind)) {
+      if (["struct", "array", "optional", "bytes", "function"].includes(g.kind)) {
         code.push(`const in${i} = [${given(g, structs)}];`);
         args.push(`...in${i}`);
       } else args.push(given(g, structs));
@@ -149,6 +162,16 @@ function methodBody(plan, structs) {
   return [...code, ...after].join(" ");
 }
 
+/** A structure that a function gets: its members are read, and some are set, in the memory of the library. */
+function editCode(struct) {
+  const lines = visibleMembers(struct).map(({ name, type, offset }) => {
+    const p = at(offset);
+    const get = `  get ${camel(name)}() { const { world, at: p } = this; return ${read(type, p, "world")}; }\n`;
+    return edits[struct.name].includes(name) ? get + `  set ${camel(name)}(value) { const p = this.at; ${write(type, p, "value", JSON.stringify(camel(name)))} }\n` : get;
+  });
+  return `export class ${pascal(short(struct.name))} extends Edit {\n${lines.join("")}}\n\n`;
+}
+
 /** A value is written in a copy of the structure, which the library checks before the mover takes it. */
 function propertyCode({ name, type, offset, from, isSet }) {
   const p = at(offset).replace("p", from);
@@ -174,7 +197,8 @@ function classCode(cls, plans, structs) {
 export function interfaceCode(headers, plans) {
   const { structs } = headers;
   let code = `// Made from the headers in C by bindings/web/generate; what is changed here is lost.
-import { ${helpers.join(", ")} } from "./runtime.js";
+import { ${helpers.filter((name) => !inCalled.includes(name)).join(", ")} } from "./runtime.js";
+import { ${inCalled.join(", ")} } from "./called.js";
 
 `;
   for (const enumeration of headers.enums.filter((e) => e.name !== "codes")) {
@@ -182,14 +206,35 @@ import { ${helpers.join(", ")} } from "./runtime.js";
     code += `export const ${name} = Object.freeze({ ${enumeration.values.map((v) => `${v.name.slice(common.length)}: ${v.value}`).join(", ")} });\n`;
   }
   code += "\n";
-  for (const struct of structs.values()) if (!/^fettle_(columns|debug_draw|contact_edit)$/.test(struct.name)) code += structCode(struct, structs);
+  for (const struct of structs.values()) if (struct.name !== "fettle_columns" && !edits[struct.name]) code += structCode(struct, structs);
+  for (const name of Object.keys(edits)) code += editCode(structs.get(name));
   for (const cls of classes) code += classCode(cls, plans, structs);
   for (const plan of plans.filter((p) => !p.owner))
     code += `export function ${plan.name}(${plan.inputs.map(variable).join(", ")}) { ${methodBody(plan, structs)} }\n`;
   const joints = classes.filter((cls) => cls.base === "Joint").map((cls) => cls.name);
   const moverStructs = ["def", "state"].map((name) => `${name}: { size: ${structs.get("fettle_mover_" + name).size}, read: read_mover_${name}, write: write_mover_${name} }`);
-  code += `\nregister({ World, Mover, mover: { ${moverStructs.join(", ")} }, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType });\n`;
+  code += `\nregister({ World, Mover, mover: { ${moverStructs.join(", ")} }, Body, Shape, Field, joints: [${joints.join(", ")}], writeWorldDef: write_world_def, worldDefSize: ${structs.get("fettle_world_def").size}, shapes: ShapeType, ${Object.keys(edits).map((name) => pascal(short(name))).join(", ")}, readVec2: read_vec2, readRayHit: read_ray_hit, replayedStep: { size: ${structs.get("fettle_replayed_step").size}, read: read_replayed_step }, debugDraw: { size: ${structs.get("fettle_debug_draw").size}, write: write_debug_draw, functions: { ${functionsOf(structs.get("fettle_debug_draw")).map((member) => `${member.name}: ${member.offset}`).join(", ")} } } });\n`;
   return code;
+}
+
+const functionsOf = (struct) => struct.members.filter((member) => member.type === "callback" || member.name === "user");
+
+const callsOf = (headers) => [
+  ...Object.keys(kindsOfCalls).map((name) => ({ name, ...headers.callbacks.get("fettle_" + name) })),
+  ...headers.structs.get("fettle_debug_draw").members.filter((member) => member.type === "callback"),
+];
+
+/** Tells the linker of Emscripten that these names are not missing. */
+export function knownCode(headers) {
+  return `mergeInto(LibraryManager.library, { ${callsOf(headers).map(({ name }) => `${name}() {}`).join(", ")} });\n`;
+}
+
+/** The functions that the library calls in JavaScript: it imports them, and `fettle_called` gives their addresses. */
+export function calledCode(headers) {
+  const calls = callsOf(headers);
+  const declarations = calls.map(({ name, result, params }) => `__attribute__((import_module("fettle"), import_name("${name}"))) ${result} fettle_called_${name}(${params});\n`);
+  const cases = calls.map(({ name }, i) => `        case ${i}: return reinterpret_cast<void*>(fettle_called_${name});\n`);
+  return `// Made from the headers in C by bindings/web/generate; what is changed here is lost.\n#include <fettle_physics.h>\n\nextern "C" {\n${declarations.join("")}\nvoid* fettle_called(int which);\nvoid* fettle_called(int which) {\n    switch (which) {\n${cases.join("")}        default: return nullptr;\n    }\n}\n}\n`;
 }
 
 export function prefixOf(values) {

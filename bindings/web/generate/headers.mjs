@@ -6,7 +6,7 @@ import { join } from "node:path";
 /** All that fettle_physics.h declares, in its order. */
 export function readHeaders(folder) {
   const umbrella = readFileSync(join(folder, "fettle_physics.h"), "utf8");
-  const found = { enums: [], structs: new Map(), functions: [], callbacks: new Set() };
+  const found = { enums: [], structs: new Map(), functions: [], callbacks: new Map() };
   for (const [, file] of umbrella.matchAll(/#include <(fettle\/physics_c\/\w+\.h)>/g))
     readHeader(readFileSync(join(folder, file), "utf8"), found);
   return found;
@@ -27,8 +27,8 @@ function declare(body, doc, found) {
     found.enums.push({ name: match[1], values, doc });
   } else if ((match = plain.match(/^typedef struct (fettle_\w+) \{(.*)\} \w+$/))) {
     found.structs.set(match[1], { name: match[1], members: membersOf(body), doc });
-  } else if ((match = plain.match(/^typedef .*\(\*(fettle_\w+)\)/))) {
-    found.callbacks.add(match[1]);
+  } else if ((match = plain.match(/^typedef (.*?) ?\(\*(fettle_\w+)\)\((.*)\)$/))) {
+    found.callbacks.set(match[2], { result: match[1], params: match[3] });
   } else if ((match = plain.match(/^(?!typedef)(.*?)\b(fettle_\w+)\((.*)\)$/))) {
     const params = match[3] === "void" ? [] : match[3].split(",").map(typed);
     found.functions.push({ name: match[2], result: match[1].replace(/\s/g, ""), params, doc });
@@ -42,9 +42,9 @@ function membersOf(body) {
   for (const [, code, comment] of inside.matchAll(/\s*(?:\/\*(?:[^*]|\*(?!\/))*\*\/\s*)?([^;/]+);[ \t]*(?:\/\*((?:[^*]|\*(?!\/))*)\*\/)?/g)) {
     const plain = code.replace(/\/\*[^]*?\*\//g, "").replace(/\s+/g, " ").trim();
     const doc = docOf(comment);
-    const call = plain.match(/\(\*(\w+)\)/);
+    const call = plain.match(/^(.*?) ?\(\*(\w+)\)\((.*)\)$/);
     if (call) {
-      members.push({ name: call[1], type: "callback", pointer: 1, count: 1, doc });
+      members.push({ name: call[2], type: "callback", pointer: 1, count: 1, doc, result: call[1], params: call[3] });
       continue;
     }
     const [first, ...others] = plain.split(",");

@@ -41,7 +41,7 @@ export function visibleMembers(struct) {
   const counts = new Set(struct.members.filter((member) => member.pointer || member.count > 1).map((member) => countOf(member, names)));
   const seen = [];
   for (const member of struct.members) {
-    if (member.type === "callback" || member.type === "void" || /^fettle_(accept)$/.test(member.type)) continue;
+    if (member.type === "callback" || member.type === "void") continue;
     if (member.name === "size" && struct.members[0] === member) continue;
     if (names.has(member.name.replace(/^has_/, "")) && member.name.startsWith("has_")) continue;
     if (counts.has(member)) continue;

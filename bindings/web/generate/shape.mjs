@@ -35,24 +35,55 @@ export function handleOf(name, inFunction = "") {
   return kinds[plain] ?? "Body";
 }
 
-// What a program in JavaScript does not need, or gets by hand in runtime.js (memory, sizes, threads of the host), and what it does not have
-// yet: recordings, which a function of the host takes.
-const byHand = /^fettle_replay_|_recording$|_is_recorded$|_init$|^fettle_(last_error|slot|world_create|world_destroy|world_columns)$|^fettle_owner_|_is_valid$|^fettle_worlds_/;
+// What is written by hand in runtime.js and replay.js.
+const byHand = /^fettle_replay_|_init$|^fettle_(last_error|world_create|world_destroy|world_columns|world_draw)$|_is_valid$/;
 
-/** The functions with their plans; `without` are those that have none, because C would call a function of JavaScript. */
+/** What a program in JavaScript does not have, and why. */
+const leftOut = new Map([
+  [/^fettle_slot$/, "`slot` of an object"],
+  [/^fettle_owner_|^fettle_world_set_owner$/, "for engines that keep data for every object of a world"],
+  [/^fettle_world_(on_)?refresh$/, "for hosts that read the memory of a world while it is edited"],
+  [/^fettle_world_set_scheduler$/, "the package has one thread"],
+  [/^fettle_worlds_/, "saves calls from languages that are slower than JavaScript"],
+]);
+
+/** What the functions of the program are called for, by the type in C, with their types in TypeScript. */
+export const kindsOfCalls = {
+  pair_filter: "(shapeA: Shape, shapeB: Shape) => boolean",
+  contact_callback: "(contact: ContactEdit) => void",
+  velocity_function: "(edit: VelocityEdit) => void",
+  position_function: "(edit: PositionEdit) => void",
+  accept: "(shape: Shape) => boolean",
+  shape_visitor: "(shape: Shape) => boolean | void",
+  ray_visitor: "(hit: RayHit) => boolean | void",
+  recording_sink: "(bytes: Uint8Array) => void",
+  after_step: "() => void",
+  log_function: "(level: number, text: string) => void",
+  failure_function: "(what: string) => void",
+};
+
+/** Structures that such a function gets, with the members that it may set. */
+export const edits = {
+  fettle_contact_edit: ["friction", "restitution", "surface_speed", "enabled", "ignored"],
+  fettle_velocity_edit: ["velocity", "angular_velocity"],
+  fettle_position_edit: ["pose"],
+};
+
+/** The functions with their plans; `without` are those that are left out. */
 export function plansOf(headers) {
   checkJointTypes(headers);
-  const plans = [], without = [];
+  const plans = [], without = [], reasons = new Set(leftOut.keys());
   for (const fn of headers.functions) {
-    if (byHand.test(fn.name)) continue;
-    const calls = fn.params.some((param) => headers.callbacks.has(param.type) || param.type === "fettle_owner" || param.type === "fettle_debug_draw");
-    if (calls) without.push(fn.name);
-    else plans.push(planOf(fn));
+    const reason = [...leftOut.keys()].find((names) => names.test(fn.name));
+    reasons.delete(reason);
+    if (reason) without.push(fn.name);
+    else if (!byHand.test(fn.name)) plans.push(planOf(fn, headers));
   }
+  if (reasons.size) throw new Error(`no function of the headers has these names: ${[...reasons].join(", ")}`);
   return { plans, without };
 }
 
-function planOf(fn) {
+function planOf(fn, headers) {
   const bare = fn.name.slice("fettle_".length);
   const params = [...fn.params];
   // The longest prefix: wheel_joint_ and not joint_.
@@ -72,7 +103,9 @@ function planOf(fn) {
     }
   }
   plan.bare = owner ? bare.slice(owner.prefix.length) : bare;
-  while (params.length) take(params, plan);
+  while (params.length) take(params, plan, headers);
+  // A filter is the last argument, since it can be left out.
+  plan.inputs.sort((a, b) => (a.kind === "function" ? 0 : /_filter$/.test(a.type)) - (b.kind === "function" ? 0 : /_filter$/.test(b.type)));
   plan.name = camel(plan.bare.replace(/^set_/, "set_"));
   plan.result = resultOf(plan);
   const setter = plan.bare.match(/^set_(\w+)$/);
@@ -86,7 +119,7 @@ function planOf(fn) {
 }
 
 /** Takes the next argument of JavaScript, or result, from the parameters in C. */
-function take(params, plan) {
+function take(params, plan, headers) {
   const [a, b, c] = params;
   const input = (count, kind, more = {}) => {
     params.splice(0, count);
@@ -99,6 +132,11 @@ function take(params, plan) {
     plan.given.push(plan.outputs.at(-1));
   };
   const scalar = ["float", "bool", "int32_t", "uint32_t", "uint64_t", "size_t"].includes(a.type);
+  if (headers.callbacks.has(a.type)) {
+    if (b?.name !== "user" || !kindsOfCalls[a.type.slice("fettle_".length)]) throw new Error(`${plan.fn.name}: there is no code for a ${a.type}`);
+    plan.keeps = /^(set_|start_recording|after_step)/.test(plan.bare);
+    return input(2, "function", { call: a.type.slice("fettle_".length), ...(a.name === "function" && { name: "called" }) });
+  }
   if (b?.name === "room") return output(3, "list", { handle: handleOf(a.name, plan.fn.name) });
   if (a.type === "void" && a.pointer === 2) return output(2, "bytes");
   if (a.type === "void") return input(2, "bytes");

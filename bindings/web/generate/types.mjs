@@ -1,6 +1,6 @@
 // Writes index.d.ts: the same classes and structures for TypeScript, with the comments of the headers.
 
-import { camel, classes, handleOf, moverProperties, pascal } from "./shape.mjs";
+import { camel, classes, edits, handleOf, kindsOfCalls, moverProperties, pascal } from "./shape.mjs";
 import { visibleMembers } from "./layout.mjs";
 import { prefixOf } from "./code.mjs";
 
@@ -16,6 +16,7 @@ function typeOf(type, name, fn, given) {
   }
   if (type === "uint64_t" && given) return "bigint | number";
   if (type === "char") return "string";
+  if (type === "fettle_accept") return kindsOfCalls.accept.replace(/^(.*)$/, "($1) | null");
   return scalars[type] ?? nameOf(type) + (given ? "" : "");
 }
 
@@ -31,6 +32,12 @@ function structTypes(struct) {
   return `${docOf(struct.doc)}export interface ${nameOf(struct.name)} {\n${lines.join("")}}\n\n`;
 }
 
+/** What a function gets: valid during its call. */
+function editTypes(struct) {
+  const lines = visibleMembers(struct).map(({ name, type, doc }) => `${docOf(doc, "  ")}  ${edits[struct.name].includes(name) ? "" : "readonly "}${camel(name)}: ${typeOf(type, name, struct.name)};\n`);
+  return `${docOf(struct.doc)}export declare class ${nameOf(struct.name)} {\n  protected constructor();\n${lines.join("")}}\n\n`;
+}
+
 function inputType(input) {
   switch (input.kind) {
     case "scalar": return input.type === "uint64_t" ? "bigint | number" : scalars[input.type];
@@ -40,13 +47,14 @@ function inputType(input) {
     case "bytes": return "Uint8Array";
     case "text": return "string";
     case "array": return `readonly ${typeOf(input.type, input.name, "", true)}[]`;
+    case "function": return kindsOfCalls[input.call];
     case "optional": return `${scalars[input.type]} | null`;
     default: return nameOf(input.type);
   }
 }
 // Definitions, filters and what may be null in C can be left out at the end.
 const maybe = (input) => input.kind === "struct" && /_def$|_filter$/.test(input.type) && !/mouse_joint_def|field_def/.test(input.type);
-const nullable = (input, plan) => input.kind === "struct" && /^set_(center|bounds)$/.test(plan.bare);
+const nullable = (input, plan) => (input.kind === "function" && /^set_/.test(plan.bare)) || input.kind === "struct" && /^set_(center|bounds)$/.test(plan.bare);
 
 function outputType(output, fn) {
   if (output.kind === "list") return `${output.type === "fettle_id" ? output.handle : typeOf(output.type, output.name, fn)}[]`;
@@ -68,7 +76,7 @@ function resultType(plan) {
 
 function parameters(plan) {
   return plan.inputs.map((input) => {
-    const type = inputType(input) + (nullable(input, plan) ? " | null" : "");
+    const plain = inputType(input), type = nullable(input, plan) ? (input.kind === "function" ? `(${plain}) | null` : `${plain} | null`) : plain;
     return `${input.name}${maybe(input) ? "?" : ""}: ${type}`;
   }).join(", ");
 }
@@ -94,7 +102,7 @@ export function typesCode(headers, plans, byHand) {
     const common = prefixOf(enumeration.values);
     code += docOf(enumeration.doc) + `export declare const ${pascal(enumeration.name)}: {\n${enumeration.values.map((v) => `  readonly ${v.name.slice(common.length)}: ${v.value};\n`).join("")}};\n\n`;
   }
-  for (const struct of headers.structs.values()) if (!/^fettle_(columns|debug_draw|contact_edit)$/.test(struct.name)) code += structTypes(struct);
+  for (const struct of headers.structs.values()) if (struct.name !== "fettle_columns") code += edits[struct.name] ? editTypes(struct) : structTypes(struct);
   for (const cls of classes) {
     const own = plans.filter((plan) => plan.owner === cls.name);
     const base = cls.base ?? (cls.id ? "Handle" : "WorldBase");

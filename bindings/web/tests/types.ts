@@ -1,6 +1,6 @@
 // Compiled with every check of TypeScript on; not run.
 
-import { BodyType, Mover, World, box, circle, load, type Body, type ContactEvent, type Moved, type RayHit, type Shape } from "fettle-physics";
+import { BodyType, Mover, Replay, World, box, circle, load, type Body, type ContactEvent, type Moved, type RayHit, type Shape } from "fettle-physics";
 
 await load();
 const world: World = new World({ gravity: { x: 0, y: -10 }, bounds: null });
@@ -21,6 +21,15 @@ const ground: Shape | null = hero.ground;
 hero.climbing = !hero.onGround;
 hero.state = { ...hero.state, position: { x: 1, y: hero.definition.height } };
 export { events, ground, hash, hit, mass, moved, view };
+
+world.setFilter((a, b) => a.friction > b.friction);
+world.setBeforeSolve((contact) => { contact.enabled = contact.normal.y > 0; });
+world.setBeforeSolve(null);
+world.visitRay({ x: 0, y: 0 }, { x: 1, y: 0 }, (found) => found.fraction < 0.5, { accept: (shape) => shape.sensor });
+world.draw({ circle(center, radius) { center.x += radius; } }, { joints: false });
+for (const step of new Replay(new Uint8Array())) if (!step.same) break;
+// @ts-expect-error the normal is only read
+world.setBeforeSolve((contact) => { contact.normal = { x: 0, y: 1 }; });
 
 // @ts-expect-error a mover grows only where there is room: setHeight
 hero.height = 2;

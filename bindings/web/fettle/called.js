@@ -1,0 +1,112 @@
+// Functions of the program that the library calls. The library has one function for each kind of call, which is called with a number; here
+// are the functions by number.
+
+import { c, classes, copyOf, done, handle, Invalid, nested, passing, readList, room, Stale, text, view } from "./runtime.js";
+
+/** Those of the process, and those of a call that has not ended. A world has those that it keeps. */
+const functions = { byNumber: new Map(), byKey: new Map() };
+const worlds = new Map();  // by their pointers, weakly: a function may refer to its world
+let numbers = 0;
+
+export function know(world) {
+  worlds.set(world.pointer, new WeakRef(world));
+  world.functions = { byNumber: new Map(), byKey: new Map() };
+}
+export function forget(pointer) {
+  if (worlds.get(pointer)?.deref() === undefined) worlds.delete(pointer);
+}
+
+function checked(value, name) {
+  if (typeof value !== "function") throw new Invalid(`${name} = ${String(value)}: expected a function`);
+  return value;
+}
+export const addressOf = (kind) => c.fettle_called(kinds.indexOf(kind));
+
+/** The address and the number of a function, or of a target of drawing, until the call ends. */
+export function lent(value, name, kind) {
+  const number = ++numbers;
+  functions.byNumber.set(number, kind === undefined ? value : checked(value, name));
+  passing.push(() => functions.byNumber.delete(number));
+  return [kind === undefined ? 0 : addressOf(kind), number];
+}
+
+/** Gives the library a function that it keeps, in place of the one with the same key; null: none. */
+export function keep(world, key, value, name, kind, set) {
+  const kept = world === null ? functions : world.functions;
+  const number = value === null || value === undefined ? 0 : ++numbers;
+  if (number) kept.byNumber.set(number, checked(value, name));
+  const code = set(number ? addressOf(kind) : 0, number);
+  const before = code === 0 && key ? kept.byKey.get(key) : number;
+  if (before !== undefined && (key || code !== 0)) kept.byNumber.delete(before);
+  if (code === 0 && key) kept.byKey.set(key, number);
+  done(code);
+}
+
+/** What a function gets and may change, during its call. */
+export class Edit {
+  #at;
+  constructor(world, p) {
+    this.world = world;
+    this.#at = p;
+    Object.preventExtensions(this);
+  }
+  get at() {
+    if (this.#at === 0) throw new Stale(`${this.constructor.name}: it is valid only during the call that has got it`);
+    return this.#at;
+  }
+  end() { this.#at = 0; }
+}
+
+function shapeOf(world, id) {
+  const p = room(8);
+  view.u64[p >> 3] = id;
+  return handle(world, p);
+}
+const edits = (name) => (call, world, p) => {
+  const edit = new classes[name](world, p);
+  try {
+    call(edit);
+  } finally {
+    edit.end();
+  }
+};
+const point = (p) => classes.readVec2(p);
+
+// What the function of the program gets, by kind. The result is 1 where the library is to go on.
+const ofWorlds = {
+  pair_filter: (call, world, a, b) => call(shapeOf(world, a), shapeOf(world, b)),
+  contact_callback: edits("ContactEdit"),
+  velocity_function: edits("VelocityEdit"),
+  position_function: edits("PositionEdit"),
+  accept: (call, world, shape) => call(shapeOf(world, shape)),
+  shape_visitor: (call, world, shape) => call(shapeOf(world, shape)) !== false,
+  ray_visitor: (call, world, hit) => call(classes.readRayHit(hit, world)) !== false,
+  recording_sink: (call, world, p, size) => call(copyOf(p, size)),
+  after_step: (call) => call(),
+};
+const ofOthers = {
+  log_function: (call, level, p) => call(level, text(p)),
+  failure_function: (call, p) => call(text(p)),
+  polygon: (target, points, count, closed, color) => target.polygon(readList(points, count, 8, point), closed !== 0, color >>> 0),
+  circle: (target, center, radius, angle, color) => target.circle(point(center), radius, angle, color >>> 0),
+  segment: (target, from, to, color) => target.segment(point(from), point(to), color >>> 0),
+  point: (target, at, color) => target.point(point(at), color >>> 0),
+};
+/** In the order of the numbers of `fettle_called`. */
+export const kinds = [...Object.keys(ofWorlds), ...Object.keys(ofOthers)];
+
+/** What the library imports. Nothing is thrown through it: the call that led here throws when it is over. */
+export const imports = {};
+for (const [kind, act] of Object.entries(ofWorlds))
+  imports[kind] = (user, pointer, ...values) => nested(kind === "pair_filter", () => {
+    const world = worlds.get(pointer >>> 0)?.deref();
+    const call = functions.byNumber.get(user) ?? world?.functions.byNumber.get(user);
+    if (call === undefined) return kind === "pair_filter";
+    if (kind === "after_step") world.functions.byNumber.delete(user);
+    return act(call, world, ...values);
+  });
+for (const [kind, act] of Object.entries(ofOthers))
+  imports[kind] = (user, ...values) => nested(false, () => {
+    const call = functions.byNumber.get(user);
+    return call && act(call, ...values);
+  });
