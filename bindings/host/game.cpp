@@ -1,6 +1,7 @@
 #include "game.h"
 
 #include <fettle/property/formula_problems.h>
+#include <fettle/property/snapshot_remarks.h>
 
 namespace fettle::host {
 
@@ -170,6 +171,12 @@ void Game::note(const std::string& text) {
         return;
     }
     tell_note(text);
+}
+
+void Game::note_remarks(const std::string& state) {
+    // A function for problems may restore another state.
+    const std::vector<std::string> remarks = property::restore_remarks(tree);
+    for (const std::string& remark : remarks) note(state + ": " + remark);
 }
 
 void Game::tell_note(const std::string& text) {

@@ -98,6 +98,8 @@ class Game {
     void report(const script::ScriptError& error);
     /// A message about files, for the console and the caller; the call that is running goes on.
     void note(const std::string& text);
+    /// Tells what of the state that was restored last did not fit.
+    void note_remarks(const std::string& state);
     /// Tells the caller what was noted before there was a function for it.
     void tell_early_notes();
     console::Console& needed_console();

@@ -22,6 +22,7 @@ fettle_code fettle_hosted_restore(fettle_hosted* hosted, const void* bytes, size
         if (size > 0) needed("bytes", static_cast<const char*>(bytes));
         const std::span saved(static_cast<const std::byte*>(bytes), size);
         game.run_scripts([&] { game.tree.restore(property::Snapshot::from_bytes(saved)); });
+        game.note_remarks("the restored state");
     });
 }
 
@@ -43,7 +44,8 @@ fettle_code fettle_hosted_steps(fettle_hosted* hosted, int64_t* step, int64_t* o
                                 int64_t* newest) {
     return with(__func__, hosted, [&](Game& game) {
         if (step != nullptr) *step = game.services.clock.step;
-        if (oldest != nullptr) *oldest = game.services.clock.oldest;
-        if (newest != nullptr) *newest = game.services.clock.newest;
+        const auto kept = game.loop.timeline().kept_steps();
+        if (oldest != nullptr) *oldest = kept.oldest;
+        if (newest != nullptr) *newest = kept.newest;
     });
 }

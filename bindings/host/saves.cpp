@@ -1,5 +1,3 @@
-#include <fettle/property/snapshot_remarks.h>
-
 #include "calls.h"
 
 // Saved games in slots.
@@ -30,11 +28,12 @@ fettle_code fettle_hosted_save(fettle_hosted* hosted, const char* slot) {
 fettle_code fettle_hosted_load_save(fettle_hosted* hosted, const char* slot) {
     return outside(__func__, hosted, "be loaded", [&](Game& game) {
         const property::GameSaves& saves = saves_of(game);
-        const property::SavedGame saved = saves.slots().load(text_of("slot", slot));
+        const std::string name = text_of("slot", slot);
+        const property::SavedGame saved = saves.slots().load(name);
         const property::Snapshot state = property::Snapshot::from_bytes(saved.state);
         game.tree.check(state);
         game.run_scripts([&] { game.tree.restore(state); });
-        for (const std::string& remark : property::restore_remarks(game.tree)) game.note(remark);
+        game.note_remarks("the saved game \"" + name + "\"");
     });
 }
 

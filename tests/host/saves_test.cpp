@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "catch.h"
@@ -59,6 +60,39 @@ void keep_problems(const Game& game, std::vector<std::string>* told) {
 }
 
 const char* const falling = "world.ball = Body { Circle {}, position = vec(0, 5) }";
+
+TEST_CASE("what of a state does not fit the game is told in the same words however it comes back") {
+    const Folder folder("fettle_host_remarks");
+    const std::string saves = folder / "saves";
+    fettle_hosted_def def = definition();
+    def.saves = saves.c_str();
+    std::vector<char> state;
+    {
+        const Game game = created(def,
+                                  "class('Door', Body) { wide = 3, open = true } "
+                                  "world.door = Door { wide = 5 }");
+        const void* bytes = nullptr;
+        size_t size = 0;
+        require(fettle_hosted_snapshot(game.get(), &bytes, &size));
+        state.assign(static_cast<const char*>(bytes), static_cast<const char*>(bytes) + size);
+        require(fettle_hosted_save(game.get(), "old"));
+    }
+    std::vector<std::string> told;
+    const Game game = created(def, "class('Door', Body) { wide = 'very' } world.door = Door {}");
+    keep_problems(game, &told);
+    require(fettle_hosted_load_save(game.get(), "old"));
+    const std::vector<std::string> loaded = std::exchange(told, {});
+    require(fettle_hosted_restore(game.get(), state.data(), state.size()));
+    REQUIRE_FALSE(loaded.empty());
+    REQUIRE(told.size() == loaded.size());
+    const std::string of_save = "the saved game \"old\": ", of_state = "the restored state: ";
+    for (size_t i = 0; i < told.size(); ++i) {
+        REQUIRE(loaded[i].starts_with(of_save));
+        REQUIRE(told[i].starts_with(of_state));
+        CHECK(told[i].substr(of_state.size()) == loaded[i].substr(of_save.size()));
+    }
+    CHECK_THAT(told[0], contains("Door"));
+}
 
 TEST_CASE("a host saves games in slots and loads them in another run") {
     const Folder folder("fettle_host_slots");

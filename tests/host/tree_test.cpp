@@ -277,6 +277,24 @@ TEST_CASE("a game goes back and repeats the same future") {
     for (int i = 0; i < 30; ++i) require(fettle_hosted_step(g));
     require(fettle_hosted_hash(g, &again));
     CHECK(again == hash);
+    // Where the game goes on from: the last step that is kept, before and after the next step.
+    require(fettle_hosted_restore(g, saved.data(), saved.size()));
+    for (int made = 0; made < 2; ++made) {
+        require(fettle_hosted_steps(g, &step, &oldest, &newest));
+        CHECK(step == 90 + made);
+        CHECK(oldest == 0);
+        CHECK(newest == step);
+        require(fettle_hosted_go_to(g, newest));
+        require(fettle_hosted_step(g));
+    }
+    for (int i = 0; i < 28; ++i) require(fettle_hosted_step(g));
+    const Game other = make(ball);
+    require(fettle_hosted_step(other.get()));
+    require(fettle_hosted_restore(other.get(), saved.data(), saved.size()));
+    require(fettle_hosted_steps(other.get(), &step, &oldest, &newest));
+    CHECK(step == 90);
+    CHECK(oldest == 90);
+    CHECK(newest == 90);
     saved[saved.size() / 2] ^= 1;
     CHECK(fettle_hosted_restore(g, saved.data(), saved.size()) == FETTLE_INVALID);
     require(fettle_hosted_hash(g, &again));

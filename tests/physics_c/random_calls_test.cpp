@@ -3,6 +3,7 @@
 
 #include "catch.h"
 #include "header_text.h"
+#include "thorough.h"
 #include "random_arguments.h"
 
 namespace random_calls_test {
@@ -295,7 +296,8 @@ TEST_CASE("calls in any order with any arguments leave consistent worlds") {
             std::strcmp(call.name, "fettle_world_step") == 0)
             calls.insert(calls.end(), 30, call);
     uint32_t most_touching = 0;
-    for (uint32_t seed = 1; seed <= 30; ++seed) {
+    const uint32_t seeds = thorough() ? 300 : 30;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
         Arguments arguments(seed);
         for (int i = 0; i < 3000; ++i) {
             const Call& call = calls[arguments.below(uint32_t(calls.size()))];

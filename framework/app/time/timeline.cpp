@@ -338,6 +338,17 @@ std::int64_t Timeline::oldest() const {
     return std::max(keyframes_.front().step, std::min(offered, here_));
 }
 
+Timeline::KeptSteps Timeline::kept_steps() const {
+    if (!jumps_->jumped) return {clock_.oldest, clock_.newest};
+    // What `note_jump` will do: later steps are dropped, or all, if the step is not one of them.
+    const std::int64_t step = clock_.step;
+    const bool is_known =
+        log_ != nullptr && !keyframes_.empty() && step >= oldest() && step <= newest();
+    if (!is_known) return {step, step};
+    const std::int64_t offered = std::max(step - limit_of(clock_), clock_.oldest);
+    return {std::max(keyframes_.front().step, std::min(offered, step)), step};
+}
+
 std::int64_t Timeline::newest() const {
     if (keyframes_.empty()) return clock_.step;
     // After a jump, the step of the last keyframe may have no entry in the log.

@@ -119,6 +119,12 @@ class Timeline {
     bool keeps() const { return !keyframes_.empty(); }
     std::int64_t oldest() const;
     std::int64_t newest() const;
+    /// The steps that `go_to` takes now, both the current one if none is kept: also right after
+    /// other code has restored a state, which the timeline itself handles later.
+    struct KeptSteps {
+        std::int64_t oldest, newest;
+    };
+    KeptSteps kept_steps() const;
     /// Memory in bytes, estimated: keyframes, the log between them, both also of the branches, and
     /// the memory for the next keyframe. At the end of a step this and the history of edits are no
     /// more than `time.rewind_memory`, of which the history has at most a quarter.

@@ -106,7 +106,10 @@ typedef void (*fettle_finish_tasks)(void* user);
 
 /** Threads of the host do the work of steps: `threads` tasks, 1 to 64, of which the calling thread
     does one. Each step calls `start` once and then `finish` once. It changes no result. Both
-    functions null: one thread. */
+    functions null: one thread. A host that cannot start its threads lets `start` return without
+    them: the step needs no task to run. The functions must not jump out. What a C++ function throws
+    makes the step FETTLE_FAILED: after `start`, no step was made; after `finish`, the whole step
+    was made, and the world steps on one thread until this function is called again. */
 fettle_code fettle_world_set_scheduler(fettle_world* world, fettle_start_tasks start,
                                        fettle_finish_tasks finish, void* user, int32_t threads);
 

@@ -14,7 +14,8 @@ FETTLE_HOST_BEGIN
 fettle_code fettle_hosted_snapshot(fettle_hosted* game, const void** bytes, size_t* size);
 
 /** FETTLE_INVALID, and nothing changes, if a byte was changed, removed or added, or if it has
-    classes that this game does not have. */
+    classes that this game does not have. What fits only in part (a property that has another type
+    now) is told to the function for problems (game.h). */
 fettle_code fettle_hosted_restore(fettle_hosted* game, const void* bytes, size_t size);
 
 /** Goes back by this simulation time from now, at most to the oldest step that is kept. */
@@ -23,7 +24,8 @@ fettle_code fettle_hosted_rewind(fettle_hosted* game, double seconds);
 /** Goes to a step that is kept. Later ones are kept until a step is made from there. */
 fettle_code fettle_hosted_go_to(fettle_hosted* game, int64_t step);
 
-/** The current step, and the first and the last one that are kept. Each may be null. */
+/** The current step, and the first and the last one that fettle_hosted_go_to takes; both are the
+    current one if none is kept. Each may be null. */
 fettle_code fettle_hosted_steps(fettle_hosted* game, int64_t* step, int64_t* oldest,
                                 int64_t* newest);
 
