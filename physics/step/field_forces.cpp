@@ -35,10 +35,11 @@ bool overlap(const Aabb& a, const Aabb& b) {
 class FieldOnBody {
   public:
     FieldOnBody(const ObjectState& objects, const Columns& columns, Vec2 gravity, uint32_t body,
-                uint64_t mask, float dt, Push& push)
+                uint64_t mask, float h, float dt, Push& push)
         : objects_(objects),
           columns_(columns),
           gravity_(gravity),
+          h_(h),
           dt_(dt),
           body_(objects.bodies[body]),
           velocity_(columns.states[body].velocity),
@@ -85,9 +86,10 @@ class FieldOnBody {
     }
 
     void operator()(const AttractorField& attractor) {
-        // Uses the position of the body in the middle of the step: a leapfrog method, which keeps
-        // orbits closed.
-        const Vec2 d = attractor.center - (body_.center + (0.5f * dt_) * velocity_);
+        // The sub-steps move the body with the velocity after each share of the force. That is the
+        // motion after one blow half a sub-step before the middle of the step. With the force at
+        // the place of that blow this is a leapfrog method, which keeps orbits closed.
+        const Vec2 d = attractor.center - (body_.center + (0.5f * (dt_ - h_)) * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);
         float acceleration = attractor.strength;
@@ -148,6 +150,7 @@ class FieldOnBody {
     const ObjectState& objects_;
     const Columns& columns_;
     Vec2 gravity_;
+    float h_;  ///< length of a sub-step, s
     float dt_;
     const BodyRecord& body_;
     Vec2 velocity_;
@@ -192,7 +195,7 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
                 !concerns(objects, columns, boxes, body, field.def))
                 continue;
             Push push;
-            std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, dt, push),
+            std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push),
                        field.def.force);
             const Vec2 velocity = columns.states[body].velocity;
             if (const auto* wind = std::get_if<WindField>(&field.def.force))

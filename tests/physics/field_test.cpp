@@ -196,6 +196,27 @@ TEST_CASE("a planet circles an attractor in the time of its orbit") {
     REQUIRE((planet.position() - Position(5, 2)).length() < 0.3f);
 }
 
+TEST_CASE("orbits keep their radius for a minute at any length of the steps") {
+    for (const int substeps : {1, 2, 4, 8}) {
+        for (const float dt : {1.0f / 30, 1.0f / 60, 1.0f / 144}) {
+            World world({.gravity = {0, 0}, .substeps = substeps});
+            world.create_field({.force = AttractorField{.center = {1, 2}, .strength = 50.0f}});
+            Body planet = add_ball(world, {5, 2}, 0.2f);
+            planet.set_velocity({0, std::sqrt(50.0f / 4.0f)});
+            float farthest = 4.0f, nearest = 4.0f;
+            for (int i = 0; i < int(60 / dt); ++i) {
+                world.step(dt);
+                const float radius = (planet.position() - Position(1, 2)).length();
+                farthest = std::max(farthest, radius);
+                nearest = std::min(nearest, radius);
+            }
+            INFO(substeps << " sub-steps, " << dt << " s");
+            CHECK(farthest < 4.0f * 1.03f);
+            CHECK(nearest > 4.0f * 0.97f);
+        }
+    }
+}
+
 TEST_CASE("an explosion pushes away what is near by its distance and nothing else") {
     World world({.gravity = {0, 0}});
     Body near = add_ball(world, {1.5f, 0}), far = add_ball(world, {0, 5.5f});
