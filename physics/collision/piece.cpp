@@ -118,6 +118,13 @@ bool is_left_by_all(const Piece& piece, float least, float through_face) {
     return piece.one_sided() && least > 0.0f && through_face < 4.0f * least + beyond;
 }
 
+/// True if the shape is in front of another piece: the overlap through an inner edge is smaller.
+/// The back of a segment has no other piece behind it. What the segment holds may be behind it by
+/// more than its own thickness.
+bool is_behind_inner(const Piece& piece, float inner, float outer) {
+    return !piece.one_sided() && inner > outer + beyond;
+}
+
 /// A circle: its center is a point, so the nearest feature of the piece decides.
 void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, float margin, bool held,
                     Manifold& m) {
@@ -126,8 +133,8 @@ void collide_circle(const Piece& a, Vec2 center, float radius, Vec2 offset, floa
         return;
     // The circle is outside an inner edge, or nearer to it than to any other: it meets another
     // piece first.
-    const bool hidden = axes.inner > max(axes.outer.separation, 0.0f) ||
-                        axes.inner > axes.outer.separation + beyond;
+    const bool hidden = !a.one_sided() && (axes.inner > max(axes.outer.separation, 0.0f) ||
+                                           is_behind_inner(a, axes.inner, axes.outer.separation));
     const int edge = axes.outer.edge;
     if (edge < 0) return;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
@@ -166,7 +173,7 @@ void collide_ellipse(const Piece& a, const EllipseForm& e, Vec2 offset, float ma
     const Axes axes = axes_of(a, [&](Vec2 n) { return dot(n, center) - e.reach(n); });
     const float depth = held ? e.reach(a.form.normals[0]) + far_behind : 0.0f;
     if (axes.greatest() > margin || !a.faces(center, depth) || axes.outer.edge < 0) return;
-    if (axes.inner > axes.outer.separation + beyond) return;
+    if (is_behind_inner(a, axes.inner, axes.outer.separation)) return;
     const int edge = axes.outer.edge;
     const int next = edge + 1 < a.form.count ? edge + 1 : 0;
     const Vec2 v1 = a.form.vertices[edge], v2 = a.form.vertices[next];
@@ -213,7 +220,7 @@ class PolygonOnPiece {
         if (!in_front(a_, b_, offset_) || (piece_b_ && !in_front(*piece_b_, a_.form, -offset_)))
             return;
         const float best = max(on_a.outer.separation, on_b.outer.separation);
-        if (max(on_a.inner, on_b.inner) > best + beyond) return;
+        if (is_behind_inner(a_, on_a.inner, best) || on_b.inner > best + beyond) return;
         if (on_b.outer.separation > on_a.outer.separation + face_preference)
             push_with_b(on_b.outer);
         else

@@ -63,15 +63,23 @@ std::vector<std::vector<uint32_t>> in_parts(size_t count) {
     return parts;
 }
 
-/// Whether a piece follows the outline of n vertices from one vertex to another.
-bool on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
+/// What of a straight edge of a piece is on the outline.
+struct OnOutline {
+    bool any = false;     ///< some of it: the rest is diagonals that continue the line
+    bool at_end = false;  ///< the part before its second end
+};
+
+/// `piece`: with all vertices on the way; the outline has n vertices.
+OnOutline on_outline(const std::vector<uint32_t>& piece, uint32_t from, uint32_t to, uint32_t n) {
     auto at = size_t(std::find(piece.begin(), piece.end(), from) - piece.begin());
+    OnOutline found;
     for (uint32_t vertex = from; vertex != to;) {
         at = (at + 1) % piece.size();
-        if (piece[at] != (vertex + 1) % n) return false;  // NOLINT: n is not 0
+        found.at_end = piece[at] == (vertex + 1) % n;  // NOLINT: n is not 0
+        found.any |= found.at_end;
         vertex = piece[at];
     }
-    return true;
+    return found;
 }
 
 }  // namespace
@@ -116,15 +124,19 @@ OutlineParts concave_parts(std::span<const Vec2> points) {
                 parts.values.push_back(normals[(piece[k] + n - 1) % n]);  // NOLINT: n is not 0
                 parts.values.push_back(normals[piece[k]]);
             }
-            // An edge belongs to the outline if its normal is equal bit for bit.
+            // An edge belongs to the outline if its normal is equal bit for bit. A straight edge
+            // that is on the outline here and a diagonal there belongs to it as a whole: the
+            // diagonal is inside of the polygon, where only what overlaps it already comes.
             Vec2* limits = &parts.values[begin + count];
             for (size_t i = 0; i < count; ++i) {
                 const uint32_t here = part[i], there = part[(i + 1) % count];
                 const uint32_t from = piece[here], to = piece[there];
-                if (there != (here + 1) % piece.size() || !on_outline(whole, from, to, n)) continue;
+                if (there != (here + 1) % piece.size()) continue;
+                const OnOutline outer = on_outline(whole, from, to, n);
+                if (!outer.any) continue;
                 const Vec2 own = normal_between(p[from], p[to]);
                 limits[2 * i + 1] = own;
-                limits[2 * ((i + 1) % count)] = own;
+                if (outer.at_end) limits[2 * ((i + 1) % count)] = own;
             }
         }
     }

@@ -1,3 +1,6 @@
+#include <fettle/physics/geometry.h>
+
+#include <algorithm>
 #include <random>
 
 #include "catch.h"
@@ -275,6 +278,56 @@ TEST_CASE("concave polygons pile up without sinking into each other") {
     REQUIRE(energy < 0.5);
     REQUIRE(deepest > -0.05f);
     REQUIRE_FALSE(world.validate());
+}
+
+/// The edges of an outline above which shapes find nothing that pushes them out.
+int edges_without_push(const std::vector<Vec2>& outline) {
+    int found = 0;
+    for (size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 from = outline[i], along = outline[(i + 1) % outline.size()] - from;
+        const Vec2 out = Vec2{along.y, -along.x} * (1.0f / along.length());
+        const float size = std::min(0.3f * along.length(), 0.1f);
+        const Geometry on[] = {Circle{.radius = size}, Box{.width = size, .height = size},
+                               Ellipse{.radius_x = size, .radius_y = 0.5f * size}};
+        for (const Geometry& shape : on) {
+            const Pose pose = {from + 0.5f * along + (0.3f * size) * out,
+                               std::atan2(along.y, along.x)};
+            const auto pushes = contact_manifolds(Concave{outline}, {}, shape, pose);
+            if (std::none_of(pushes.begin(), pushes.end(), [&](const ContactManifold& m) {
+                    return m.normal.dot(out) > 0.9f && m.points[0].separation < 0;
+                }))
+                ++found;
+        }
+    }
+    return found;
+}
+
+TEST_CASE("every edge of a concave polygon pushes, also where others are on the same line") {
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        std::mt19937 engine(seed);
+        const auto random = [&](float low, float high) {
+            return low + (high - low) * float(engine()) / 4294967296.0f;
+        };
+        // Ground with vertices on the lines between others.
+        std::vector<Vec2> ground = {{-20, random(-6, -4)}, {20, random(-6, -4)}};
+        for (float x = 20; x >= -20; x -= random(2, 8)) {
+            const Vec2 p = {x, random(-1, 1)};
+            for (int k = int(random(0, 4)); ground.size() > 2 && k > 0; --k)
+                ground.push_back(ground.back() + random(0.2f, 0.8f) * (p - ground.back()));
+            ground.push_back(p);
+        }
+        INFO("seed " << seed);
+        CHECK(edges_without_push(ground) == 0);
+        // A row of spikes on one line.
+        std::vector<Vec2> comb = {{0, -random(0.5f, 2)}, {20, -random(0.5f, 2)}};
+        const float width = random(0.1f, 0.9f), gap = random(1.0f, 2.0f) - width;
+        for (float x = 20; x - width > 0; x -= width + gap) {
+            comb.push_back({x, 0});
+            comb.push_back({x - random(0, width), random(0.5f, 3)});
+            comb.push_back({x - width, 0});
+        }
+        CHECK(edges_without_push(comb) == 0);
+    }
 }
 
 }  // namespace concave_test

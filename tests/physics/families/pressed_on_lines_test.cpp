@@ -60,4 +60,25 @@ TEST_CASE("thin bodies under a pile stay on a chain") {
     CHECK(lost <= int(families::seeds_or(50)) / 20);
 }
 
+TEST_CASE("thin ellipses that fall on a chain of slopes in long steps stay on it") {
+    const int seeds = int(families::seeds_or(200));
+    int below = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        families::Random random{std::mt19937(unsigned(seed) + 1)};
+        World world;
+        Chain slopes;
+        for (int i = -10; i <= 10; ++i) slopes.points.push_back({2.0f * float(i), random(-1, 0)});
+        slopes.points.front().y = slopes.points.back().y = 20;
+        world.create_body({.type = BodyType::static_body}).add(slopes);
+        Body thin = world.create_body({.position = {random(-15, 15), random(2, 5)}});
+        thin.add(Ellipse{.radius_x = random(0.1f, 0.3f), .radius_y = random(0.005f, 0.012f)});
+        const float dt = 1.0f / random(20, 60);
+        for (int step = 0; step < int(4 / dt); ++step) world.step(dt);
+        if (thin.position().y < -1.1f) ++below;
+    }
+    std::printf("thin ellipses on slopes: %d below the chain\n", below);
+    // One in a hundred is still pressed through while it rocks: it touches in one point only.
+    CHECK(50 * below <= seeds);
+}
+
 }  // namespace pressed_on_lines_test
