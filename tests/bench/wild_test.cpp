@@ -152,6 +152,44 @@ TEST_CASE("small random worlds keep what every world keeps") {
     CHECK(found.found.empty());
 }
 
+TEST_CASE(
+    "a ball between a moving wall and a fixed body may have any speed, but only if it bounces") {
+    for (const float restitution : {0.0f, 1.0f}) {
+        WorldPlan plan;
+        plan.bodies.push_back({.def = {.type = BodyType::static_body, .position = {0.5f, 0}},
+                               .shapes = {{Circle{.radius = 0.2f}}}});
+        plan.bodies.push_back({.def = {.type = BodyType::kinematic_body, .velocity = {20, 0}},
+                               .shapes = {{Box{.width = 0.1f, .height = 2}}}});
+        plan.bodies.push_back({.shapes = {{Circle{.radius = 0.1f}, {.restitution = restitution}}}});
+        std::vector<BodyNow> bodies(3);
+        for (std::size_t i = 0; i < 3; ++i)
+            bodies[i] = {.exists = true, .awake = true, .type = plan.bodies[i].def.type};
+        bodies[0].position = {0.5f, 0};
+        bodies[2].position = {0.2f, 0};
+        bodies[2].velocity = {500, 0};
+        const std::vector<bool> edited(3, false);
+        const auto judged = [&](const char* name) {
+            const auto check = invariants_named({name})[0].watch(plan);
+            return check->look({plan, 0, 1.0f / 60, false, edited, bodies, bodies});
+        };
+        CHECK(judged("speed").has_value() == (restitution == 0));
+        bodies[2].position = {5, 0};  // with nothing beside it
+        CHECK(judged("speed"));
+    }
+}
+
+TEST_CASE("what an overlap pushes may push what lies on it") {
+    WorldPlan plan;
+    plan.steps = 30;
+    plan.bodies.push_back(
+        {.def = {.type = BodyType::static_body, .position = {-5.3f, 3.9f}, .angle = -0.4f},
+         .shapes = {{Box{.width = 4, .height = 0.2f}}}});
+    for (int i = 0; i < 6; ++i)
+        plan.bodies.push_back({.def = {.position = {-6, 4.4f + 1.26f * float(i)}},
+                               .shapes = {{Box{.width = 1, .height = 1.26f}}}});
+    CHECK(try_in_fettle(plan, invariants_named({"energy"}), false).findings.empty());
+}
+
 TEST_CASE("an unknown invariant is named together with those that exist") {
     CHECK_THROWS_WITH(invariants_named({"trough"}), contains("through"));
 }

@@ -31,7 +31,8 @@ double kinetic(const BodyNow& body) {
 /// - what the joints stored at the edit: they are springs of 60 Hz, or of a quarter of the rate of
 ///   the sub-steps;
 /// - what pushes overlapping bodies apart: 3 m/s between two bodies, which the library allows for
-///   it. A body that was deeper than 1 cm in others is pushed by each of them.
+///   it. A body that was deeper than 1 cm in others is pushed by each of them, and pushes what lies
+///   on it.
 class Energy : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {
@@ -49,6 +50,8 @@ class Energy : public Check {
             moving += kinetic(body);
             if (std::max(body.deepest, moment.before[i].deepest) > 0.01f) overlapped_[i] = true;
             allowed += body.mass * gravity * std::abs(body.gravity_scale) * 0.02;
+            for (const int other : body.touched)
+                if (other != the_world && overlapped_[std::size_t(other)]) overlapped_[i] = true;
             pushes_[i] = std::max(pushes_[i], body.touched.size());
             if (overlapped_[i]) allowed += 0.5 * body.mass * std::pow(3.0 * double(pushes_[i]), 2);
         }
