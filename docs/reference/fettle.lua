@@ -761,7 +761,7 @@ World = {}
 
 ---The body stopped touching another.
 ---@class Body.contact_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Body To whom it happened.
@@ -805,7 +805,7 @@ World = {}
 
 ---The body left a sensor, or a shape left this sensor.
 ---@class Body.sensor_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Body To whom it happened.
@@ -969,7 +969,7 @@ Body = {}
 
 ---The shape stopped touching another.
 ---@class Shape.contact_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Shape To whom it happened.
@@ -1013,7 +1013,7 @@ Body = {}
 
 ---The shape left a sensor, or a shape left this sensor.
 ---@class Shape.sensor_end
----@field other Object The other body; the world itself for its bounds. It may have been deleted: then only alive(), name, class and is_a() can be used.
+---@field other Object The other body; the world itself for its bounds. It may have been deleted: then the record's other_alive is false, and only alive(), name, class and is_a() can be used.
 ---@field shape Shape? The shape of this body; nil for the capsule of a mover.
 ---@field other_shape Shape? The shape of the other; nil for the bounds and for the capsule of a mover.
 ---@field instance Shape To whom it happened.

@@ -44,6 +44,26 @@ TEST_CASE("two balls that hit a brick in the same step break it once") {
     CHECK(done.out == "hit\tbrick\nend\tfalse\tbrick\tBrick\ttrue\tfalse\tBox\ttrue\n0\n");
 }
 
+TEST_CASE("a record says whether its instances are alive") {
+    const Outcome done = run(R"lua(
+        world.floor = Body { type = "static", position = vec(0, -1), Box { width = 40, height = 2 } }
+        world.ball = Body { position = vec(0, 0.55), Circle {} }
+        world.ball:on("contact_begin", function(c)
+            print("begin", c.other_alive, c.shape_alive, c.instance_alive)
+            world.floor:delete()
+        end)
+        world.ball:on("contact_end", function(c)
+            print("end", c.other_alive, c.shape_alive, c.other.name)
+            print(pcall(function() return c.speed_alive end))
+            print(pcall(function() return c.nothing_alive end))
+        end)
+    )lua");
+    CHECK(done.err.empty());
+    CHECK(done.status == 0);
+    CHECK(contains(done.out, "begin\ttrue\ttrue\ttrue\nend\tfalse\ttrue\tfloor\nfalse\t"));
+    CHECK(contains(done.out, "nothing_alive: no such field"));
+}
+
 TEST_CASE("two shots that hit a foe in the same step reduce its lives once") {
     const Outcome done = run(R"lua(
         world.gravity = vec(0, 0)

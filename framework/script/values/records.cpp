@@ -22,10 +22,25 @@ std::vector<std::string> field_names(lua_State* L) {
     return names;
 }
 
+/// `other_alive` is whether the instance in the field `other` is alive; the same for every field
+/// with an instance. False, and nothing is pushed, for other names.
+bool push_alive(lua_State* L, std::string_view name) {
+    constexpr std::string_view ending = "_alive";
+    if (!name.ends_with(ending)) return false;
+    push_text(L, name.substr(0, name.size() - ending.size()));
+    lua_rawget(L, 1);
+    const InstanceBox* const box = instance_at(L, -1);
+    lua_pop(L, 1);  // the record keeps it
+    if (box == nullptr) return false;
+    lua_pushboolean(L, machine_of(L).tree.alive(box->handle));
+    return true;
+}
+
 int read_record(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::vector<std::string> names = field_names(L);
         const std::string name = string_at(L, 2);
+        if (push_alive(L, name)) return 1;
         push_registry(L, machine_of(L).boxes.record);
         lua_getfield(L, -1, "nil_fields");
         lua_pushvalue(L, 2);

@@ -23,7 +23,8 @@ std::vector<Field> pair_fields(Moment moment) {
          moment == Moment::begin
              ? "The other body; the world itself for its bounds."
              : "The other body; the world itself for its bounds. It may have been deleted: then "
-               "only alive(), name, class and is_a() can be used."},
+               "the record's other_alive is false, and only alive(), name, class and is_a() can be "
+               "used."},
         {.name = "shape",
          .type = Type::reference,
          .doc = "The shape of this body; nil for the capsule of a mover.",
