@@ -42,6 +42,25 @@ assert(Body {}.friction > 0.5)
     CHECK_THAT(s.fails("function Body:step() end"), contains("derive one"));
 }
 
+TEST_CASE("an instance that a timer or step makes is ready before its first step") {
+    Stage s;
+    s.run(R"lua(
+        Foe = class("Foe", Object) {}
+        function Foe:ready() self.bar = Object {} print("ready", self.name) end
+        function Foe:step() print("step", self.name, self.bar.name) end
+        after(0, function() world.timed = Foe {} end)
+        function step() if not world:has("stepped") then world.stepped = Foe {} end step = nil end
+    )lua");
+    s.step();
+    CHECK(s.errors.empty());
+    for (const char* name : {"timed", "stepped"})
+        CHECK_THAT(stage::joined(s.printed), contains(std::string("ready\t") + name));
+    const std::string all = stage::joined(s.printed);
+    CHECK(all.find("ready\ttimed") < all.find("step\ttimed\tbar"));
+    CHECK(all.find("ready\tstepped") < all.find("step\tstepped\tbar"));
+    CHECK(all.find("step\tstepped\tbar") != std::string::npos);
+}
+
 TEST_CASE("the functions ready and step and event handlers of a class of a script are called") {
     Stage s;
     s.run(R"lua(

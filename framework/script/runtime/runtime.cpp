@@ -336,6 +336,7 @@ bool Runtime::step(double now, double dt) {
     ok &= machine.timers.run();
     const Value arguments[] = {Value(dt)};
     ok &= call_global(machine, "step", arguments);
+    ok &= machine.classes.deliver_ready();  // of what timers and step() have made: before its step
     ok &= machine.classes.step(dt);
     ok &= machine.classes.step_states(dt);
     ok &= machine.classes.deliver_ready();
