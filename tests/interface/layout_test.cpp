@@ -70,6 +70,32 @@ TEST_CASE("a label as wide as its text shows all of it wherever it is") {
     }
 }
 
+TEST_CASE("in a row that is too narrow the widest texts are cut and short ones are whole") {
+    Placed s(R"(game.c = Column { size = vec(340, 0),
+        Row { Label { text = "Jump", grow = 1 }, Button { text = "space, gamepad a, mouse left" } },
+        Row { Button { text = "Yes" }, Button { text = "a text that is much longer than there is room for it here" },
+              Slider { size = vec(80, 0) } },
+        Row { Label { text = "some words that wrap as long as it takes", grow = 1 }, Button { text = "Yes" } } }
+        game.free = Label { text = "Jump" } game.yes = Button { text = "Yes" })");
+    // The word in the label is whole, and the button has the rest.
+    const auto right = [&](const std::string& path) { return s.at(path).x + s.size(path).x; };
+    const double end = right("c");
+    CHECK(s.size("c.row.label").x >= s.size("free").x);
+    CHECK(s.size("c.row.label").y == s.size("free").y);
+    CHECK(s.size("c.row.button").x > 200);
+    CHECK(right("c.row.button") <= end + 1);
+    CHECK(s.size("c.row_2.button").x == s.size("yes").x);
+    CHECK(right("c.row_2.slider") <= end + 1);
+    CHECK(right("c.row_2.slider") > end - 3);
+    CHECK(s.size("c.row_3.button").x == s.size("yes").x);
+    CHECK(s.size("c.row_3.label").y > 1.5 * s.size("free").y);
+    CHECK(right("c.row_3.button") <= end + 1);
+    // Where there is room, nothing is cut.
+    s.set("c.size", Value(Vec2(900, 0)));
+    CHECK(s.size("c.row.button").x < 400);
+    CHECK(right("c.row_2.slider") < right("c"));
+}
+
 TEST_CASE("text that is too long wraps or is cut") {
     Placed s(
         R"(game.l = Label { size = vec(200, 0), text = "one two three four five six seven eight nine ten" })");

@@ -24,6 +24,7 @@ inline constexpr double scroll_bar = 12;  // width
 inline constexpr double field_x = 11;
 inline constexpr double control_width = 220;
 inline constexpr double list_height = 220;
+inline constexpr double narrowest = 60;  // width to which a text is cut in a row at most
 }  // namespace measure
 
 class Layout {
@@ -59,6 +60,8 @@ class Layout {
     property::Vec2 natural(Widget& widget, double width);
     property::Vec2 natural_line(Widget& widget, double width, int along);
     property::Vec2 natural_panel(Widget& widget, double width);
+    double longest_word(const Widget& widget) const;
+    double widest_text(Widget& row, double width, double needed);
     property::Vec2 natural_control(Widget& widget, double width);
     property::Vec2 natural_list(Widget& widget, double width);
     property::Vec2 natural_text(Widget& widget, double width);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <layout/growing.h>
 #include <layout/layout.h>
@@ -21,6 +24,17 @@ Vec2 Layout::measure(Row row, double width) {
     widget.wanted = wanted.max(widget.min_size);
     return widget.wanted;
 }
+
+namespace {
+
+/// Whether it may be narrower than its text in a row that is too narrow.
+bool gives_way(const Widget& widget) {
+    const bool text =
+        widget.kind == Kind::button || widget.kind == Kind::toggle || widget.kind == Kind::label;
+    return text && !(widget.size.x > 0);
+}
+
+}  // namespace
 
 Vec2 Layout::natural(Widget& widget, double width) {
     const Lettering lettering = Lettering::of(widget);
@@ -75,6 +89,40 @@ Vec2 Layout::natural_control(Widget& widget, double width) {
     return {std::ceil(widest) + beside, std::round(count * lettering.line_height() + edge)};
 }
 
+/// The width that a text needs which grows in a row and wraps; 0 for other widgets.
+double Layout::longest_word(const Widget& widget) const {
+    if (widget.kind != Kind::label || widget.overflow != "wrap" || widget.size.x > 0) return 0;
+    const Lettering lettering = Lettering::of(widget);
+    double longest = 0;
+    std::istringstream words(widget.text);
+    for (std::string word; words >> word;)
+        longest = std::max(longest, lettering.width(media_, word));
+    return std::max(std::ceil(longest), widget.min_size.x);
+}
+
+/// The width to which the widest texts of a row are cut, so that everything has room in it: short
+/// ones stay whole. `width` if all have room. `needed`: by those that grow.
+double Layout::widest_text(Widget& row, double width, double needed) {
+    std::vector<double> texts;
+    double room = width - needed;
+    for (const Row child : row.children) {
+        Widget& one = widgets_[child];
+        if (growth(one, 0) > 0) continue;
+        const double wanted = measure(child, width).x;
+        if (gives_way(one))
+            texts.push_back(wanted);
+        else
+            room -= wanted;
+    }
+    std::sort(texts.begin(), texts.end());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const double share = room / static_cast<double>(texts.size() - i);
+        if (texts[i] > share) return std::max(std::floor(share), measure::narrowest);
+        room -= texts[i];
+    }
+    return width;
+}
+
 Vec2 Layout::natural_panel(Widget& widget, double width) {
     const double padding = padding_of(widget);
     Vec2 most(0, 0);
@@ -90,18 +138,28 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
     if (along == 0 && count > 0) left -= spacing * (count - 1);
     Vec2 wanted(0, 0);
     const auto add = [&](Row child, double given) {
-        const Vec2 one = measure(child, given);
+        Vec2 one = measure(child, given);
+        if (along == 0 && gives_way(widgets_[child])) {
+            one.x = std::min(one.x, std::max(given, widgets_[child].min_size.x));
+            widgets_[child].wanted.x = one.x;
+        }
         wanted[along] += one[along];
         wanted[1 - along] = std::max(wanted[1 - along], one[1 - along]);
         if (along == 0) left = std::max(0.0, left - one.x);
     };
     // In a row, those that grow get what the others leave.
-    double shares = 0;
+    double shares = 0, needed = 0;
     for (const Row child : widget.children) {
         const double grow = growth(widgets_[child], along);
         shares += grow;
-        if (grow == 0 || along == 1) add(child, left);
+        if (grow > 0) needed += longest_word(widgets_[child]);
     }
+    const double widest = along == 0 ? widest_text(widget, left, needed) : width;
+    for (const Row child : widget.children)
+        if (along == 1 || growth(widgets_[child], along) == 0) {
+            const bool narrower = gives_way(widgets_[child]) && widest < left;
+            add(child, narrower ? widest : left);
+        }
     const double rest = left;
     if (along == 0)
         for (const Row child : widget.children)

@@ -119,11 +119,13 @@ int write_global(lua_State* L) {
     if (lua_type(L, 2) == LUA_TSTRING) {
         const std::string_view name = view_at(L, 2);
         if (name == "game" || machine.tree.child(machine.tree.root(), name))
-            throw Error(
-                ErrorKind::bad_name,
-                std::string(name) + ": is part of the tree; " +
-                    (name == "game" ? std::string("it cannot be replaced")
-                                    : "assign game." + std::string(name) + " to replace it"));
+            throw Error(ErrorKind::bad_name,
+                        std::string(name) + ": " +
+                            (name == "game"
+                                 ? std::string("is part of the tree; it cannot be replaced")
+                                 : "game has a child of this name, which is a global; assign "
+                                   "game." +
+                                       std::string(name) + " to replace it, or use another name"));
         if (write_stated(L, machine, name, 3)) return 0;
         // Fettle would never call a function with a misspelled name such as `keypressed`.
         if (lua_type(L, 3) == LUA_TFUNCTION && name.size() >= 8) {
