@@ -24,7 +24,10 @@ local function load_level(index, screen)
     screens.open(screen)
 end
 
-function run.play(index) load_level(index, "play") end
+function run.play(index)
+    run.tries = index == run.level and run.tries + 1 or 1
+    load_level(index, "play")
+end
 function run.title() load_level(0, "title") end
 local function playing() return screens.name == "play" end
 
@@ -55,6 +58,7 @@ local function win()
     screens.result = { score = score, sparks = sparks, seconds = clock, record = score > old.score, best = old.score }
     levels[run.level] = { score = math.max(score, old.score), sparks = math.max(sparks, old.sparks) }
     store.levels = levels
+    run.tries = 0
     store.unlocked = math.max(screens.reached(), math.min(run.count, run.level + 1))
     fly_home()
     finish("home", "home", 0.12)

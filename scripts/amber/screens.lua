@@ -1,7 +1,7 @@
 -- The menus, which are widgets, and what is written during play. While a menu is open, the game gets neither keys nor clicks.
 
 local things, sound = require("things"), require("sound")
-local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0 } }
+local screens = { name = "title", back = "title", age = 0, game = { count = 12, level = 0, sparks = 0, tries = 0 } }
 local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, color("#a99bc9"), things.faded
 local full, missing = color("white"), color("#564880")      -- the tints of sparks
 local menus = {}                                            -- functions that make them, by name
@@ -144,7 +144,10 @@ function screens.update(dt)
     for k = 1, math.min(screens.result.sparks, math.floor(counted * 3)) do column.sparks:children()[k].tint = full end
 end
 
+function screens.tip() return screens.game.tries > 3 and world.level.tip or "" end          -- from the fourth try on
+
 function screens.draw_play(pen, past)
+    pen.text(vec(0, 6.6), screens.tip(), 0.46, gold)
     pen.text(vec(-11.6, 6.9), screens.game.level .. "  " .. world.level.title, 0.62, cream, "left", "bold")
     for k = 1, 3 do pen.image("art/spark.png", vec(9.6 + k * 0.65, 6.85), 0.4, nil, nil, k <= screens.game.sparks and full or missing) end
     pen.text(vec(11.6, -7.05), input.gamepad_1.connected and "Y again    Start pause" or "R again    P pause", 0.42, color("#cfc4ec"), "right")

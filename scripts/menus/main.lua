@@ -50,7 +50,7 @@ function Level:enter(args)
     self.gravity = vec(0, -game.gravity)
     self:add(Body { type = "static", Box { width = 40, height = 1, color = color("#3c5491") },
         position = vec(0, -5) }, "ground")
-    local hero = self:add(Body { Circle { radius = 0.5, color = color("#ffd23f") }, position = vec(-6, -3) }, "hero")
+    local hero = self:add(Body { Circle { radius = 0.5, color = color("#ffd23f"), orientation_mark = true }, position = vec(-6, -3) }, "hero")
     for i = 1, 3 + self.number do
         local coin = self:add(Body { type = "static", position = vec(-6 + 2.4 * i, -3 + 2 * math.sin(i * 2)),
             Circle { radius = 0.35, sensor = true, color = color("#e4572e") } }, "coin_" .. i)

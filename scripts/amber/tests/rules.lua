@@ -31,6 +31,18 @@ test("time turns back for a crate and its rope, and not for the ball", function(
     expect(ball.position.x):above(rolled)
 end)
 
+test("who tries a level for the fourth time gets a hint", function(t)
+    play(t, 3)
+    for _ = 1, 3 do
+        expect(screens.tip()):is("")
+        t:tap("r")
+    end
+    expect(screens.tip()):contains("cut the rope")
+    screens.game.play(4)
+    t:steps(2)
+    expect(screens.tip()):is("")
+end)
+
 test("a rope of amber stays cut, and a spark stays collected", function(t)
     play(t, 1)
     t:click(world.level.rope:middle())
