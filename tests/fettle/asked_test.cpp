@@ -317,7 +317,7 @@ TEST_CASE("a function given as the wrong argument is reported with the right arg
                         "accept: raycast(from, to [, mask] [, group] [, accept])"));
 }
 
-TEST_CASE("values that rewinding restored are reported as restored") {
+TEST_CASE("after a rewind the last writer is that of the moment before") {
     const Folder folder;
     const std::string game = folder.write("main.lua", "world.ball = Body { mass = 2 }\n");
     const Outcome outcome = fettle(
@@ -325,7 +325,7 @@ TEST_CASE("values that rewinding restored are reported as restored") {
                  "--console", "50:who('world.ball.mass')", "--console", "50:rewind(0.5)",
                  "--console", "54:snapshot()", "--console", "55:why('world.ball.mass')"});
     CHECK_THAT(outcome.out, contains("world.ball.mass: console:1, step 4"));
-    CHECK_THAT(outcome.out, contains("world.ball.mass: restore, step "));
+    CHECK_THAT(outcome.out, contains("world.ball.mass: script, step 0"));
     CHECK_THAT(outcome.out, contains("› snapshot()\n  snapshot\n"));
 }
 }  // namespace asked_test
