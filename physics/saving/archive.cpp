@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 // Saving a world and restoring it in place. The saved data are the members that `WorldState` lists.
@@ -35,7 +36,12 @@ constexpr uint32_t layout() {
     return mixed;
 }
 
-constexpr uint32_t byte_order = 0x01020304;
+/// By their order, the bytes of such a word tell that of the machine, and by their first digits the
+/// precision of positions, with which the layout differs, too.
+constexpr uint32_t single_precision = 0x01020304, double_precision = 0x11121314;
+constexpr uint32_t byte_order =
+    std::is_same_v<WorldCoordinate, double> ? double_precision : single_precision;
+constexpr uint32_t of_other_precision = single_precision ^ double_precision ^ byte_order;
 
 }  // namespace
 }  // namespace detail
@@ -70,6 +76,13 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
     read(header);
     if (header.magic != archive_magic)
         throw std::invalid_argument("the data are not a saved world");
+    if (header.version == archive_version && header.byte_order == of_other_precision)
+        throw std::invalid_argument(
+            byte_order == single_precision
+                ? "the world was saved with positions in double precision, and this library has "
+                  "single precision (FETTLE_PHYSICS_DOUBLE)"
+                : "the world was saved with positions in single precision, and this library has "
+                  "double precision (FETTLE_PHYSICS_DOUBLE)");
     if (header.version != archive_version || header.layout != layout() ||
         header.byte_order != byte_order)
         throw std::invalid_argument("the world was saved by another version of this library");

@@ -12,7 +12,7 @@ struct SavedHeader {
     uint32_t magic;
     uint32_t version;
     uint32_t layout;      ///< of the records that are copied byte by byte
-    uint32_t byte_order;  ///< has a different value on a machine with another byte order
+    uint32_t byte_order;  ///< of the machine, and the precision of positions
     uint64_t size;        ///< total number of bytes, this header included
     uint64_t checksum;    ///< of all bytes after it
 };

@@ -44,6 +44,24 @@ bool is_refused(World& target, std::span<const std::byte> bytes) {
 
 }  // namespace
 
+TEST_CASE(
+    "a world saved by a library with the other precision of positions is refused with the reason") {
+    World target;
+    auto bytes = several().back();
+    detail::SavedHeader header;
+    std::memcpy(&header, bytes.data(), sizeof header);
+    const bool is_single = sizeof(Position) == sizeof(Vec2);
+    REQUIRE(header.byte_order == (is_single ? 0x01020304 : 0x11121314));
+    header.byte_order ^= 0x10101010;
+    header.layout ^= 1;
+    std::memcpy(bytes.data(), &header, sizeof header);
+    const std::string saved_with = is_single ? "double" : "single";
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("saved with positions in " + saved_with));
+    header.byte_order = 0x04030201;
+    std::memcpy(bytes.data(), &header, sizeof header);
+    REQUIRE_THROWS_WITH(target.restore(bytes), contains("another version"));
+}
+
 TEST_CASE("a saved world with any byte changed is refused and the world stays as it was") {
     World target;
     add_ball(target, {3, 4});

@@ -3,8 +3,8 @@
 
 #include "catch.h"
 #include "header_text.h"
-#include "thorough.h"
 #include "random_arguments.h"
+#include "thorough.h"
 
 namespace random_calls_test {
 
