@@ -185,16 +185,16 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
     }
     INFO(outcome.out);
     // A new method that changes something must be added here.
-    CHECK(contains(
-        outcome.out,
-        "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
-        "Body:apply_torque Emitter:clear Emitter:emit Interface:prefer Mover:drop Mover:jump "
-        "Polygon:add_vertex "
-        "SoundSource:play "
-        "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile "
-        "Time:forget_branch Time:go_to Time:name_branch Time:switch_to "
-        "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode "
-        "World:explode_surfaces\ndone\t"));
+    CHECK(contains(outcome.out,
+                   "\nAudio:stop Body:apply_angular_impulse Body:apply_force Body:apply_impulse "
+                   "Body:apply_torque Camera:shake Emitter:clear Emitter:emit Interface:prefer "
+                   "Mover:drop Mover:jump "
+                   "Polygon:add_vertex "
+                   "SoundSource:play "
+                   "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile "
+                   "Time:forget_branch Time:go_to Time:name_branch Time:switch_to "
+                   "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode "
+                   "World:explode_surfaces\ndone\t"));
 }
 
 TEST_CASE("a formula that pushes a body moves nothing and reports the reason") {
