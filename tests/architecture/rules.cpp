@@ -53,7 +53,7 @@ const std::vector<Part>& parts() {
         {"visuals",
          {"framework/visuals", "framework/include/fettle/visuals"},
          {"module", "property", "storage", "maps"},
-         {"JSON", "stb", "FreeType", "Fontconfig"}},
+         {"JSON", "stb", "FreeType", "HarfBuzz", "Fontconfig"}},
         {"script",
          {"framework/script", "framework/include/fettle/script"},
          {"property", "storage"},
@@ -101,6 +101,7 @@ const std::vector<Library>& libraries() {
         // Only headers; the console links the library for ImGui.
         {"stb", std::regex("stb/stb_.*"), std::regex("")},
         {"FreeType", std::regex("ft2build\\.h"), std::regex("fettle_fonts")},
+        {"HarfBuzz", std::regex("hb\\.h"), std::regex("fettle_fonts")},
         {"Fontconfig", std::regex("fontconfig/.*"), std::regex("fettle_fonts")},
         {"SQLite", std::regex("sqlite3.*"), std::regex("fettle_sqlite|SQLite::.*|SQLite3::.*")},
         {"Zstandard", std::regex("zstd\\.h"), std::regex("fettle_zstd|PkgConfig::ZSTD|zstd::.*")},

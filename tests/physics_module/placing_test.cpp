@@ -60,8 +60,8 @@ struct Travellers : Game {
                        {"sensor_events", false},
                        {"visible", false},
                        {"border", property::Color{0, 0, 1, 1}}});
-    Handle circle = make(
-        "Circle", crate, {{"radius", 0.3}, {"center", Vec2(1, 1)}, {"orientation_mark", true}});
+    Handle circle = make("Circle", crate,
+                         {{"radius", 0.3}, {"center", Vec2(1, 1)}, {"orientation_mark", true}});
     Handle hull = make("Polygon", crate,
                        {{"vertices", List{Vec2(0, 0), Vec2(2, 0), Vec2(2, 2), Vec2(1, 3)}},
                         {"sensor", true},

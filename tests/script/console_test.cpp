@@ -80,16 +80,15 @@ TEST_CASE("an instance prints as a table with units and a set as rows") {
 TEST_CASE("the console says what the name of a new property may mean") {
     Stage s;
     s.run("world.ball = Body { Circle {} } world.ball.hp = 3 world.plain = Object { health = 1 }");
-    CHECK(s.console("world.ball.mas = 4") ==
-          "world.ball.mas: nil → 4 (did you mean \"mass\"?)");
+    CHECK(s.console("world.ball.mas = 4") == "world.ball.mas: nil → 4 (did you mean \"mass\"?)");
     // Each time, not only the first one.
     CHECK(s.console("world.ball.mas = nil world.ball.mas = 5 world.ball.mas = nil") != "");
-    CHECK(s.console("world.ball.mas = 4") ==
-          "world.ball.mas: nil → 4 (did you mean \"mass\"?)");
+    CHECK(s.console("world.ball.mas = 4") == "world.ball.mas: nil → 4 (did you mean \"mass\"?)");
     CHECK_THAT(s.console("world.ball.mas = 5"), contains("4 → 5") && !contains("mean"));
     CHECK(s.console("world.ball.pos = vec(1, 2)") ==
           "world.ball.pos: nil → vec(1, 2) (did you mean position?)");
-    CHECK(s.console("world.ball.radius = 2") == "world.ball.radius: nil → 2; its Circle has radius");
+    CHECK(s.console("world.ball.radius = 2") ==
+          "world.ball.radius: nil → 2; its Circle has radius");
     CHECK(s.console("world.ball.mas = nil world.ball.mas = nil") != "");
     CHECK_THAT(s.console("world.ball.mas is 1 + 1"), contains("2 (did you mean \"mass\"?)"));
     CHECK(s.console("world.plain.health2 = 3") == "world.plain.health2: nil → 3");
