@@ -135,7 +135,7 @@ TEST_CASE("a body of many boxes shows no seams and has one border around all") {
         floor(6, 0, color("red"))
         floor(3.0071, 0.0613, color("red"))
         floor(-2, 0, color(1, 0, 0, 0.5))
-        floor(-6.0071, 0.0613, color("red"), true)
+        floor(-6.0071, 0.0613, color(1, 0, 0, 0.25), true)
     )");
     struct Floor {
         double y, angle;
