@@ -291,7 +291,7 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     const SolverInput& input = step.input;
     const ContactScratch& contacts = step.contacts;
     const SolverBlock& block = step.schedule.blocks[0];
-    FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}};
+    FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}, {}};
     first.serial.bodies = step.bodies.solver_bodies;
     first.serial.forces = step.bodies.solver_forces;
     first.serial.constraints = step.contacts.serial.constraints;
