@@ -7,6 +7,7 @@
 #include <iostream>
 #include <utility>
 
+#include <command_line/end_request.h>
 #include <command_line/terminal.h>
 
 #ifdef FETTLE_WITH_CONSOLE
@@ -49,15 +50,22 @@ void CommandLines::talk() {
     editor_.emplace(history_file(), [this](std::string_view line, std::size_t cursor) {
         return candidates(line, cursor);
     });
+    const EndRequest::Interrupts interrupts;
     const auto idle = [&] {
+        if (EndRequest::Interrupts::take()) return LineEditor::Next::drop_line;
         runner_.idle();
         std::fflush(stdout);
-        return !runner_.ended();
+        return runner_.ended() ? LineEditor::Next::end : LineEditor::Next::read_on;
     };
     while (!runner_.ended()) {
-        const std::optional<std::string> line = editor_->read(pending_.empty() ? "› " : "… ", idle);
+        const std::optional<LineEditor::Line> line =
+            editor_->read(pending_.empty() ? "› " : "… ", idle);
         if (!line) break;
-        take(*line);
+        if (line->dropped)
+            pending_.clear();
+        else
+            take(line->text);
+        EndRequest::Interrupts::take();  // it stopped the command
     }
     editor_.reset();
 }

@@ -27,6 +27,10 @@ std::array<struct sigaction, signals.size() + 1> before;
 constexpr int max_alarms = 10;
 volatile std::sig_atomic_t alarms = 0;
 
+volatile std::sig_atomic_t interrupts_taken = 0;  // while an `Interrupts` exists
+volatile std::sig_atomic_t interrupt_arrived = 0;
+volatile std::sig_atomic_t command_runs = 0;
+
 /// Writes to stderr. It may run in a signal handler, so it uses no stream and allocates nothing.
 void tell_at_once(std::string_view text) {
     const auto written = ::write(STDERR_FILENO, text.data(), text.size());
@@ -34,6 +38,12 @@ void tell_at_once(std::string_view text) {
 }
 
 void on_signal(int number) {
+    if (number == SIGINT && interrupts_taken != 0 && interrupt_arrived == 0 && asked_by == 0) {
+        interrupt_arrived = 1;
+        script::Runtime* const runtime = stopped.load();
+        if (command_runs != 0 && runtime != nullptr) runtime->interrupt();
+        return;
+    }
     if (asked_by != 0) {
         tell_at_once("fettle: a second signal: the run ends at once\n");
         std::signal(number, SIG_DFL);
@@ -94,6 +104,37 @@ EndRequest::Scripts::Scripts(script::Runtime& runtime) {
 
 EndRequest::Scripts::~Scripts() {
     stopped = nullptr;
+}
+
+EndRequest::Interrupts::Interrupts() {
+    interrupt_arrived = 0;
+    interrupts_taken = 1;
+}
+
+EndRequest::Interrupts::~Interrupts() {
+    interrupts_taken = 0;
+    interrupt_arrived = 0;
+}
+
+bool EndRequest::Interrupts::arrived() {
+    return interrupt_arrived != 0;
+}
+
+bool EndRequest::Interrupts::take() {
+    const bool arrived = interrupt_arrived != 0;
+    interrupt_arrived = 0;
+    return arrived;
+}
+
+EndRequest::Command::Command() {
+    command_runs = 1;
+}
+
+EndRequest::Command::~Command() {
+    command_runs = 0;
+    // If the run is to end, its scripts stay interrupted until `closing`.
+    script::Runtime* const runtime = stopped.load();
+    if (runtime != nullptr && interrupt_arrived != 0 && asked_by == 0) runtime->go_on();
 }
 
 }  // namespace fettle::program

@@ -31,6 +31,27 @@ class EndRequest {
         ~Scripts();
         Scripts(const Scripts&) = delete;
     };
+
+    /// While it exists, a first SIGINT does not end the run: it stops what is done at the moment, a
+    /// command or the line that is typed. A second one that arrives before `take` ends the run.
+    class Interrupts {
+      public:
+        Interrupts();
+        ~Interrupts();
+        Interrupts(const Interrupts&) = delete;
+
+        static bool arrived();  ///< true from the signal to `take`
+        static bool take();     ///< whether the signal had arrived; the next one is a first one
+    };
+
+    /// While it exists, the signal of `Interrupts` interrupts the scripts of `Scripts` at once.
+    /// They may run again when it ends.
+    class Command {
+      public:
+        Command();
+        ~Command();
+        Command(const Command&) = delete;
+    };
 };
 
 }  // namespace fettle::program

@@ -43,8 +43,8 @@ struct LineEditor::State {
     History* history = nullptr;
     HistEvent event{};
     std::string prompt;
-    std::function<bool()> idle;
-    bool reading = false, printed = false;
+    std::function<Next()> idle;
+    bool reading = false, printed = false, dropped = false;
 
     static State& of(EditLine* editor) {
         void* data = nullptr;
@@ -59,7 +59,9 @@ struct LineEditor::State {
         for (;;) {
             pollfd input = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
             const int ready = ::poll(&input, 1, frame_milliseconds);
-            if (!state.idle()) return 0;
+            const Next next = state.idle();
+            state.dropped = next == Next::drop_line;
+            if (next != Next::read_on) return 0;
             if (std::exchange(state.printed, false)) el_set(editor, EL_REFRESH);
             if (ready <= 0) continue;
             char byte = 0;
@@ -155,20 +157,26 @@ LineEditor::~LineEditor() {
     el_end(state.editor);
 }
 
-std::optional<std::string> LineEditor::read(const std::string& prompt,
-                                            const std::function<bool()>& idle) {
+std::optional<LineEditor::Line> LineEditor::read(const std::string& prompt,
+                                                 const std::function<Next()>& idle) {
     State& state = *state_;
     state.prompt = prompt;
     state.idle = idle;
     state.reading = true;
+    state.dropped = false;
     int count = 0;
     const char* const text = el_gets(state.editor, &count);
     state.reading = false;
+    if (state.dropped) {
+        std::printf("^C\n");
+        std::fflush(stdout);
+        return Line{.text = {}, .dropped = true};
+    }
     if (text == nullptr || count <= 0) return std::nullopt;
     std::string line(text, static_cast<std::size_t>(count));
     while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
     if (!line.empty()) ::history(state.history, &state.event, H_ENTER, line.c_str());
-    return line;
+    return Line{.text = std::move(line)};
 }
 
 void LineEditor::make_room() {

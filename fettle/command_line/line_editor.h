@@ -29,9 +29,15 @@ class LineEditor {
     ~LineEditor();
     LineEditor(const LineEditor&) = delete;
 
-    /// Reads a line, without its end. None when the input ends, or when `idle` returns false.
-    /// `idle` is called sixty times a second meanwhile. What it prints appears above the line.
-    std::optional<std::string> read(const std::string& prompt, const std::function<bool()>& idle);
+    enum class Next { read_on, drop_line, end };
+    struct Line {
+        std::string text;      // without its end
+        bool dropped = false;  // `idle` returned `drop_line`; then the text is empty
+    };
+
+    /// Reads a line. None when the input ends, or when `idle` returns `end`. `idle` is called sixty
+    /// times a second meanwhile. What it prints appears above the line.
+    std::optional<Line> read(const std::string& prompt, const std::function<Next()>& idle);
     /// Call before `idle` prints.
     void make_room();
 

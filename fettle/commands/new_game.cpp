@@ -52,13 +52,14 @@ std::vector<std::string> template_names() {
     return names;
 }
 
-void require_template(const std::string& name) {
+/// Why there is no such template; empty if there is one.
+std::string template_problem(const std::string& name) {
     const std::vector<std::string> names = template_names();
-    if (std::ranges::find(names, name) != names.end()) return;
+    if (std::ranges::find(names, name) != names.end()) return {};
     std::string all;
     for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-    throw FileError("--template: there is no template \"" + on_one_line(name) + "\"; there are " +
-                    all + property::suggestion(name, names));
+    return "--template: there is no template \"" + on_one_line(name) + "\"; there are " + all +
+           property::suggestion(name, names);
 }
 
 /// FNV-1a; the same on every machine.
@@ -165,7 +166,10 @@ void fill(const fs::path& folder, const fs::path& draft) {
 }  // namespace
 
 int new_game(const NewGameOptions& options) {
-    require_template(options.pattern);
+    if (const std::string problem = template_problem(options.pattern); !problem.empty()) {
+        tell(problem);
+        return bad_usage;
+    }
     fs::path folder = fs::absolute(options.folder).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();
     std::error_code error;

@@ -54,7 +54,7 @@ class Repl : private CommandRunner {
     int run() {
         session_.start();
         last_ = Clock::now();
-        lines_.read("Type any Lua, or help(). Tab completes, Ctrl+D ends.");
+        lines_.read("Type any Lua, or help(). Tab completes, Ctrl+C stops, Ctrl+D ends.");
         const int asked = EndRequest::asked();
         return asked != 0 ? status_of_signal(asked) : session_.exit_status();
     }
@@ -81,16 +81,27 @@ class Repl : private CommandRunner {
     }
 
     bool run(const std::string& command) override {
-        const script::Evaluation said = session_.runtime().evaluate(command);
+        const script::Evaluation said = evaluate(command);
         if (said.incomplete) return false;
         print_answer(lines_of(said));
         std::fflush(stdout);
         app::Loop& loop = session_.loop();
         if (!loop.stopped()) loop.frame(0);
-        for (; turns_ > 0 && !loop.stopped() && !ended(); --turns_) loop.turn();
+        while (turns_ > 0 && !loop.stopped() && !ended() && !EndRequest::Interrupts::arrived()) {
+            loop.turn();
+            --turns_;
+        }
+        if (turns_ > 0 && EndRequest::Interrupts::arrived())
+            print_line("✗ stopped: " + std::to_string(turns_) + " steps of advance were not made");
         turns_ = 0;
         last_ = Clock::now();
         return true;
+    }
+
+    /// In a terminal, Ctrl+C stops the command with an error.
+    script::Evaluation evaluate(const std::string& command) {
+        const EndRequest::Command stoppable;
+        return session_.runtime().evaluate(command);
     }
 
     std::vector<script::Completion> complete(const std::string& command,

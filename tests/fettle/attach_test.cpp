@@ -110,11 +110,11 @@ TEST_CASE("a property of the console begins and ends listening") {
 TEST_CASE("a game without a console and a game in a sandbox do not listen") {
     const Folder folder;
     folder.write("drop/main.lua", "console.listen = true");
-    const std::string game = (folder / "drop").string();
+    const std::string drop = (folder / "drop").string();
     std::filesystem::create_directories(folder / "run");
     const std::string before = "export XDG_RUNTIME_DIR=" + quoted((folder / "run").string()) + "; ";
     const auto run = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), {"run", game, "--headless", "--steps", "30"});
+        more.insert(more.begin(), {"run", drop, "--headless", "--steps", "30"});
         return fettle(folder, more, before);
     };
     const Outcome boxed = run({"--sandbox"});

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <regex>
 
@@ -32,6 +33,8 @@ class Terminal {
         child_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
         REQUIRE(child_ >= 0);
         if (child_ != 0) return;
+        // Tests may run in the background, where a shell makes its commands ignore Ctrl+C.
+        std::signal(SIGINT, SIG_DFL);
         setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
         setenv("TERM", "xterm", 1);
         setenv("LC_ALL", "C.UTF-8", 1);
@@ -184,6 +187,46 @@ TEST_CASE("in a terminal words are completed and the game goes on") {
         REQUIRE(terminal.shows("it runs"));
         CHECK(terminal.ended_by(keys) == (keys == "\x04" ? 0 : 5));
     }
+}
+
+TEST_CASE("in a terminal, ctrl-c stops a command or a line and the game goes on") {
+    const Folder folder;
+    const std::string game =
+        folder.write("game/main.lua",
+                     "slow = false\nfunction step() if slow then for i = 1, 1e4 do end end end\n");
+    Terminal terminal(folder, game);
+    REQUIRE(terminal.shows("Ctrl+C stops"));
+    REQUIRE(terminal.shows("› "));
+    // A line that is typed.
+    terminal.type("print('dropped' .. '");
+    REQUIRE(terminal.shows("dropped"));
+    terminal.type("\x03");
+    REQUIRE(terminal.shows("^C"));
+    terminal.type("print('the next ' .. 'line')\n");
+    CHECK(terminal.shows("the next line"));
+    // The lines of a command that is not complete.
+    terminal.type("for i = 1, 2 do\n");
+    REQUIRE(terminal.shows("… "));
+    terminal.type("\x03");
+    REQUIRE(terminal.shows("^C"));
+    terminal.type("40 + 2\n");
+    CHECK(terminal.shows("  42"));
+    // A command, also one that catches errors.
+    terminal.type(
+        "print('it ' .. 'runs') while true do pcall(function() while true do end end) end\n");
+    REQUIRE(terminal.shows("it runs"));
+    terminal.type("\x03");
+    CHECK(terminal.shows("✗"));
+    terminal.type("40 + 3\n");
+    CHECK(terminal.shows("  43"));
+    // The steps of advance.
+    terminal.type("slow = true\nadvance(3600)\n");
+    REQUIRE(terminal.shows("216000"));
+    terminal.type("\x03");
+    CHECK(terminal.shows("were not made"));
+    terminal.type("slow = false print('before ' .. tostring(time.now < 3600))\n");
+    CHECK(terminal.shows("before true"));
+    CHECK(terminal.ended_by("\x04") == 0);
 }
 
 }  // namespace repl_test
