@@ -137,6 +137,7 @@ property::Media& Visuals::media() {
 
 void Visuals::step(double dt) {
     state_->sprites.step(dt);
+    state_->texts.step();
     state_->tilemaps.step(dt);
     state_->emitters.step(dt);
 }

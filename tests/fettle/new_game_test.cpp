@@ -73,7 +73,7 @@ TEST_CASE("an unknown template is an error with the nearest name") {
     const Folder folder;
     const Outcome run =
         fettle(folder, {"new", (folder / "game").string(), "--template", "platfromer"});
-    CHECK(run.status == 3);
+    CHECK(run.status == 2);
     CHECK(contains(run.err, "there are empty, physics, platformer, topdown"));
     CHECK(contains(run.err, "did you mean \"platformer\"?"));
     CHECK_FALSE(fs::exists(folder / "game"));

@@ -251,4 +251,20 @@ TEST_CASE("chunks run at their step of the run even if the time of the game was 
     CHECK(run.err == "fettle: --at 41 was never reached: the run ended with its step 40\n");
 }
 
+TEST_CASE("missing files are told where nothing is drawn") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "Text { text = 'hi', font = 'a.ttf' } Sprite { image = 'b.png' }\n"
+                 "Emitter { image = 'c.png' } view.effect = 'd.frag'");
+    const Outcome run =
+        fettle(folder, {"run", (folder / "game").string(), "--headless", "--steps", "2"});
+    for (const char* what :
+         {"Text.font: there is no file \"a.ttf\"", "Sprite.image: there is no file \"b.png\"",
+          "Emitter.image: there is no file \"c.png\"",
+          "view.effect: there is no file \"d.frag\""}) {
+        CAPTURE(what, run.err);
+        CHECK(contains(run.err, what));
+    }
+}
+
 }  // namespace run_test

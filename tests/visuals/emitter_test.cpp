@@ -243,6 +243,21 @@ TEST_CASE_METHOD(Sparks, "pictures and blending") {
     CHECK((d.upper_left - d.lower_left).length() == Approx(1));
 }
 
+TEST_CASE_METHOD(Sparks, "a missing image is told where nothing is drawn, and once") {
+    const Handle e = emitter({{"rate", 0.0}, {"image", "hreo.tga"}});
+    step(2);
+    const std::vector<std::string> expected{
+        "Emitter.image: there is no file \"hreo.tga\" (did you mean \"hero.tga\"?)"};
+    CHECK(problems == expected);
+    tree.set(e, "image", Value("hero.tga"));
+    tree.set(e, "rate", Value(60.0));
+    step(1);
+    CHECK(draw().at(0).area.width == 8);
+    tree.set(e, "image", Value(""));
+    CHECK(draw().at(0).area.width != 8);
+    CHECK(problems == expected);
+}
+
 TEST_CASE_METHOD(Sparks, "particles on the screen") {
     const Handle layer = make("Layer", {{"space", "screen"}});
     emitter({{"burst", 1},

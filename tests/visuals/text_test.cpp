@@ -173,6 +173,14 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
     CHECK(problems.size() == 2);
 }
 
+TEST_CASE_METHOD(Written, "a missing font is told where nothing is drawn, and once") {
+    tree.set(text, "font", Value("onw.ttf"));
+    step(3);
+    CHECK(problems == std::vector<std::string>{"Text.font: there is no file \"onw.ttf\""});
+    CHECK(width() >= 0);
+    CHECK(problems.size() == 1);
+}
+
 // A file of a game may be made to break a reader of fonts.
 TEST_CASE_METHOD(Written, "a damaged font is a message and never a crash") {
     const std::string header("\0\1\0\0", 4);

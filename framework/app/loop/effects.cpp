@@ -136,8 +136,12 @@ void Effects::set_uniforms() {
     }
 }
 
-const Effect* Effects::now(double time) {
+void Effects::step() {
     if (effect_.name != view_.effect) read();
+}
+
+const Effect* Effects::now(double time) {
+    step();
     if (!readable_) return nullptr;
     effect_.time = time;
     set_uniforms();

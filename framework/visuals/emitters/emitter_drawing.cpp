@@ -44,7 +44,17 @@ std::array<T, parts + 1> curve(const Value& list, T otherwise, Read read) {
 
 }  // namespace
 
-void Emitters::draw(const Row& row, property::Painter& painter, double alpha) {
+/// Null without an image.
+const Sheet* Emitters::sheet_of(Row& row) {
+    const Value name = Reader(*tree_, row.state.self).value(of_.image);
+    if (!(name == row.image)) {
+        row.image = name;
+        row.sheet = name.text().empty() ? nullptr : images_.get("Emitter.image", name.text());
+    }
+    return row.sheet.get();
+}
+
+void Emitters::draw(Row& row, property::Painter& painter, double alpha) {
     const property::Handle self = row.state.self;
     const Reader read(*tree_, self);
     if (row.particles.empty() || !read.flag(of_.visible)) return;
@@ -52,8 +62,7 @@ void Emitters::draw(const Row& row, property::Painter& painter, double alpha) {
         curve<double>(read.value(of_.size), 0.1, [](const Value& v) { return v.as_double(); });
     const auto colors =
         curve<Color>(read.value(of_.color), Color{}, [](const Value& v) { return v.color(); });
-    const std::string name = read.value(of_.image).text();
-    const auto sheet = name.empty() ? nullptr : images_.get("Emitter.image", name);
+    const Sheet* const sheet = sheet_of(row);
     const property::Picture& picture = sheet != nullptr ? sheet->picture : dot_;
     property::PictureArea area{0, 0, static_cast<double>(picture.width()),
                                static_cast<double>(picture.height())};

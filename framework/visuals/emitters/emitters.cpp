@@ -142,9 +142,12 @@ void Emitters::step(double dt) {
     ended_.clear();
     all_ = 0;
     for (const Row& row : rows_) all_ += row.particles.size();
-    for (Row& row : rows_)
+    for (Row& row : rows_) {
+        if (!row.state.self) continue;
+        (void)sheet_of(row);  // tells of a missing file also where nothing is drawn
         // A detached emitter is not in the game yet.
-        if (row.state.self && tree_->parent(row.state.self)) advance(row, dt);
+        if (tree_->parent(row.state.self)) advance(row, dt);
+    }
 }
 
 void Emitters::report() {

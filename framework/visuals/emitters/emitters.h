@@ -42,6 +42,8 @@ class Emitters {
     struct Row {
         State state{};
         std::vector<Particle> particles{};
+        property::Value image{};               // the name of the sheet
+        std::shared_ptr<const Sheet> sheet{};  // null without an image
     };
     struct Properties {
         const property::Property *rate, *burst, *lifetime, *speed, *spread, *randomness, *gravity,
@@ -64,7 +66,8 @@ class Emitters {
     bool on_screen(property::Handle self) const;
 
     // --- emitter_drawing.cpp
-    void draw(const Row& row, property::Painter& painter, double alpha);
+    const Sheet* sheet_of(Row& row);
+    void draw(Row& row, property::Painter& painter, double alpha);
 
     Images& images_;
     property::Tree* tree_ = nullptr;

@@ -150,6 +150,16 @@ void Texts::forget_layouts() {
     for (Row& row : rows_) row.wrap = -1;
 }
 
+void Texts::step() {
+    for (Row& row : rows_) {
+        if (!row.self) continue;
+        const Value font = Reader(*tree_, row.self).value(of_.font);
+        if (font == row.loaded_font) continue;
+        row.loaded_font = font;
+        (void)fonts_.get("Text.font", font.text());
+    }
+}
+
 const Layout& Texts::layout(Row& row) {
     const Reader read(*tree_, row.self);
     const double size = read.number(of_.size);

@@ -18,6 +18,9 @@ class Texts {
     void define(property::Tree& tree);
     /// To be called when a font has changed.
     void forget_layouts();
+    /// Loads fonts that have not been loaded. So a missing file is told where nothing is drawn,
+    /// too.
+    void step();
 
   private:
     /// The layout that was used last, and what it was made of.
@@ -26,6 +29,7 @@ class Texts {
         property::Value text{}, font{}, align{};
         double wrap = -1;  // for a font of size 1
         Layout layout{};
+        property::Value loaded_font{};
     };
     struct Properties {
         const property::Property *text, *font, *size, *align, *anchor, *wrap, *color, *outline,
