@@ -1152,6 +1152,11 @@ Concave = {}
 ---@class Chain : Shape
 ---@field closed boolean True if the last point is connected to the first; this needs three points. · true or false · default false
 ---@field points vec[] Its points in the coordinates of the body. · m · -1000000 to 1000000 · default {vec(-0.5, 0), vec(0.5, 0)}
+---@field segment_friction number[] Friction of each segment, in the order of the points: {0.6, 0} makes the second one ice. Infinity, or no value: that of the chain. A value stays with the number of its segment when points change. · 0 to inf · default {} · may be infinite
+---@field segment_material integer[] Material of each segment, from 0 to 65534; -1, or no value: that of the chain. · -1 to 65534 · default {}
+---@field segment_restitution number[] Restitution of each segment, from 0 to 1; infinity, or no value: that of the chain. · 0 to inf · default {} · may be infinite
+---@field segment_rolling_resistance number[] Resistance to rolling of each segment; infinity, or no value: that of the chain. · 0 to inf · default {} · may be infinite
+---@field segment_surface_speed number[] Speed of the surface of each segment, against the order of the points; infinity, or no value: that of the chain. · m/s · any length · default {} · may be infinite
 local fettle_Chain = {}
 
 ---A line of segments without seams, solid on its left: points from left to right are ground; a closed counter-clockwise chain is a container. Bodies pass through it from the other side.

@@ -176,10 +176,11 @@ void check(const ShapeDef& def) {
 }
 
 void check(const SegmentSurface& surface) {
-    check_not_negative("friction", surface.friction);
-    check_range("restitution", surface.restitution, 0.0f, 1.0f);
-    check_not_negative("rolling_resistance", surface.rolling_resistance);
-    check_finite("surface_speed", surface.surface_speed);
+    const auto own = [](float value) { return value == infinity ? 0.0f : value; };
+    check_not_negative("friction", own(surface.friction));
+    check_range("restitution", own(surface.restitution), 0.0f, 1.0f);
+    check_not_negative("rolling_resistance", own(surface.rolling_resistance));
+    check_finite("surface_speed", own(surface.surface_speed));
 }
 
 namespace {

@@ -62,8 +62,8 @@ void write_softness(const ContactStiffness& stiffness, Wide impulse, const Bodie
         return u + t * (v - u);
     };
     const auto gyration = [](const Bodies& body) {
-        return (body.mass > Wide{}) & (body.inertia > Wide{}) ? body.mass / body.inertia
-                                                              : splat(1e30f);
+        return ((body.mass > Wide{}) & (body.inertia > Wide{})) ? body.mass / body.inertia
+                                                                : splat(1e30f);
     };
     constexpr float least_rate = ContactStiffness::least_rate;
     const Wide size = lesser(

@@ -41,7 +41,7 @@ void set_own_surface(ObjectState& objects, uint32_t shape, uint32_t segment,
     auto& all = objects.segment_surfaces;
     const auto place = all.begin() + std::ptrdiff_t(place_of(objects, shape, segment));
     const bool found = place != all.end() && place->shape == shape && place->segment == segment;
-    if (!surface) {
+    if (!surface || *surface == surface_of_shape) {
         if (found) all.erase(place);
     } else if (found) {
         place->surface = *surface;
@@ -59,11 +59,14 @@ void forget_segment_surfaces(ObjectState& objects, uint32_t shape) {
 
 ShapeDef with_own(const ShapeDef& of_shape, const SegmentSurface& own) {
     ShapeDef surface = of_shape;
-    surface.friction = own.friction;
-    surface.restitution = own.restitution;
-    surface.rolling_resistance = own.rolling_resistance;
-    surface.surface_speed = own.surface_speed;
-    surface.material = own.material;
+    const auto take = [](auto& value, auto given, auto means_that_of_shape) {
+        if (given != means_that_of_shape) value = given;
+    };
+    take(surface.friction, own.friction, surface_of_shape.friction);
+    take(surface.restitution, own.restitution, surface_of_shape.restitution);
+    take(surface.rolling_resistance, own.rolling_resistance, surface_of_shape.rolling_resistance);
+    take(surface.surface_speed, own.surface_speed, surface_of_shape.surface_speed);
+    take(surface.material, own.material, surface_of_shape.material);
     return surface;
 }
 

@@ -134,9 +134,9 @@ void Obstacles::put_aside(float distance) {
 }
 
 float Obstacles::farthest_shift() const {
-    float farthest = 0.0f;
-    for (const Obstacle& each : all_) farthest = max(farthest, length(each.shift));
-    return farthest;
+    float longest = 0.0f;
+    for (const Obstacle& each : all_) longest = max(longest, length(each.shift));
+    return longest;
 }
 
 /// The plane of an obstacle that contains a part of the capsule's line: that of the side through

@@ -19,6 +19,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
+constexpr uint32_t swapped_magic = 0x46655477;  // "wTeF"
 constexpr uint32_t archive_version = 20;
 
 /// Hash of the layout of the types that are copied byte by byte. A different layout is a different
@@ -74,6 +75,8 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
     SavedHeader header;
     ArchiveReader read(bytes);
     read(header);
+    if (header.magic == swapped_magic)
+        throw std::invalid_argument("the world was saved on a machine with the other byte order");
     if (header.magic != archive_magic)
         throw std::invalid_argument("the data are not a saved world");
     if (header.version == archive_version && header.byte_order == of_other_precision)
@@ -83,9 +86,15 @@ ArchiveReader unsealed(std::span<const std::byte> bytes) {
                   "single precision (FETTLE_PHYSICS_DOUBLE)"
                 : "the world was saved with positions in single precision, and this library has "
                   "double precision (FETTLE_PHYSICS_DOUBLE)");
-    if (header.version != archive_version || header.layout != layout() ||
-        header.byte_order != byte_order)
-        throw std::invalid_argument("the world was saved by another version of this library");
+    if (header.version != archive_version)
+        throw std::invalid_argument(
+            "the world was saved by another version of this library, in format " +
+            std::to_string(header.version) + ": expected format " +
+            std::to_string(archive_version));
+    if (header.byte_order != byte_order || header.layout != layout())
+        throw std::invalid_argument(
+            "the world was saved by a build of this library for another machine or compiler, "
+            "which lays its records out in another way");
     if (header.size != bytes.size())
         throw std::invalid_argument("the saved world is damaged: it has " +
                                     std::to_string(bytes.size()) + " bytes and was saved with " +

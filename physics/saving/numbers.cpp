@@ -80,8 +80,7 @@ void check(const BodyState& state, const Pose& previous, size_t slot) {
 // --- Shapes
 
 std::span<const Vec2> points_of(const WorldState& w, size_t shape, size_t count) {
-    static_assert(sizeof(Vec2) == sizeof(Vec2) && alignof(Vec2) <= alignof(Vec2));
-    return {reinterpret_cast<const Vec2*>(&w.pool.local[w.forms[shape].begin]), count};
+    return {&w.pool.local[w.forms[shape].begin], count};
 }
 
 void check_polygon(const WorldState& w, size_t shape) {

@@ -49,10 +49,23 @@ std::optional<SegmentSurface> Shape::segment_surface_override(uint32_t segment) 
 SegmentSurface Shape::segment_surface(uint32_t segment) const {
     WorldData& data = of_chain(live(), id_.index, __func__);
     check_segment(data, id_.index, segment);
-    if (const SegmentSurface* own = own_surface(data, id_.index, segment)) return *own;
-    const ShapeDef& surface = data.shapes[id_.index].surface;
+    const SegmentSurface* own = own_surface(data, id_.index, segment);
+    const ShapeDef surface =
+        with_own(data.shapes[id_.index].surface, own != nullptr ? *own : surface_of_shape);
     return {surface.friction, surface.restitution, surface.rolling_resistance,
             surface.surface_speed, surface.material};
+}
+
+std::vector<SegmentSurface> Shape::segment_surface_overrides() const {
+    WorldData& data = of_chain(live(), id_.index, __func__);
+    std::vector<SegmentSurface> all;
+    const uint32_t count = count_segments(data, id_.index);
+    for (const SegmentRecord& record : segment_surfaces_of(data, id_.index)) {
+        if (record.segment >= count) break;
+        if (all.empty()) all.assign(count, surface_of_shape);
+        all[record.segment] = record.surface;
+    }
+    return all;
 }
 
 void Shape::set_segment_surface(uint32_t segment, const std::optional<SegmentSurface>& surface) {

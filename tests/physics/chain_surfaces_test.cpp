@@ -144,6 +144,34 @@ TEST_CASE("contacts and events and callbacks say which segment and material") {
     REQUIRE(listed);
 }
 
+TEST_CASE("a value of a segment that is infinity follows that of the chain") {
+    World world;
+    Shape ground = add_ground(world, 3, {.friction = 0.5f, .material = 3});
+    SegmentSurface ice = surface_of_shape;
+    ice.friction = 0;
+    ground.set_segment_surface(1, ice);
+    REQUIRE(ground.segment_surface_override(1) == ice);
+    REQUIRE(ground.segment_surface_overrides() ==
+            std::vector<SegmentSurface>{surface_of_shape, ice, surface_of_shape});
+    REQUIRE(ground.segment_surface(1) == SegmentSurface{.friction = 0, .material = 3});
+    ground.set_restitution(0.25f);
+    ground.set_surface_speed(-2);
+    REQUIRE(ground.segment_surface(1).restitution == 0.25f);
+    REQUIRE(ground.segment_surface(1).surface_speed == -2);
+    REQUIRE(ground.segment_surface(1).friction == 0);
+    Body rough = add_slider(world, 2, 0), slider = add_slider(world, 12);
+    run(world, 1.0f);
+    REQUIRE(std::fabs(rough.velocity().x) == Approx(2).epsilon(0.01));
+    REQUIRE(slider.velocity().x == Approx(5).epsilon(0.001));
+    const World copy = world.clone();
+    ground.set_segment_surface(1, surface_of_shape);
+    REQUIRE_FALSE(ground.segment_surface_override(1));
+    REQUIRE(ground.segment_surface_overrides().empty());
+    world.restore(copy);
+    REQUIRE(ground.segment_surface_override(1) == ice);
+    REQUIRE_FALSE(world.validate());
+}
+
 TEST_CASE("surfaces stay with the numbers of segments when points change") {
     World world;
     Shape ground = add_ground(world, 3);
@@ -222,7 +250,7 @@ TEST_CASE("wrong surfaces of segments are refused and change nothing") {
     refused([&] { ground.set_segment_surface(0, SegmentSurface{.friction = nan}); }, "friction");
     refused([&] { ground.set_segment_surface(0, SegmentSurface{.restitution = 2}); },
             "restitution");
-    refused([&] { ground.set_segment_surface(0, SegmentSurface{.surface_speed = infinity}); },
+    refused([&] { ground.set_segment_surface(0, SegmentSurface{.surface_speed = -infinity}); },
             "surface_speed");
     refused([&] { ground.set_segment_surfaces(std::vector<SegmentSurface>(2)); },
             "expected none or 3");

@@ -134,6 +134,7 @@ inline const std::vector<Method>& every_method() {
         READ(Shape, segment_surface, chain, (1)),
         EDIT(Shape, set_segment_surface, chain, (1, SegmentSurface{.friction = 0.1f})),
         READ(Shape, segment_surface_override, chain, (1)),
+        READ(Shape, segment_surface_overrides, chain, ()),
         EDIT(Shape, set_segment_surfaces, chain, ({})),
         READ(Shape, density, box, ()),
         EDIT(Shape, set_density, box, (0.5f)),

@@ -98,7 +98,7 @@ TEST_CASE("a joint is not made of bodies that are none or not of its world") {
     const auto refused = [&](const JointDef& def, const std::string& what) {
         for (const auto& [name, create] : every_joint()) {
             INFO(name << ": " << what);
-            CHECK_THAT(error_of([&] { create(world, def); }), contains(what));
+            CHECK_THAT(error_of([&, &create = create] { create(world, def); }), contains(what));
         }
     };
     refused({.body_a = stale, .body_b = good}, "body_a: body");

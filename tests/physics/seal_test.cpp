@@ -57,9 +57,30 @@ TEST_CASE(
     std::memcpy(bytes.data(), &header, sizeof header);
     const std::string saved_with = is_single ? "double" : "single";
     REQUIRE_THROWS_WITH(target.restore(bytes), contains("saved with positions in " + saved_with));
-    header.byte_order = 0x04030201;
-    std::memcpy(bytes.data(), &header, sizeof header);
-    REQUIRE_THROWS_WITH(target.restore(bytes), contains("another version"));
+}
+
+TEST_CASE("a world saved by another build is refused with what differs") {
+    World target;
+    const auto bytes = several().back();
+    const auto refused = [&](auto change, const char* reason) {
+        auto other = bytes;
+        detail::SavedHeader header;
+        std::memcpy(&header, other.data(), sizeof header);
+        change(header);
+        std::memcpy(other.data(), &header, sizeof header);
+        REQUIRE_THROWS_WITH(target.restore(other), contains(reason));
+    };
+    using detail::SavedHeader;
+    refused([](SavedHeader& header) { header.version = 3; }, "in format 3: expected format ");
+    refused([](SavedHeader& header) { header.layout ^= 1; }, "another machine or compiler");
+    refused([](SavedHeader& header) { header.byte_order = 0x04030201; }, "another machine");
+    refused([](SavedHeader& header) { header.magic = 1; }, "not a saved world");
+    refused(
+        [](SavedHeader& header) {
+            auto* first = reinterpret_cast<char*>(&header.magic);
+            std::reverse(first, first + sizeof header.magic);
+        },
+        "the other byte order");
 }
 
 TEST_CASE("a saved world with any byte changed is refused and the world stays as it was") {

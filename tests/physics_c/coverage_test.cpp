@@ -59,6 +59,8 @@ const std::map<std::string, std::string> exceptions = {
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
     {"World::keep_account", "for tools that explain a world, as the console does"},
     {"World::account", "for tools that explain a world, as the console does"},
+    {"Shape::segment_surface_overrides",
+     "a list; fettle_shape_segment_surface_override gives each of its elements"},
     {"Owner::tell_unlocked", "the library calls it"},
     {"Mover::definition", "in C it is a structure of the caller, as is the state"},
     {"Mover::set_definition", "in C it is a structure of the caller"},

@@ -244,6 +244,12 @@ TEST_CASE_METHOD(Hostile, "the bound in an error message is accepted when it is 
                 } else if (property->type == Type::vec2) {
                     value = Vec2(x, x);
                     beyond = Vec2(0, beyond.number());
+                } else if (property->type == Type::list && property->element != Type::vec2) {
+                    if (property->element == Type::integer)
+                        value = List{static_cast<std::int64_t>(x)};
+                    else
+                        value = List{x};
+                    beyond = List{std::floor(beyond.number())};
                 } else if (property->type == Type::list) {
                     value = List{Vec2(0, 0), Vec2(x, x), Vec2(x, 0)};
                     beyond = List{Vec2(0, 0), Vec2(1, 1), Vec2(beyond.number(), 0)};

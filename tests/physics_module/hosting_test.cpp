@@ -43,9 +43,9 @@ void hosted_pyramid(Game& game, Handle world) {
 TEST_CASE_METHOD(Game, "a class that derives from a class of the module leaves the rows to it") {
     property::ClassDescriptor own{.name = "Own", .base = "Body"};
     own.lifecycle.create = [](void*, property::Tree&, Handle) -> property::Row { return 12345; };
-    for (const char* base : {"Body", "Circle", "World", "Shape", "Joint", "DistanceJoint"}) {
-        own.base = base;
-        CAPTURE(base);
+    for (const char* inherited : {"Body", "Circle", "World", "Shape", "Joint", "DistanceJoint"}) {
+        own.base = inherited;
+        CAPTURE(inherited);
         CHECK_THROWS_WITH(tree.define(own),
                           contains("class Own: `lifecycle`: it inherits the property"));
     }

@@ -1,6 +1,7 @@
 // Instances are created without a world, enter one, move to another and leave it.
 
 #include <cmath>
+#include <limits>
 
 #include <fettle/property/storage/scene.h>
 
@@ -186,6 +187,37 @@ TEST_CASE_METHOD(Game, "a group of bodies enters the world with all that is in i
         CHECK(y(b) < 5);
         CHECK(physics.body(b).shape_count() == 1);
     }
+}
+
+TEST_CASE_METHOD(Game,
+                 "a chain keeps the surfaces of its segments when it moves to another world") {
+    const double same = std::numeric_limits<double>::infinity();
+    const Handle ground = make("Body", world(), {{"type", "static"}});
+    const List points = {Vec2(0, 0), Vec2(5, 0), Vec2(9, 0)};
+    const Handle chain = make("Chain", ground, {{"points", points}});
+    CHECK(get(chain, "segment_friction") == List{});
+    set(chain, "segment_friction", List{same, 0.25});
+    set(chain, "segment_material", List{7, -1});
+    const auto check = [&] {
+        CHECK(get(chain, "segment_friction") == List{same, 0.25});
+        CHECK(get(chain, "segment_material") == List{7});
+        CHECK(get(chain, "segment_restitution") == List{});
+    };
+    check();
+    tree.move(ground, make("World", tree.root(), "second"));
+    check();
+    const property::Snapshot before = tree.snapshot();
+    set(chain, "segment_friction", List{});
+    set(chain, "segment_material", List{});
+    CHECK_FALSE(physics.shape(chain).segment_surface_override(0));
+    tree.restore(before);
+    tree.barrier();
+    check();
+    CHECK_THROWS_WITH(set(chain, "segment_friction", List{1, 1, 1}),
+                      contains("at most 2 values, one for each segment"));
+    CHECK_THROWS_WITH(set(chain, "segment_restitution", List{2}), contains("restitution"));
+    CHECK_THROWS_AS(set(chain, "segment_material", List{65535}), property::Error);
+    check();
 }
 
 TEST_CASE_METHOD(Game, "a shape moves from body to body") {

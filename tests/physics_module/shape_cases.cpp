@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "catch.h"
 #include "stage.h"
@@ -97,6 +98,44 @@ Cases shape_cases() {
     return cases;
 }
 
+namespace {
+
+/// A chain between the body and the floor, whose segments get surfaces of their own.
+void add_segment_cases(Cases& cases) {
+    const auto on_chain = [](Stage& s) {
+        s.other = s.game.make("Body", s.world, {{"type", "static"}});
+        s.game.make("Chain", s.other, {{"points", List{Vec2(-20, 0), Vec2(-9, 0), Vec2(20, 0)}}});
+        s.game.set(s.body, "position", Vec2(0, 0.5));
+        s.game.set(s.game.shape_of(s.floor), "mask", 0);
+    };
+    const double same = std::numeric_limits<double>::infinity();
+    const auto add = [&](const char* name, List value, int steps, auto effect) -> Case& {
+        Case& one = cases[name] = make_case(std::move(value), steps, effect);
+        one.prepare = on_chain;
+        one.subject = [](Stage& s) { return s.game.shape_of(s.other); };
+        return one;
+    };
+    add("Chain.segment_friction", {same, 0.0}, 30, [](Stage& s) {
+        return s.game.x(s.body) > 0.1;
+    }).prepare = [on_chain](Stage& s) {
+        on_chain(s);
+        s.game.set(s.body, "force", Vec2(3, 0));
+    };
+    add("Chain.segment_restitution", {same, 1.0}, 120, bounced).then = drop;
+    Case& rolling = add("Chain.segment_rolling_resistance", {same, 0.5}, 120,
+                        [](Stage& s) { return s.game.x(s.body) < 1.5; });
+    rolling.shape = "Circle";
+    rolling.then = roll;
+    add("Chain.segment_surface_speed", {same, 2.0}, 60,
+        [](Stage& s) { return std::fabs(s.game.x(s.body)) > 0.5; });
+    add("Chain.segment_material", {-1, 7}, 1, [](Stage& s) {
+        const auto contacts = s.game.physics.body(s.body).contacts();
+        return !contacts.empty() && contacts[0].material_a + contacts[0].material_b == 7;
+    });
+}
+
+}  // namespace
+
 Cases form_cases() {
     const auto rises_to = [](double height) {
         return [height](Stage& s) { return s.game.y(s.body) > height; };
@@ -149,6 +188,7 @@ Cases form_cases() {
     Case& closed = cases["Chain.closed"] =
         of("Chain", make_case(true, 1, [](Stage& s) { return s.draw().figures.size() == 3; }));
     closed.prepare = stand;
+    add_segment_cases(cases);
     return cases;
 }
 

@@ -132,7 +132,7 @@ class Shape(Handle):
         return hull_statuses[status[0]]
 
     def segment_surface(self, segment):
-        """Chain: the surface of a segment, its own or that of the shape. They count from 0."""
+        """Chain: the surface of a segment: its own values, and those of the shape for the others. They count from 0."""
         out = ffi.new("fettle_segment_surface*")
         check(lib.fettle_shape_segment_surface(self._pointer, self.id, to_number("uint32_t", segment, "segment"), out))
         return _surface_of(out)
@@ -145,7 +145,7 @@ class Shape(Handle):
         return _surface_of(out) if is_set[0] else None
 
     def set_segment_surface(self, segment, surface):
-        """Chain: gives a segment a surface of its own. None: that of the shape."""
+        """Chain: gives a segment a surface of its own. None: that of the shape, as is each number that is infinite."""
         made = ffi.NULL if surface is None else ffi.new("fettle_segment_surface*", _surface_to_c(surface))
         number = to_number("uint32_t", segment, "segment")
         check(lib.fettle_shape_set_segment_surface(self._pointer, self.id, number, made))

@@ -238,6 +238,9 @@ class Objects(unittest.TestCase):
         run(world, 60)
         self.assertAlmostEqual(boxes[0].velocity.x, 0, delta=0.01)
         self.assertAlmostEqual(boxes[1].velocity.x, 5, delta=0.01)
+        ground.set_segment_surface(1, fettle.SegmentSurface(friction=0, restitution=float("inf"), material=65535))
+        ground.restitution = 0.25
+        self.assertEqual((ground.segment_surface(1).restitution, ground.segment_surface(1).material), (0.25, 0))
         ground.set_segment_surface(1, None)
         self.assertIsNone(ground.segment_surface_override(1))
         ground.set_segment_surfaces([ice] * 3)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fettle/physics/world.h>
+#include <fettle/property/lifecycle.h>
 #include <fettle/property/value.h>
 
 namespace fettle::physics_module {

@@ -131,6 +131,8 @@ Row Hosting::migrate_shape(Row from, std::uint32_t to, const physics::Body& owne
 physics::Shape Hosting::copy_shape(const physics::Shape& shape, std::uint32_t to) {
     physics::Shape made = worlds_[to]->world.create_shape(shape.geometry(), description(shape));
     (void)row_of(to, made);
+    if (shape.type() == physics::ShapeType::chain)
+        made.set_segment_surfaces(shape.segment_surface_overrides());
     return made;
 }
 

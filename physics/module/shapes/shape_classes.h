@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <fettle/property/class.h>
 
 namespace fettle::physics_module {
@@ -9,7 +11,8 @@ struct ShapeKind;
 
 void define_shapes(Hosting& hosting);  // Shape and all classes that derive from it
 void define_shape(Hosting& hosting);
-property::Property orientation_mark(Hosting& hosting);  // of round shapes
+property::Property orientation_mark(Hosting& hosting);                   // of round shapes
+std::vector<property::Property> surfaces_of_segments(Hosting& hosting);  // of chains
 property::Lifecycle shape_lifecycle(ShapeKind& kind);
 
 }  // namespace fettle::physics_module

@@ -132,16 +132,19 @@ void define_outlines(Hosting& hosting) {
             hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
             "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
             "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
+    std::vector<Property> chain = {
+        points<most_points>(hosting, "points",
+                            std::get<physics::Chain>(hosting.kinds[7].geometry).points,
+                            "Its points in the coordinates of the body."),
+        flag("closed", false,
+             "True if the last point is connected to the first; this needs three points.",
+             bound<&Shape::closed, &Shape::set_closed>(hosting))};
+    for (Property& property : surfaces_of_segments(hosting)) chain.push_back(std::move(property));
     define(hosting, 7, "Chain",
            "A line of segments without seams, solid on its left: points from left to right are "
            "ground; a closed counter-clockwise chain is a container. Bodies pass through it from "
            "the other side.",
-           {points<most_points>(hosting, "points",
-                                std::get<physics::Chain>(hosting.kinds[7].geometry).points,
-                                "Its points in the coordinates of the body."),
-            flag("closed", false,
-                 "True if the last point is connected to the first; this needs three points.",
-                 bound<&Shape::closed, &Shape::set_closed>(hosting))});
+           std::move(chain));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The method of World that looks ahead: a copy of the world makes steps, and the world itself is
 // not touched.
 
+#include <algorithm>
 #include <cmath>
 
 #include <bindings/bindings.h>

@@ -115,7 +115,8 @@ struct ShapeDef {
 };
 
 /// Surface of one segment of a chain, in place of that of the shape. The members mean what they
-/// mean in `ShapeDef`.
+/// mean in `ShapeDef`. A number that is `infinity` is that of the shape, and so is the material
+/// 65535.
 struct SegmentSurface {
     float friction = 0.6f;            ///< Coulomb coefficient, at least 0
     float restitution = 0.0f;         ///< 0 … 1
@@ -124,6 +125,9 @@ struct SegmentSurface {
     uint16_t material = 0;            ///< a number of the host, without effect
     friend bool operator==(const SegmentSurface&, const SegmentSurface&) = default;
 };
+
+/// A surface that is that of the shape in everything: the same as none.
+inline constexpr SegmentSurface surface_of_shape = {infinity, infinity, infinity, infinity, 65535};
 
 // Geometry, in body coordinates.
 

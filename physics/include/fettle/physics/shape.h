@@ -83,13 +83,16 @@ class Shape {
     // points change, and ends when the shape becomes one of another type.
 
     uint32_t segment_count() const;  ///< chain
-    /// Surface of a segment: its own, or that of the shape. Throws std::invalid_argument for a
-    /// number that is not below `segment_count`, as do the next two.
+    /// Surface of a segment: its own values, and those of the shape for the others. Throws
+    /// std::invalid_argument for a number that is not below `segment_count`, as do the next two.
     SegmentSurface segment_surface(uint32_t segment) const;
     /// None: that of the shape. Takes effect in the next step, and wakes the body.
     void set_segment_surface(uint32_t segment, const std::optional<SegmentSurface>& surface);
     /// None when the segment has that of the shape.
     std::optional<SegmentSurface> segment_surface_override(uint32_t segment) const;
+    /// Those of all segments, in order, as `set_segment_surfaces` takes them: `surface_of_shape`
+    /// for a segment that has none. Empty if no segment has one.
+    std::vector<SegmentSurface> segment_surface_overrides() const;
     /// Sets those of all segments, in order; no surface at all: each has that of the shape. Throws
     /// std::invalid_argument for another number of surfaces than segments.
     void set_segment_surfaces(std::span<const SegmentSurface> surfaces);

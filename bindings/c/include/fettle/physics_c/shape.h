@@ -36,7 +36,8 @@ fettle_code fettle_shape_set_geometry(fettle_world* world, fettle_id shape,
                                       const fettle_geometry* geometry);
 
 /** Surface of one segment of a chain. The members mean what they mean in fettle_shape_def;
-    `surface_speed` is against the order of the points. `material`: from 0 to 65535. */
+    `surface_speed` is against the order of the points. `material`: from 0 to 65535. A number that
+    is infinity is that of the shape, and so is the material 65535. */
 typedef struct fettle_segment_surface {
     float friction;           /* 0 or more */
     float restitution;        /* 0 to 1 */
@@ -50,7 +51,7 @@ typedef struct fettle_segment_surface {
 fettle_code fettle_shape_segment_count(const fettle_world* world, fettle_id shape,
                                        uint32_t* segment_count);
 
-/** Chain: the surface of a segment, its own or that of the shape. */
+/** Chain: the surface of a segment: its own values, and those of the shape for the others. */
 fettle_code fettle_shape_segment_surface(const fettle_world* world, fettle_id shape,
                                          uint32_t segment, fettle_segment_surface* surface);
 
