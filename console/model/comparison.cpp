@@ -53,8 +53,8 @@ std::string meters(double length) {
 }  // namespace
 
 const Comparison::Pose* Comparison::Moment::find(Handle instance) const {
-    const auto found = std::ranges::find(poses, instance, &Pose::instance);
-    return found == poses.end() ? nullptr : &*found;
+    const auto place = std::ranges::find(poses, instance, &Pose::instance);
+    return place == poses.end() ? nullptr : &*place;
 }
 
 void Comparison::ask(const std::string& path, const Value& value, double seconds) {

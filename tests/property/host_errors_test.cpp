@@ -69,10 +69,11 @@ TEST_CASE(
         CAPTURE(what);
         {
             const Inquiry inquiry(tree, "the question", "is asked: it cannot");
-            CHECK(message_of([&] { change(tree); }) == "the question is asked: it cannot " + what);
+            CHECK(message_of([&, &change = change] { change(tree); }) ==
+                  "the question is asked: it cannot " + what);
         }
         std::string refusal;
-        tree.set_formula(a, "size", {.function = [&](const Tree& t) {
+        tree.set_formula(a, "size", {.function = [&, &change = change](const Tree& t) {
                              refusal = message_of([&] { change(const_cast<Tree&>(t)); });
                              return Value(1.0);
                          }});

@@ -80,7 +80,7 @@ TEST_CASE("a module notified of the end of its rows in a restore may not change 
     const auto& [what, change] = changes[GENERATE(range(0, 10))];
     CAPTURE(what);
     std::string refused;
-    things.ending = [&](Handle) {
+    things.ending = [&, &change = change](Handle) {
         refused = message_of(change);
         change();
     };

@@ -54,7 +54,6 @@ TEST_CASE("a runtime that outlives its tree reports this and ends without harm")
         "function Ball:step() end game.ball = Ball {}",
         "main.lua"));
     tree.reset();
-    struct NoPainter final : fettle::property::Painter {};
     const std::vector<std::function<void()>> calls = {
         [&] { runtime.run("print(1)", "main.lua"); },
         [&] { runtime.call("update", {0.1}); },

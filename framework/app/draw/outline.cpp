@@ -12,8 +12,8 @@ namespace {
 
 using Vector = sf::Vector2f;
 
-constexpr float sharp = 0.3f;     // px; a smaller rounding is not visible
-constexpr float miter_limit = 4;  // largest length of a sharp corner, in widths
+constexpr float least_rounding = 0.3f;  // px; a smaller rounding is not visible
+constexpr float miter_limit = 4;        // largest length of a sharp corner, in widths
 constexpr float pi = std::numbers::pi_v<float>;
 
 }  // namespace
@@ -141,7 +141,7 @@ void Outline::begin(std::span<const Vector> corners) {
 
 void Outline::set(std::span<const Vector> corners, float rounding) {
     begin(corners);
-    rounding_ = rounding < sharp ? 0 : rounding;
+    rounding_ = rounding < least_rounding ? 0 : rounding;
     depth_limit_ = rounding_;
     const std::size_t n = corners_.size();
     if (n == 0) return;

@@ -195,13 +195,13 @@ Row Input::State::add_action(Handle instance) {
 
 void Input::State::ActionRules::check(Handle instance, std::string_view name,
                                       const Value& value) const {
-    const property::Tree& tree = state.tree;
-    const std::string path = tree.path(instance) + property::path_suffix(name);
+    const property::Tree& instances = state.tree;
+    const std::string path = instances.path(instance) + property::path_suffix(name);
     const Handle input = state.input_instance;
-    const Class& of = tree.class_of(input);
-    const Handle child = tree.child(input, name);
+    const Class& of = instances.class_of(input);
+    const Handle child = instances.child(input, name);
     if (of.property(name) != nullptr || of.method(name) != nullptr ||
-        (child && &tree.class_of(child) != state.action_class))
+        (child && &instances.class_of(child) != state.action_class))
         throw Error(ErrorKind::bad_name, path +
                                              ": input has something else of that name, so the "
                                              "action needs another one");

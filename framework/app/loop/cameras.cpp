@@ -11,6 +11,7 @@
 
 namespace fettle::app {
 
+using property::accessor;
 using property::Handle;
 using property::Method;
 using property::Property;

@@ -130,6 +130,7 @@ void Loop::step_modules(double dt) {
     }
     services_.view.advance(tree_, dt);
     services_.cameras().advance(dt);
+    services_.effects().step();
 }
 
 void Loop::add(SteppedModule module) {

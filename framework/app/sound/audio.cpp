@@ -162,7 +162,8 @@ void Audio::State::make_room(Handle voice) {
     const auto limit = static_cast<std::size_t>(value(source, *of_source.max_voices).integer());
     for (std::size_t i = 0; i + limit <= own.size(); ++i) tree.destroy(own[i]);
     std::erase_if(all, [&](Handle other) { return !tree.alive(other); });
-    std::ranges::stable_partition(all, [&](Handle other) { return !is_music(source_of(other)); });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](Handle other) { return !is_music(source_of(other)); });
     const auto most = static_cast<std::size_t>(audio.max_voices);
     for (std::size_t i = 0; i < all.size() && voices.size() > most; ++i) tree.destroy(all[i]);
 }

@@ -3,6 +3,7 @@
 
 #include <fettle/script/runtime.h>
 
+#include <calls/error_place.h>
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <lua/budget.h>

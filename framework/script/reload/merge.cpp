@@ -225,7 +225,8 @@ void Merge::refer_to_results() {
             if (said.formula || is_place(name)) continue;
             const Value value = translated(said.value);
             if (value == said.value) continue;
-            attempt(now.instance, name, [&, this] { tree_.set(now.instance, name, value); });
+            attempt(now.instance, name,
+                    [&, this, &name = name] { tree_.set(now.instance, name, value); });
         }
     }
 }

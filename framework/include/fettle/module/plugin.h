@@ -21,7 +21,9 @@ namespace fettle::module {
 /// found.
 class LoadError : public std::runtime_error {
   public:
+    /// With this message.
     explicit LoadError(const std::string& message) : std::runtime_error(message) {}
+    /// With a message of the file and the reason.
     LoadError(const std::filesystem::path& file, const std::string& reason)
         : std::runtime_error(file.string() + ": " + reason) {}
 };
@@ -49,7 +51,7 @@ class Plugin : public Module {
     Plugin(const Plugin&) = delete;
     Plugin& operator=(const Plugin&) = delete;
 
-    const std::filesystem::path& file() const;
+    const std::filesystem::path& file() const;  ///< as it was given to `open`
     /// Version from the module; "" if it has none.
     const std::string& version() const;
     /// Sets the receiver of the module's output; without it, the output goes to stdout.

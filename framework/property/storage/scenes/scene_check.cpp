@@ -5,6 +5,7 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
+#include <scenes/instance_paths.h>
 #include <scenes/scene_plan.h>
 #include <scenes/scene_value.h>
 

@@ -88,7 +88,7 @@ class Keeping {
         for (bool more = true; more;) {
             more = false;  // another tweak may refer to an instance of this one
             for (auto& [file, rows] : scenes_)
-                std::erase_if(rows, [&](JournalRow* row) {
+                std::erase_if(rows, [&, &file = file](JournalRow* row) {
                     if (!leads_out(*row, file)) return false;
                     kept_rows_.push_back(row);
                     return more = true;

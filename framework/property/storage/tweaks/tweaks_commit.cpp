@@ -191,7 +191,7 @@ template <class WithPaths>
 std::string Tweaks::State::without_deleted(const std::string& text, WithPaths with_paths) const {
     if (deleted.empty() && created.empty()) return text;
     try {
-        return with_paths([this](const std::string& path) -> std::optional<std::string> {
+        return with_paths([](const std::string& path) -> std::optional<std::string> {
             if (is_of_deleted(path)) return std::string();
             return std::nullopt;
         });
