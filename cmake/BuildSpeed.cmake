@@ -1,5 +1,21 @@
 # Makes builds faster. Nothing here is needed, and nothing changes what is built.
 
+# fettle_compile_together(VARIABLE PATTERN) moves the files of the list VARIABLE that have a line which matches PATTERN to its
+# front, so that they are compiled in one go and what they include is instantiated once.
+function(fettle_compile_together variable pattern)
+  set(first "")
+  set(others "")
+  foreach(source IN LISTS ${variable})
+    file(STRINGS "${source}" found REGEX "${pattern}" LIMIT_COUNT 1)
+    if(found)
+      list(APPEND first "${source}")
+    else()
+      list(APPEND others "${source}")
+    endif()
+  endforeach()
+  set(${variable} ${first} ${others} PARENT_SCOPE)
+endfunction()
+
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()

@@ -296,13 +296,13 @@ TEST_CASE("a long chain across the border of the world costs no square of its po
 TEST_CASE("deleting a chain under many bodies costs no square of its contacts") {
     World world;
     Chain chain;
-    for (int i = 0; i < 3'000; ++i)
-        chain.points.push_back({0.001f * float(i), 0.001f * float(i % 2)});
+    for (int i = 0; i < 1'500; ++i)
+        chain.points.push_back({0.002f * float(i), 0.001f * float(i % 2)});
     Body ground = world.create_body({.type = BodyType::static_body});
     Shape line = ground.add(chain);
     for (int i = 0; i < 200; ++i) add_ball(world, {1.5f, 0.1f}, 2.0f);
     run(world, 2 * frame);
-    CHECK(world.statistics().contacts > 500'000);
+    CHECK(world.statistics().contacts > 250'000);
     SECTION("the body") {
         ground.destroy();
     }

@@ -64,6 +64,7 @@ run_hashes() {
 run_tests() {
     local targets=() name
     for name in ${tests//;/ }; do [[ $name == determinism ]] || targets+=("test_$name"); done
+    [[ ";$tests;" != *";physics;"* ]] || targets+=(test_physics_families)
     build "${targets[@]}"
     cd -- "$folder"
     ctest --output-on-failure --timeout 3000 -E '^(scene_hashes|determinism)$'
