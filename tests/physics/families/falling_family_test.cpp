@@ -11,7 +11,7 @@
 #include <string>
 
 #include "catch.h"
-#include "families/family.h"
+#include "family.h"
 
 namespace falling_family_test {
 
