@@ -27,8 +27,8 @@ if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 endif()
 
-# GCC collects its garbage again and again unless it is told that there is memory. With these 512 MB it takes 60 MB more at
-# most, and a tenth less time.
+# GCC collects its garbage often unless it may use more memory first. With 512 MB it needs at most 60 MB more and a tenth less
+# time.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=524288)
 endif()

@@ -9,10 +9,10 @@ function(fettle_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-    # The same figures from every compiler and instruction set: no fused multiply-add behind our back.
+    # The same results from every compiler and instruction set: the compiler must not make fused multiply-adds.
     -ffp-contract=off)
-  # GCC 12 sees overlaps and overflows where short texts are joined to a std::string (its bugs 105651 and 105329); the
-  # builds with clang and with later releases have these warnings.
+  # GCC 12 warns of overlaps and overflows that do not exist where short texts are joined to a std::string (its bugs 105651
+  # and 105329). Builds with clang and with later releases have these warnings.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
   endif()
@@ -22,7 +22,7 @@ function(fettle_compile_options target)
   if(FETTLE_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${FETTLE_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all)
-    # GCC's data flow warnings go wrong in instrumented code; the other builds have them.
+    # In instrumented code GCC gives false warnings about uninitialized values. The other builds have this warning.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
     endif()
@@ -36,8 +36,8 @@ function(fettle_optimize_little target)
   set_target_properties(${target} PROPERTIES FETTLE_OPTIMIZED_LITTLE ON)
 endfunction()
 
-# Files whose functions a game calls ten thousand times a frame. Where they begin in a line of the
-# instruction cache is worth a twentieth of such a call, and would change with whatever is linked before them.
+# Files whose functions a game calls ten thousand times a frame. Their alignment in the instruction cache changes the time of
+# such a call by a twentieth; without this it would depend on the code that is linked before them.
 function(fettle_hot_sources)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS
     "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-falign-functions=64>")

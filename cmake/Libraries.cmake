@@ -67,7 +67,7 @@ function(fettle_library name text)
     # Linkers for Windows export all names, but here none of the static libraries behind this one.
     target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
   elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    # What it lacks is an error here, not in the program of whoever links it.
+    # A missing symbol is an error here, not later in a program that links the library.
     set(exports "${PROJECT_SOURCE_DIR}/cmake/exports.map")
     target_link_options(${target} PRIVATE "LINKER:--version-script=${exports}")
     if(NOT FETTLE_SANITIZE)  # clang puts the functions of its sanitizers into programs only

@@ -59,7 +59,7 @@ packages_for() {
     done < <(sed 's/#.*//; /^[[:space:]]*$/d' "$fettle_root/cmake/packages.txt") | sort -u
 }
 
-# Of the given lines, those of which no alternative is installed.
+# Prints those of the given lines for which no alternative is installed.
 not_installed() {
     local line name installed
     installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')

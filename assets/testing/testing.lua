@@ -232,7 +232,7 @@ function t:tap(key)
     coroutine.yield()
 end
 
--- A point of the world, or a widget, of which the middle is meant.
+-- A point of the world, or the middle of a widget.
 local function point_at(target, level)
     local ok, middle = pcall(function() return target.screen_position + 0.5 * target.screen_size end)
     local ok_set, why = pcall(function()

@@ -11,7 +11,8 @@ namespace fettle::bench::wild {
 using Fails = std::function<bool(const WorldPlan&)>;
 
 /// Removes bodies, joints, fields, edits, shapes and steps, and then simplifies what is left: its
-/// settings, sizes and numbers. It stops after so many steps of one body, in all calls of `fails`.
+/// settings, sizes and numbers. `work`: it stops after this many steps, each counted once for each
+/// body, in all calls of `fails` together.
 WorldPlan minimized(WorldPlan plan, const Fails& fails, long long work = 4'000'000);
 
 }  // namespace fettle::bench::wild

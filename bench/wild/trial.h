@@ -19,8 +19,8 @@ struct Trial {
 /// violated. Throws nothing.
 Trial try_plan(const WorldPlan& plan, const MakeWorld& make, std::span<const Invariant> watched);
 
-/// The invariants with these names, of which `same` and `throws` stand in no table; all if there
-/// are no names. Throws std::invalid_argument for others.
+/// The invariants with these names; all if there are no names. The names `same` and `throws` are
+/// valid although no table contains them. Throws std::invalid_argument for any other name.
 std::vector<Invariant> invariants_named(const std::vector<std::string>& names);
 
 }  // namespace fettle::bench::wild

@@ -90,7 +90,7 @@ fettle_code read(const char* function, const fettle_world* world, fettle_id id, 
     });
 }
 
-/// For a value that may not be there.
+/// Writes a value that may be missing.
 template <class Value, class Out>
 void tell_optional(const std::optional<Value>& value, bool* is_set, Out* out) {
     bool& set = needed("is_set", is_set);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What the pointers of a caller in C lead to.
+// The objects behind the pointers of a caller in C.
 
 namespace fettle::physics_c {
 

@@ -26,7 +26,7 @@ fettle_contact_manifold manifold_in_c(const ContactManifold& manifold) {
     return told;
 }
 
-/// Writes elements that have their form in C already.
+/// Writes elements that need no conversion to C.
 template <class Element>
 void tell_all(const std::vector<Element>& all, Element* out, uint32_t room, uint32_t* count) {
     uint32_t& told = needed("count", count);

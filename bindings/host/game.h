@@ -51,7 +51,7 @@ class Game {
     Game(const Game&) = delete;
 
     bool open = false;                      // false: `note` can use the next member only
-    std::vector<std::string> early_notes;   // that no function of the caller got
+    std::vector<std::string> early_notes;   // from before a function could get them
     physics_module::PhysicsModule physics;  // before the tree, which uses its memory
     std::deque<BoundMethod> methods;
     property::Tree tree;
@@ -98,9 +98,9 @@ class Game {
     void report(const script::ScriptError& error);
     /// A message about files, for the console and the caller; the call that is running goes on.
     void note(const std::string& text);
-    /// Tells what of the state that was restored last did not fit.
+    /// Notes which parts of the last restored state did not fit the game.
     void note_remarks(const std::string& state);
-    /// Tells the caller what was noted before there was a function for it.
+    /// Gives the caller the notes from before it set a function for them.
     void tell_early_notes();
     console::Console& needed_console();
 

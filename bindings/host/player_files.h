@@ -11,8 +11,7 @@
 
 namespace fettle::host {
 
-/// The files of a player and of a person who edits: each is there if the definition names its
-/// place.
+/// The files of a player and of a person who edits. Each exists if the definition names its place.
 struct PlayerFiles {
     using Warn = std::function<void(const std::string&)>;
     PlayerFiles(property::Tree& tree, const fettle_hosted_def& def, const Warn& warn);

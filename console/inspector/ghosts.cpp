@@ -67,7 +67,7 @@ Ghosts::~Ghosts() {
 // --- Edits
 
 void Ghosts::wrote(Handle, const property::Property& property, const Value&) {
-    // What is transient is no part of the game: the pause itself, for example.
+    // Transient properties, such as the pause itself, are no part of the game.
     if (!property.transient) note();
 }
 

@@ -252,7 +252,7 @@ void Inspector::draw_several(ImFont* bold) {
     }
 }
 
-/// Of thousands, the first ones are asked: what a class has, all of its instances have.
+/// Looks at no more than fifty instances: all instances of a class have its properties.
 bool Inspector::all_have(const Property& property) const {
     constexpr std::size_t most_asked = 50;
     if (!selection_.others().empty() && property.name == "name") return false;

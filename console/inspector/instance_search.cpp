@@ -61,7 +61,7 @@ void InstanceSearch::begin_again() {
 
 bool InstanceSearch::advance() {
     if (!at_) return false;
-    if (!tree_.alive(at_)) {  // the one to go on with was deleted
+    if (!tree_.alive(at_)) {  // the next instance was deleted
         begin_again();
         return false;
     }

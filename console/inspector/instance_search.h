@@ -26,8 +26,8 @@ class InstanceSearch {
     /// Goes on with the search. Returns whether there is another result.
     bool advance();
     bool running() const { return static_cast<bool>(at_); }
-    /// What was found: of a first search what it has found until now. By name: the names that
-    /// contain the text, then those that have its letters, best first.
+    /// The instances that were found; during a first search, those found so far. By name: first the
+    /// names that contain the text, then names with its letters, best first.
     const std::vector<property::Handle>& found() const { return found_; }
     /// Why the text is no condition, or the name that nothing has; "" without a problem.
     const std::string& problem() const { return problem_; }
@@ -39,7 +39,7 @@ class InstanceSearch {
     const property::Tree& tree_;
     std::string text_, problem_;
     std::optional<property::Condition> condition_;
-    property::Handle at_;  // whom to look at next; null: the search has ended
+    property::Handle at_;  // the next instance to look at; null: the search has ended
     bool first_ = false;   // found_ has no earlier result
     std::vector<property::Handle> matches_;
     std::vector<std::pair<int, property::Handle>> similar_;  // with their scores

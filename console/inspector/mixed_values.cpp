@@ -12,7 +12,8 @@ using property::Value;
 
 namespace {
 
-// Of one property. Numbers are read without making values, so more of them are.
+// Instances whose values of one property are compared in a frame. More numbers are compared,
+// because they are read without making values.
 constexpr std::size_t compared_in_a_frame = 50, numbers_in_a_frame = 1000;
 
 }  // namespace

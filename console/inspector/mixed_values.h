@@ -18,7 +18,7 @@ class MixedValues {
     /// whenever they do.
     void compare_with(const std::vector<property::Handle>& others, std::uint64_t revision);
     const std::vector<property::Handle>& others() const { return others_; }
-    /// The property of another selected instance that stands for `property`; null if it has none.
+    /// The property of another selected instance with that name and type; null if it has none.
     static const property::Property* same(const property::Tree& tree, property::Handle other,
                                           const property::Property& property);
     /// "" if the values are equal, as far as they were compared; otherwise what is shown, such as
@@ -28,7 +28,7 @@ class MixedValues {
 
   private:
     struct Comparison {
-        std::size_t next = 0;                   // whom to compare in the next frame
+        std::size_t next = 0;                   // index of the instance that is compared next
         bool differ = false, differed = false;  // in this round; in the last complete one
         const property::Class* of = nullptr;    // of the last one, if it declares the property
         const property::Property* found = nullptr;

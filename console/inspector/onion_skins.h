@@ -28,7 +28,7 @@ class OnionSkins {
     void follow(property::Handle instance);
     /// Keeps the pose after a step; those of later steps are forgotten.
     void after_step();
-    /// Reads the last seconds of the past for an instance that is followed newly.
+    /// Reads the last seconds of the past, once after `follow` was called for another instance.
     void between_frames(const Review& review);
     void draw(ImDrawList& list, const ToPixels& to_pixels) const;
 

@@ -99,8 +99,8 @@ bool PropertyEditor::draw(Handle instance, const Property& property, ImFont* bol
     const property::Formula* formula = tree_.formula(instance, property);
     std::string source = formula != nullptr ? formula->source : std::string();
     std::string wrong = formula != nullptr ? tree_.problem(instance, property) : std::string();
-    // What the simulation writes differs from the default all the time; nobody has set it, unless
-    // its module knows better (a mass that was set).
+    // A value that the simulation writes differs from the default without being set, unless its
+    // module can tell (`overridden`): a mass that was set.
     const bool computed = property.simulated && property.binding.overridden == nullptr;
     bool resettable =
         !property.read_only && !ad_hoc && !computed && tree_.overridden(instance, property);

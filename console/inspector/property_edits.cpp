@@ -97,8 +97,8 @@ void PropertyEditor::edit_all(const Target& target, const std::string& name,
     if (problem) std::rethrow_exception(problem);
 }
 
-/// What an edit from `before` to `after` means for another instance: of a vector, only the
-/// component that was edited changes.
+/// The new value of another instance after an edit from `before` to `after`: of a vector, only the
+/// edited component changes.
 Value PropertyEditor::edited(Handle instance, const Property& property, const Value& before,
                              const Value& after) const {
     if (!before.is(Type::vec2) || !after.is(Type::vec2)) return after;

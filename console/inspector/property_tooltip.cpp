@@ -1,4 +1,4 @@
-// What a property is, in words.
+// The tooltip of a property: its description in words.
 
 #include <inspector/property_editor.h>
 
@@ -39,7 +39,7 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
         const FontScope font(fonts().sans);
         ImGui::TextUnformatted(target.property->doc.c_str());
     }
-    std::string sources;  // many, of a mass
+    std::string sources;  // a mass has many
     for (const std::string& source : target.property->derives_from)
         sources += (sources.empty() ? "from " : ", ") + source;
     if (!sources.empty())

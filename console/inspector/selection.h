@@ -16,7 +16,7 @@ class Selection {
 
     /// The instance that was selected last; it stays when it is deleted. Null: there is none.
     property::Handle last() const { return last_; }
-    /// Those that are selected besides it.
+    /// The other selected instances.
     const std::vector<property::Handle>& others() const { return others_; }
     /// A number that changes whenever `others` does.
     std::uint64_t revision() const { return revision_; }

@@ -1,5 +1,5 @@
 #pragma once
-// What is done to all selected instances at once.
+// Operations on all selected instances.
 
 #include <string>
 #include <vector>
@@ -26,7 +26,7 @@ std::string delete_command(const property::Tree& tree,
 std::string clone_command(const property::Tree& tree,
                           const std::vector<property::Handle>& instances);
 
-/// Each is one step of undo. Instances without a `position` that can be written are left out.
+/// Each call is one step of undo. Instances without a writable `position` are left out.
 void move_by(property::Tree& tree, const std::vector<property::Handle>& instances,
              property::Vec2 way);
 /// Gives all the mean of their positions, 0: along x, 1: along y.

@@ -13,7 +13,7 @@ using property::Provenance;
 using property::Writer;
 
 std::string writer_text(const Cause& cause) {
-    // The place in a command says nothing.
+    // The position within a console command is not shown.
     if (!cause.where.empty() && !cause.where.starts_with("console:")) return cause.where;
     if (cause.writer == Writer::simulation) return "physics";
     return std::string(property::writer_name(cause.writer)) + ", step " +

@@ -70,15 +70,15 @@ ImVec4 vector(ImU32 color);
 float draw_text(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text);
 /// The same, shortened with an ellipsis to `width`.
 void draw_text_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view text, float width);
-/// The same for a path: its end is more telling, so the ellipsis is in front.
+/// The same for a path: its end matters most, so the ellipsis is in front.
 void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view path, float width);
 float text_width(std::string_view text);
-/// The height of low buttons in pixels: that of a line, and never too low to be hit.
+/// The height of low buttons in pixels: that of a line, but enough to click on them.
 float button_height();
 /// A button that fits between lines of text.
 bool low_button(const char* label);
-/// With line breaks in place of blanks, so that it is no wider, as far as that is possible. Dear
-/// ImGui itself also breaks at dots, inside of numbers and paths.
+/// The text with line breaks in place of blanks, so that it fits into `width` if possible. Dear
+/// ImGui itself also breaks lines at dots, inside of numbers and paths.
 std::string wrapped(std::string_view text, float width);
 
 }  // namespace fettle::console

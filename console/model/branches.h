@@ -1,5 +1,5 @@
 #pragma once
-// The branches of the past, as `time` tells them.
+// The branches of the past, from the method `branches` of `time`.
 
 #include <cstdint>
 #include <string>

@@ -59,7 +59,7 @@ std::vector<std::string> Breaks::look() {
     return lines;
 }
 
-/// The values that the condition reads tell why it became true.
+/// Describes the break with the values that its condition reads: they show why it became true.
 void Breaks::describe(const Break& broken, const Value& before,
                       std::vector<std::string>& lines) const {
     lines.push_back("break at step " + std::to_string(tree_.step()) + ": " + broken.condition.text +
@@ -71,7 +71,8 @@ void Breaks::describe(const Break& broken, const Value& before,
             std::string line = "  " + path + " = " +
                                tree_.text(property::get(tree_, path), place.property->precision());
             if (!place.property->unit.empty()) line += " " + place.property->unit;
-            // The simulation reports no writes: where nobody else wrote lately, it did.
+            // The simulation reports no writes: if nothing else wrote in this step or the last, it
+            // did.
             const bool moved = place.property->simulated &&
                                (!written.known || written.cause.step + 1 < tree_.step());
             if (moved)

@@ -369,7 +369,7 @@ std::string Prompt::expanded(const std::string& command) const {
         ++end;
     const auto found = aliases_.find(command.substr(begin, end - begin));
     if (found == aliases_.end()) return command;
-    // An assignment to a variable of that name is what it says.
+    // An assignment to a variable of that name is not replaced.
     const std::size_t next = std::min(command.find_first_not_of(' ', end), command.size());
     if (next < command.size() && command[next] == '=') return command;
     return found->second + command.substr(end);

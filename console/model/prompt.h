@@ -37,7 +37,7 @@ class Prompt {
     void submit(bool force);
     /// Runs a command and logs it with its output. False, and nothing has run, if it is incomplete,
     /// unless forced.
-    /// `said` gets what the interpreter said.
+    /// `said` receives the evaluation.
     bool run(const std::string& command, bool force = true, script::Evaluation* said = nullptr);
     /// From now on the word at the beginning of a command stands for `command`; if that is empty,
     /// for itself.

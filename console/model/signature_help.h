@@ -27,7 +27,7 @@ struct ParameterRange {
 };
 ParameterRange parameter_of(std::string_view signature, std::size_t index);
 
-/// Remembers the signature of the call that was asked for last.
+/// Remembers the signature of the call that was requested last.
 class SignatureHelp {
   public:
     using Complete =

@@ -79,7 +79,8 @@ void TimeMarks::follow(const std::string& branch,
 
 void TimeMarks::leave_for(const std::string& branch,
                           const std::map<std::string, std::int64_t>& others) {
-    // The old name belongs to a branch that was left; otherwise the present one has another name.
+    // If another branch has the old name, that branch was left; otherwise the present branch was
+    // renamed.
     if (const auto left = others.find(branch_); left != others.end()) {
         left_[branch_] = others_;
         if (const auto there = left_.find(branch); there != left_.end()) {

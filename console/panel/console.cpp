@@ -241,7 +241,7 @@ void Console::State::find_selected_again() {
     }
 }
 
-// A command, so that a recording contains it and the log tells why it is refused.
+// Goes there by a command, so that a recording contains it and the log shows why it is refused.
 void Console::State::look_at_step(std::uint64_t step) {
     Handle time;
     if (const property::Property* paused = pause_property(tree, time)) {

@@ -238,7 +238,7 @@ bool Console::State::selection_key(const InputEvent& event) {
     return false;
 }
 
-/// The left button is never the game's here, the right one where there is no body.
+/// The game never gets the left button here, and gets the right button only where no body is.
 bool Console::State::click_game(float x, float y, bool menu) {
     if (!menu && shift_held) {
         box = Box{x, y, x, y};
@@ -254,7 +254,7 @@ bool Console::State::click_game(float x, float y, bool menu) {
             return true;
         }
         const std::vector<property::Handle> all = inspector.selection();
-        // A menu is for all of the selection, if it is opened on one of them.
+        // A menu that is opened on a selected instance is for the whole selection.
         if (!menu || std::ranges::find(all, found) == all.end())
             inspector.select(std::vector{found});
         choose(found);

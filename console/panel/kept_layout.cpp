@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 7> kept_settings = {
 
 std::vector<std::string> texts_of(const std::vector<Trace>& traces) {
     std::vector<std::string> texts;
-    // The text of a function does not tell what it refers to.
+    // The text of a function does not contain the variables that it uses.
     for (const Trace& trace : traces)
         if (!trace.what().text.starts_with("function")) texts.push_back(trace.what().text);
     return texts;
@@ -47,7 +47,7 @@ void Console::State::take_settings(const Layout& layout) {
     }
 }
 
-/// Pins and plots what was pinned and plotted at the end of the last run, once the game is there.
+/// Restores the pins and plots of the last run, once the game is loaded.
 void Console::State::restore_observed() {
     if (std::exchange(restored, true) || !interpreter.evaluate || options.replay) return;
     std::vector<std::string> commands;
@@ -71,7 +71,7 @@ Layout Console::State::layout() const {
 }
 
 void Console::State::keep_layout() {
-    // Before the pins of the last run are there, there is nothing new to keep.
+    // Until the pins of the last run are restored, nothing is kept.
     if (!options.keep_layout || !restored) return;
     try {
         options.keep_layout(layout());

@@ -60,7 +60,7 @@ void Console::State::frame(double seconds) {
 }
 
 void Console::State::draw_outlines() {
-    constexpr std::size_t most = 300;  // more of them could not be told apart
+    constexpr std::size_t most = 300;  // more outlines could not be distinguished
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto outline = [&](property::Handle instance) {
         if (tree.alive(instance))
@@ -81,8 +81,8 @@ void Console::State::draw_box() {
     list.AddRect(low, high, palette::accent);
 }
 
-/// Functions of the host may throw. The other parts are drawn all the same, and the log tells the
-/// error, once although it may come in every frame.
+/// Functions of the host may throw. The other parts are still drawn, and the log shows the error
+/// once, although it may occur in every frame.
 void Console::State::draw_part(const std::function<void()>& part) {
     const compat::Recovery recovery;
     std::string problem;

@@ -21,7 +21,7 @@ using property::Value;
 namespace {
 
 constexpr std::size_t max_pins = 50, max_plots = 12;
-constexpr int most_executed = 100;  // files of commands that such files run, between two frames
+constexpr int most_executed = 100;         // files run by such files, between two frames
 constexpr std::size_t most_exports = 4;    // between two frames
 constexpr std::int64_t pinned_past = 240;  // steps
 constexpr double longest_reading = 2000;   // ms
@@ -180,7 +180,7 @@ void Observing::run_commands(const std::string& text) {
 std::int64_t Observing::first_to_read(bool plotted) const {
     const std::int64_t oldest = time_value("oldest", 0), here = time_value("step", 0);
     if (!plotted) return std::max(oldest, here - pinned_past);
-    // No clock is asked, so that a replay reads the same steps.
+    // The time is estimated and not measured, so that a replay reads the same steps.
     const double each = 0.02 + 0.001 * static_cast<double>(tree_.size());  // ms, on common machines
     const double steps = longest_reading / each;
     return std::max(oldest, here - static_cast<std::int64_t>(steps));

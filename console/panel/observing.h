@@ -33,7 +33,7 @@ class Observing {
     /// Receives what breaks and searches find, in addition to the log; optional.
     std::function<void(const std::string& line)> found;
 
-    /// The functions of scripts that this carries out.
+    /// The functions of the console that this class implements for scripts.
     script::ConsoleFunctions functions();
     /// Runs the commands of a text before the next frame, as if they were typed.
     void run_later(const std::string& text) { waiting_.push_back(text); }

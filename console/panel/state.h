@@ -171,7 +171,7 @@ struct Console::State {
     bool restored = false;  // what was pinned and plotted in earlier runs
     bool popup_open = false;
     bool fed_button = false, fed_key = false, fed_text = false;  // since the last frame
-    std::string part_problem;                                    // the last one that the log told
+    std::string part_problem;                                    // the last one in the log
     bool building = false;  // a frame is being built; no other may begin inside it
 };
 

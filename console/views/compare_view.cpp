@@ -72,7 +72,7 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
         Pen pen(list, to_pixels, {.as_drawn = true},
                 Transform::placed(pose.position, pose.angle) * back);
         tree.draw(pose.instance, pen, 1);
-        if (!pen.drew_anything()) {  // it is seen at least where it is
+        if (!pen.drew_anything()) {  // a dot shows where it is
             const Vec2 at = window.pixels(pose.position);
             list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
                                  palette::note);
@@ -93,7 +93,7 @@ void CompareView::draw_side(const Rect& place, const property::Tree& tree, const
 void CompareView::play(const Comparison& runs, double seconds, double dt) {
     const std::size_t count = std::min(runs.a().size(), runs.b().size());
     const double length = static_cast<double>(count - 1) * dt;
-    if (number_ != runs.number()) {  // the end first, since it tells most
+    if (number_ != runs.number()) {  // a new comparison shows its end first
         number_ = runs.number();
         time_ = length;
     }

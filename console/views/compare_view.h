@@ -18,7 +18,7 @@ class CompareView {
     /// Ends the comparison.
     std::function<void()> close;
 
-    /// What of the world is seen, m.
+    /// The visible part of the world, m.
     struct Seen {
         property::Vec2 lower{0, 0}, upper{1, 1};
     };

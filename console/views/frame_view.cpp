@@ -192,7 +192,7 @@ void FrameView::draw_flame(const Rect& place, const property::Tree& tree, bool n
         const float end = x + wide * static_cast<float>(ms / whole);
         draw_box(list, {ImVec2(x, place.low.y), ImVec2(end, place.low.y + row)}, part.color,
                  part.name, ms);
-        // The physics tells its parts of the last step only.
+        // The times of the parts of physics are known for the last step only.
         if (part.ms == &Timings::modules && newest) {
             float inner = x;
             for (const auto& [name, spent] : parts_of_physics(tree)) {

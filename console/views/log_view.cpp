@@ -102,7 +102,7 @@ void LogView::filter(std::string_view text) {
     columns_ = 0;  // all lines are wrapped again
 }
 
-/// Ignores case. A fold passes, because a line in it may.
+/// Ignores case. A fold passes, because one of its hidden lines may.
 bool LogView::passes(const LogLine& whole) const {
     if (filter_.empty() || whole.kind == LineKind::fold) return true;
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };

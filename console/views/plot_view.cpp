@@ -63,7 +63,7 @@ PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times&
             scale.high = any ? std::max({scale.high, s.x, other}) : std::max(s.x, other);
             any = true;
         }
-    // Differences that come from rounding are no differences.
+    // Differences that come from rounding do not count.
     const double size = std::max(std::abs(scale.low), std::abs(scale.high));
     if (scale.high - scale.low < 1e-6 * std::max(size, 1e-6)) {
         const double room = std::max(0.5 * size, 1e-6);

@@ -47,7 +47,7 @@ class TimeBar {
     void hide() { rect_ = {}; }
     /// Pauses the game and goes to a step.
     void go_to(std::int64_t step);
-    /// Shows the last seconds up to the newest step once more; in the past, what follows.
+    /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
     void play_back(double seconds);
     /// Call once a frame, with its length in seconds: goes on with playing back.
     void play_on(double seconds);

@@ -1,5 +1,5 @@
 #pragma once
-// The terminal's end: a running game, asked over its socket.
+// The terminal's end of a connection: requests to a running game through its socket.
 
 #include <functional>
 #include <optional>

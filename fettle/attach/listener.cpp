@@ -92,7 +92,7 @@ void Listener::frame() {
     ::poll(ready.data(), ready.size(), 0);
     for (std::size_t i = 0; i < ready.size(); ++i)
         if ((ready[i].revents & (POLLIN | POLLHUP | POLLERR)) != 0) receive(connections_[i]);
-    // Each terminal has its turn, and another one is the first in the next frame.
+    // All terminals take turns. In the next frame, another one is the first.
     std::size_t left = limits_.requests;
     const auto begin = Clock::now();
     const std::size_t count = connections_.size();

@@ -1,7 +1,7 @@
 #pragma once
-// The game's end: terminals attach to it and type commands. The work of a frame, what is kept of
-// each connection and their number have limits, so that no connection can hold the game up. Sockets
-// never wait.
+// The game's end of the connections: terminals attach to it and type commands. The work of a frame,
+// the memory of each connection and the number of connections have limits, so that no connection
+// can delay the game. Sockets never wait.
 
 #include <chrono>
 #include <cstddef>
@@ -20,8 +20,8 @@ namespace fettle::program {
 
 /// The limits; documented in docs/guide/all-of-the-console.md.
 struct ListenLimits {
-    std::size_t terminals = 8;  // that have said the token
-    std::size_t waiting = 8;    // that have not; the one that waits longest makes room
+    std::size_t terminals = 8;  // that have sent the token
+    std::size_t waiting = 8;    // that have not sent it; beyond it, the oldest is disconnected
     double greeting_seconds = 2;
     std::size_t accepted = 4;         // connections of a frame
     std::size_t requests = 8;         // of a frame
@@ -48,8 +48,8 @@ class Listener {
 
     /// Call between two frames: takes connections, answers requests, and sends.
     void frame();
-    /// Gives a line that the game printed to all terminals. For those that do not read fast enough
-    /// it is dropped, and they are told how many were.
+    /// Sends a line that the game printed to all terminals. A terminal that reads too slowly gets
+    /// the number of dropped lines instead.
     void print(std::string_view line);
 
     const RunningGame& place() const { return place_; }

@@ -1,5 +1,5 @@
 #pragma once
-// What a terminal and a running game say to each other: lines of text. The first line of a terminal
+// The protocol between a terminal and a running game: lines of text. The first line of a terminal
 // is a greeting with the token; all others are JSON objects.
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace fettle::program {
 
 /// Bytes. A longer line ends the connection.
 constexpr std::size_t longest_greeting = 128, longest_request = 16384;
-/// Bytes of text in one answer; what is beyond is left out, and its number of lines is told.
+/// Bytes of text in one answer. A longer text is cut, and the number of missing lines is added.
 constexpr std::size_t longest_answer = 65536;
 constexpr std::size_t most_candidates = 200;
 

@@ -167,7 +167,7 @@ int connected_to(const fs::path& socket) {
     }
     const int made = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (made < 0) return -1;
-    // A game that is held up takes no connections for a while.
+    // A game that is busy takes no connections for a while.
     const timeval patience{.tv_sec = 10, .tv_usec = 0};
     ::setsockopt(made, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     if (::connect(made, address->any(), address->size()) == 0) return made;

@@ -11,9 +11,9 @@
 namespace fettle::program {
 
 struct RunningGame {
-    std::filesystem::path file;    // names the others; only this user may read it
+    std::filesystem::path file;    // contains the members below; only this user may read it
     std::filesystem::path socket;  // beside it
-    std::string token{};           // what a terminal must say first
+    std::string token{};           // a terminal must send it first
     std::filesystem::path game{};  // absolute
     pid_t process = 0;
 };
@@ -31,8 +31,8 @@ void withdraw(const RunningGame& running);
 
 /// The games that listen now. The files of games that ended without removing them are removed.
 std::vector<RunningGame> running_games();
-/// The one that is meant: by the number of its process, its name, or its path; "": the only one.
-/// Throws FileError if it is none or several.
+/// The game with this process number, name or path; "": the only game. Throws FileError if there is
+/// no such game, or more than one.
 RunningGame running_game(const std::string& wanted);
 
 /// A connected socket; -1 with errno if nobody listens there.

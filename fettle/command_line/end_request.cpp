@@ -23,7 +23,7 @@ static_assert(std::atomic<script::Runtime*>::is_always_lock_free, "a signal hand
 std::array<struct sigaction, signals.size() + 1> before;
 
 /// Scripts are interrupted once a second. If the run has not ended after this number of interrupts,
-/// the process is ended: then the cause is not a script.
+/// its cause is not a script, and the process is ended.
 constexpr int max_alarms = 10;
 volatile std::sig_atomic_t alarms = 0;
 

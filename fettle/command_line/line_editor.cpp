@@ -139,8 +139,9 @@ LineEditor::LineEditor(std::filesystem::path history, Complete complete)
     el_set(state.editor, EL_GETCFN, &State::read_character);
     el_set(state.editor, EL_ADDFN, "complete", "Completes the word", &State::complete_word);
     el_set(state.editor, EL_BIND, "^I", "complete", nullptr);
-    // Between two lines too, the terminal passes each key on as it is. Otherwise it would take keys
-    // that are typed while a command runs for itself: Ctrl+D was lost or became a letter.
+    // The terminal passes each key on unchanged, also between two lines. Otherwise it would handle
+    // some keys itself that are typed while a command runs: Ctrl+D would be lost or become a
+    // letter.
     el_set(state.editor, EL_SETTY, "-x", "-icanon", "-echo", nullptr);
     el_set(state.editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(state.editor, nullptr);

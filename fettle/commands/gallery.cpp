@@ -50,7 +50,7 @@ GalleryEntry entry_of(const fs::path& game) {
     try {
         settings = read_settings(game);
     } catch (const property::Error&) {
-        // The game says what is wrong with its settings when it is opened.
+        // The game reports the error in its settings when it is opened.
     }
     return {.name = game.filename().string(),
             .title = title_of(game, settings.name),
@@ -157,7 +157,7 @@ void Gallery::make_picture() {
         try {
             picture.pixels = drawn(entry.game);
         } catch (const std::exception&) {
-            // It stays without a picture, and tells its error when it is opened.
+            // It gets no picture, and shows its error when it is opened.
         }
         return;
     }

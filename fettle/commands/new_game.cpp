@@ -71,9 +71,9 @@ std::string short_hash(const std::string& text) {
     return digits.data();
 }
 
-/// A part of an id: letters and digits of the name in lower case, the rest as dashes. Names that
-/// differ in other letters only, such as those of other scripts, get a hash to tell them apart: a
-/// game's saves lie under its id.
+/// A part of an id: letters and digits of the name in lower case, the rest as dashes. A name with
+/// other letters, such as Greek ones, also gets a hash, so that two such names have different ids:
+/// the saves of a game lie under its id.
 std::string id_of(const std::string& name) {
     std::string id;
     for (const char c : name) {
@@ -123,7 +123,7 @@ void write_annotations(const fs::path& folder) {
     write_new(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
 }
 
-/// As it has to be typed as an argument.
+/// The text in the form in which it must be typed as an argument.
 std::string for_shell(const std::string& text) {
     const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
         const auto byte = static_cast<unsigned char>(c);
@@ -180,8 +180,8 @@ int new_game(const NewGameOptions& options) {
                         ": there is something already, so nothing was made");
     const std::string name = folder.filename().string();
     fs::create_directories(folder.parent_path());
-    // Made under another name, so that an error leaves nothing half made. A folder that is there
-    // stays the same: it may be the one that the user's shell is in.
+    // Made under another name, so that an error leaves no incomplete game. An existing folder is
+    // filled and not replaced, because the user's shell may be in it.
     const fs::path draft =
         there ? folder / ".fettle-new" : folder.parent_path() / ("." + name + ".fettle-new");
     fs::remove_all(draft);

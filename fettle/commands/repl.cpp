@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 /// The longest time of one call of `advance`, s.
 constexpr double longest_advance = 3600;
-/// A game that was held up goes on by at most this, s.
+/// After a long pause, the game advances by at most this time at once, s.
 constexpr double longest_frame = 0.25;
 
 class Repl : private CommandRunner {
@@ -134,7 +134,7 @@ int repl(const fs::path& named) {
     RunOptions options{.headless = true};
     options.game = named.empty() ? assets() / "templates" / "empty" : found_game(named);
     options.developer = true;
-    // The game of a run without a path is nobody's: nothing of it is kept.
+    // A run without a path has no folder, so it reads and writes no files of a game.
     options.isolated = named.empty();
     return Repl(options).run();
 }

@@ -56,8 +56,8 @@ int run_headless(const RunOptions& options, Gallery* gallery) {
     if (!options.screenshot.empty()) {
         const property::Vec2 size = session.services().view.screen;
         picture = app::make_picture(static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
-        // The console lays out its lists by what it has drawn before: the second picture is
-        // settled.
+        // The console arranges its lists by the sizes of its last picture, so the second picture
+        // is right.
         for (int i = 0; i < 2; ++i) {
             session.loop().draw(*picture, 0);
             picture->present();
@@ -123,7 +123,7 @@ class WindowRun {
         session_->on_error_over([this](const script::ScriptError* error) {
             if (error == nullptr) return error_screen_.hide_over();
             if (!error_screen_.error()) return error_screen_.show_over(*error);
-            // In place of the error that had stopped the game.
+            // The new session replaces the error that stopped the game.
             error_screen_.hide();
             error_screen_.show(*error);
         });

@@ -1,5 +1,5 @@
 #pragma once
-// What runs with a window, without one and of a recording have in common.
+// Functions for all kinds of runs: with a window, without one, and of a recording.
 
 #include <string>
 
@@ -13,7 +13,7 @@
 
 namespace fettle::program {
 
-/// Tells the message, and returns the status.
+/// Prints the message to stderr, and returns the status.
 int complain(ExitStatus status, const std::string& message);
 
 /// Notifies the game that the run ends, as when its window is closed.
@@ -27,7 +27,7 @@ int finish(Session& session, const RunOptions& options, app::Screen* screen);
 /// Returns false if there is none.
 bool limit_calls(script::Runtime& runtime, const RunOptions& options);
 
-/// Plays the voices of the game, and tells once why they cannot be heard.
+/// Plays the voices of the game. Reports once why they cannot be heard.
 void be_heard(app::Loudspeaker& loudspeaker, Session& session);
 
 }  // namespace fettle::program

@@ -5,7 +5,7 @@
 
 namespace fettle::program {
 
-/// Runs a command. The errors of files that it throws are told, and give their exit status.
+/// Runs a command. Prints errors of files that it throws, and returns their exit status.
 int with_file_errors(const std::function<int()>& command);
 
 }  // namespace fettle::program

@@ -29,7 +29,7 @@ std::vector<std::filesystem::path> FileWatch::changed(
         known.pending = true;
         unsettled = true;
     }
-    // Several files that are saved together are told together.
+    // Files that are saved together are reported together.
     if (unsettled) return {};
     for (const std::filesystem::path& file : result) known_.at(file).pending = false;
     return result;

@@ -24,8 +24,7 @@ std::filesystem::path assets();
 std::filesystem::path installed_modules();
 
 /// The path of the game `named`: a .lua file, or a folder with main.lua. A symbolic link to a file
-/// is resolved, so that the game's folder is that of its target. Throws FileError for anything
-/// else.
+/// is resolved, so the game's folder is that of its target. Throws FileError for other paths.
 std::filesystem::path found_game(const std::filesystem::path& named);
 
 /// Throws FileError if `file` exists and is not a regular file: opening a pipe would block until

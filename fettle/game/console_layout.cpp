@@ -85,7 +85,7 @@ std::string autoexec(std::string& problem) {
     return {};
 }
 
-/// A run without a window and one that is recorded or replayed do not depend on the player.
+/// A run without a window, a recorded run and a replay do not use the player's files.
 void Session::take_players_console(console::Options& options) {
     if (options_.headless || replayed_ != nullptr || isolated() || !options_.record.empty()) return;
     const fs::path folder = property::player_folder(options_.game, settings_.id);

@@ -8,9 +8,9 @@
 
 namespace fettle::program {
 
-/// Reads `console.json` in that folder; of a file that is missing or damaged nothing.
+/// Reads `console.json` in that folder. An empty layout if the file is missing or damaged.
 console::Layout read_layout(const std::filesystem::path& folder);
-/// Writes it, unless it says the same already. Throws if it cannot.
+/// Writes it if it has changed. Throws if it cannot.
 void write_layout(const std::filesystem::path& folder, const console::Layout& layout);
 /// The player's `autoexec.lua`; "" if there is none. `problem` says why one cannot be read.
 std::string autoexec(std::string& problem);

@@ -1,4 +1,4 @@
-// The files of a game change while it runs: the session reads them again.
+// Reads files of a game again that change while it runs.
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ Session::Followed Session::follow_files() {
 }
 
 Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
-    // A game whose main.lua has failed has nothing that could be kept.
+    // A game whose main.lua has failed has no state to keep.
     if (!loaded_) return Followed::restart;
     const auto begin = std::chrono::steady_clock::now();
     const fs::path folder = folder_of(options_.game);
@@ -71,7 +71,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
         return Followed::failed;
     }
     if (error_over_) error_over_(nullptr);
-    // The new code has assigned volumes and keys again, as at the start of the game.
+    // The top level of the new code has set volumes and keys again, as at the start of the game.
     if (code) follow_preferences(*preferences_, interface_);
     const std::chrono::duration<double, std::milli> lasted =
         std::chrono::steady_clock::now() - begin;
@@ -82,7 +82,7 @@ Session::Followed Session::take_changes(const std::vector<fs::path>& changed) {
     return Followed::changed;
 }
 
-/// The files may be gone again in the meantime.
+/// A file may have been removed in the meantime.
 script::Reloaded Session::reload_code(const std::vector<std::string>& names) {
     try {
         return runtime_->reload(names);
@@ -94,7 +94,7 @@ script::Reloaded Session::reload_code(const std::vector<std::string>& names) {
     }
 }
 
-/// The code stays as it is, and is told.
+/// The code is not run again; its callback `reloaded` gets the names of the files.
 script::Reloaded Session::reload_media(const std::vector<std::string>& names) {
     property::List list(names.begin(), names.end());
     runtime_->call("reloaded", {property::Value(std::move(list))});

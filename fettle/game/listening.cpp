@@ -7,8 +7,8 @@
 
 namespace fettle::program {
 
-/// Nobody types into a run that must be the same each time, and a game that is not trusted must not
-/// open a way to its user.
+/// A replay and a test must give the same result each time, so no terminal may type into them. A
+/// game that is not trusted must not open a socket.
 std::string Session::reason_not_to_listen() const {
     if (options_.sandbox) return "nothing may attach to a game in a sandbox";
     if (replayed_ != nullptr) return "nothing may attach to a replay";

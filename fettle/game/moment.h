@@ -16,7 +16,7 @@ struct Moment {
     property::Snapshot state;
     std::int64_t step = 0;
     std::string fettle;               // version that wrote it
-    std::vector<std::string> tweaks;  // of the run, one line each
+    std::vector<std::string> tweaks;  // of the run, in words, one line each
 };
 
 /// Where the moment `name` of a game is written: NAME.fettle in the folder `moments` of the

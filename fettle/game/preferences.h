@@ -1,5 +1,5 @@
 #pragma once
-// Settings of the player that outlive a run: the interface tells them, and a file keeps them.
+// Settings of the player that outlive a run. The interface reports changes, and a file keeps them.
 
 #include <fettle/interface/interface.h>
 #include <fettle/property/storage/store.h>

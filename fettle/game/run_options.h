@@ -1,5 +1,5 @@
 #pragma once
-// How a game is run: what the command line says, or a test.
+// The options of a run, from the command line or from a test.
 
 #include <cstdint>
 #include <filesystem>

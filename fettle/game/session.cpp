@@ -147,8 +147,8 @@ void Session::set_screen(const property::Vec2& size) {
     if (!view.window.fullscreen) view.window.size = size;
 }
 
-/// A test, or the picture of a game in the gallery, begins with nothing of earlier runs and leaves
-/// nothing to later ones.
+/// A test, or the picture of a game in the gallery, neither uses data of earlier runs nor leaves
+/// data for later ones.
 bool Session::isolated() const {
     return options_.isolated || options_.test.has_value();
 }
@@ -413,7 +413,7 @@ void Session::print(std::string_view text) {
     if (console_) console_->print(text);
 }
 
-/// Prints what a command of --console says.
+/// Prints the output of a command of --console.
 void Session::print_said(const std::string& text) {
     print_outside(text);
     if (console_) console_->output(text);

@@ -71,7 +71,7 @@ class Session {
     float covered_below() const;
     /// Whether the game is at an earlier step than the newest.
     bool looks_back() const;
-    /// Goes by so many steps through the kept past, at the next barrier.
+    /// Goes forward by `steps` in the kept past (below 0: back), at the next barrier.
     void travel(int steps);
     /// Adds a layer below the console.
     void add_layer(app::Layer& layer);
@@ -79,7 +79,7 @@ class Session {
     int exit_status() const;
     bool failed() const { return failed_; }
 
-    /// What has come of files that changed while the game runs. `restart`: main.lua had failed
+    /// The result of reading changed files. `restart`: main.lua had failed
     /// when the game began, so the game must begin again.
     enum class Followed : std::uint8_t { nothing, changed, failed, restart };
     /// Reads files again that have changed. Call between frames. Does nothing unless the options

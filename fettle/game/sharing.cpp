@@ -35,7 +35,7 @@ std::string Session::share(const std::string& name) {
            "; fettle run opens it there";
 }
 
-/// The state replaces what the game has made when it began, as that of a saved game does.
+/// As with a saved game, the state replaces everything that the game made when it began.
 void Session::open_moment() {
     const std::optional<Moment> moment = moment_of(options_.game);
     if (!moment) return;
@@ -49,7 +49,7 @@ void Session::open_moment() {
     note("this is step " + std::to_string(moment->step) + " of a shared moment" +
          (moment->tweaks.empty() ? std::string() : ", with these edits:"));
     for (const std::string& tweak : moment->tweaks) note("  " + tweak);
-    // In a window one looks first.
+    // In a window, the game is paused, so that the player can look at the moment first.
     if (!options_.headless) services_->clock.paused = true;
 }
 

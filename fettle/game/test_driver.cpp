@@ -60,7 +60,7 @@ void TestDriver::turn() {
     }
 }
 
-/// What the functions of tests ask of the host.
+/// Carries out the requests of the functions of tests.
 property::Value TestDriver::request(std::span<const property::Value> arguments) {
     const std::string what = arguments.empty() ? "" : arguments[0].text();
     if (what == "test" && arguments.size() == 2)

@@ -8,9 +8,9 @@
 
 namespace fettle::program {
 
-/// Why the game would not run elsewhere, one line each: files that its texts name and that it does
-/// not have, that are called differently, or that are named by an absolute path. `made`: names of
-/// files that the game makes.
+/// The reasons why the package would not run elsewhere, one line each: its texts name a file that
+/// is missing, whose name differs, or that has an absolute path. `made`: names of files that the
+/// game makes.
 std::vector<std::string> problems_of(const ArchiveFiles& files,
                                      const std::vector<std::string>& made);
 

@@ -68,7 +68,7 @@ fs::path folder_for_failures(const fs::path& game) {
     return ".";
 }
 
-/// The share of the pixels of which a channel differs visibly, 0 to 1.
+/// The share of the pixels that differ visibly in a channel, 0 to 1.
 double difference(const app::Pixels& a, const app::Pixels& b) {
     constexpr int visible = 16;  // of 255
     if (a.width != b.width || a.height != b.height) return 1;

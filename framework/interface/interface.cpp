@@ -76,7 +76,7 @@ property::Method prefer_method(Preferences& preferences) {
             .effect = property::Effect::tree};
 }
 
-/// What the instance `interface` has for preferences.
+/// The properties and methods of the instance `interface` for preferences.
 ServiceParts preference_parts(Preferences& preferences) {
     return {.properties = {{.name = Preferences::saved_name,
                             .type = property::Type::list,
@@ -91,7 +91,7 @@ ServiceParts preference_parts(Preferences& preferences) {
 
 Interface::Interface(property::Media& media) : state_(std::make_unique<State>(media)) {}
 
-// The tree would go on to read instances whose memory has ended.
+// The tree may outlive the interface, and must not read memory of widgets then.
 Interface::~Interface() {
     if (state_->tree_life.expired()) return;
     state_->widgets.answers = {};
@@ -121,7 +121,7 @@ void Interface::report(property::Tree&) {
     state_->binding.update_all();
 }
 
-/// What the player can change.
+/// The hash of everything that the player can change.
 std::uint64_t Interface::hash() const {
     if (state_->tree_life.expired()) return 0;
     std::uint64_t hash = 0;

@@ -40,7 +40,7 @@ Bytes from_base64(const Place& place, std::string_view text) {
     return bytes;
 }
 
-/// zlib and gzip. The result has `size` bytes; a file that promises more is damaged.
+/// zlib and gzip. The result has `size` bytes; a file with more is damaged.
 Bytes inflated(const Place& place, const Bytes& packed, std::size_t size) {
     Bytes bytes(size);
     z_stream stream{};

@@ -39,7 +39,7 @@ void read_kind(const Place& place, Object& object) {
 
 }  // namespace
 
-/// What an object of a template does not say itself is that of the template.
+/// An object takes all fields that it does not have itself from its template.
 Object Reader::object(const Place& outer) {
     if (!outer.json.is_object()) outer.fail("an object is no object of JSON");
     Json json = outer.json;

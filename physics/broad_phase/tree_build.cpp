@@ -17,8 +17,8 @@ uint32_t subtree_size(std::size_t parts) {
     return std::max(min_subtree, uint32_t(parts / max_subtrees));
 }
 
-/// When the perimeters of the buckets have grown by this factor since they were built, they overlap
-/// so many others that building them again costs less.
+/// When the perimeters of the buckets have grown by this factor since they were built, building
+/// them again costs less than the additional overlaps.
 constexpr float max_growth = 1.1f;
 
 }  // namespace

@@ -14,7 +14,7 @@ constexpr float flat = 1e-3f;
 constexpr float beyond = 0.01f;
 
 /// What touches a one-sided segment is pushed to its front until all of it is this far behind (m):
-/// a heavy blow may press a thin body through within a step or two, before the contact pushes it
+/// a heavy impact may press a thin body through within a step or two, before the contact pushes it
 /// out.
 constexpr float far_behind = 0.01f;
 

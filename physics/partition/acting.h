@@ -73,7 +73,7 @@ struct ActingPiece {
     uint32_t begin = 0;
     NodeRanges nodes;           ///< from `begin` on
     uint32_t serially = 0;      ///< number of contacts that are solved one at a time
-    uint32_t passing = 0;       ///< number of contacts in groups that may pass a blow on
+    uint32_t passing = 0;       ///< number of contacts in groups that may pass an impact on
     bool links_blocks = false;  ///< one of them links two blocks of an earlier step
     bool meets = false;         ///< shapes that bounce approach fast
 

@@ -37,8 +37,8 @@ constexpr uint32_t layout() {
     return mixed;
 }
 
-/// By their order, the bytes of such a word tell that of the machine, and by their first digits the
-/// precision of positions, with which the layout differs, too.
+/// The order of the bytes of such a word is the byte order of the machine. Their first digits are
+/// the precision of positions, on which the layout depends too.
 constexpr uint32_t single_precision = 0x01020304, double_precision = 0x11121314;
 constexpr uint32_t byte_order =
     std::is_same_v<WorldCoordinate, double> ? double_precision : single_precision;

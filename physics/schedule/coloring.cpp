@@ -282,9 +282,9 @@ bool approaches(const ContactRecord& record, const SolverBody& a, const SolverBo
     return false;
 }
 
-/// Contacts whose shapes approach fast are solved one at a time. A blow can arrive from there in
-/// this step through the heap (what is connected by contacts that bounce, and by joints); the
-/// others of the heap pass it on.
+/// Contacts whose shapes approach fast are solved one at a time. Their impact can reach the whole
+/// heap in this step (the bodies that contacts with restitution and joints connect); the other
+/// contacts of the heap pass the impact on.
 void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
                      const BodyScratch& bodies, ContactScratch& scratch) {
     UnionFind heaps;

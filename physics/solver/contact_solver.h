@@ -22,13 +22,13 @@ struct ContactSolver {
     /// Called before the sub-steps, which compute no bounces. Contacts whose shapes approach fast
     /// enough within `dt` (s) get their restitution times that speed as separation speed, pair by
     /// pair and pass after pass (`pass` = 1, 2, …). Returns false when no pair approaches any more.
-    /// So a blow passes through a row of bodies in one step without loss. `changed`, by body: the
-    /// last pass that changed it; 0 at the start. `joints`: they take part in the blow; may be
-    /// null.
+    /// So an impact passes through a row of bodies in one step without loss. `changed`, by body:
+    /// the last pass that changed it; 0 at the start. `joints`: they take part in the impact; may
+    /// be null.
     bool bounce(int substeps, uint8_t pass, std::span<uint8_t> changed, JointResponse* joints);
     /// True if some contact that bounces approaches fast enough.
     bool may_bounce() const;
-    /// Maximum length of the row of bodies that a blow passes through in a step.
+    /// Maximum length of the row of bodies that an impact passes through in a step.
     static constexpr uint8_t most_passes = 32;
     void warm_start();
     /// Soft: overlapping shapes separate at a bias velocity. Normal directions only.

@@ -23,7 +23,7 @@ static_assert(2 * most_strips <= node_bits + 1 && JointScratch::loads < 4);
 /// light body: with the usual stiffness, a heavy body would stretch light links on which it hangs.
 /// More stiffness is stable only if more sweeps over the joints converge better.
 ///
-/// A blow moves the bodies of a joint far apart, because contacts stop one of them and the joint
+/// An impact moves the bodies of a joint far apart, because contacts stop one of them and the joint
 /// the other only some passes later. The relax pass does not take away all of the speed that closes
 /// the gap, so the bodies spring back: the faster the gap is closed, the higher.
 
@@ -62,7 +62,7 @@ uint8_t load_between(const SolverBody& a, const SolverBody& b) {
     return load_of(max(a.inverse_mass, b.inverse_mass), min(a.inverse_mass, b.inverse_mass));
 }
 
-/// Bodies that joints connect, one of which bears a heavy load.
+/// Bodies that joints connect. One of them bears a heavy load.
 struct Loaded {
     uint8_t load = 0;
     float lightest = 0.0f, heaviest = 1e30f;  ///< inverse masses

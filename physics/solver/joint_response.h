@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-// The share of joints in a blow. An impulse at a contact changes the velocities of all bodies that
-// joints connect with its two bodies: by the impulses λ of the joints that keep J·Δv = 0 in the
-// rows J which hold a point, a distance or an angle. So J·M⁻¹·Jᵀ·λ = -J·M⁻¹·Jcᵀ for an impulse of 1
-// with the Jacobian Jc of the contact. Limits, springs and motors with a limited force take no
+// The response of joints to an impact. An impulse at a contact changes the velocities of all bodies
+// that joints connect with its two bodies: by the impulses λ of the joints that keep J·Δv = 0 in
+// the rows J which hold a point, a distance or an angle. So J·M⁻¹·Jᵀ·λ = -J·M⁻¹·Jcᵀ for an impulse
+// of 1 with the Jacobian Jc of the contact. Limits, springs and motors with a limited force take no
 // part.
 
 namespace fettle::physics::detail {

@@ -22,7 +22,7 @@ struct OverlapLimits {
     static float speed_of(Vec2 velocity, float angular_velocity, const BodyRecord& record) {
         return length(velocity) + std::fabs(angular_velocity) * record.extent;
     }
-    /// True if the body overlaps so many others by more than a quarter of its thickness.
+    /// True if the body overlaps `least` other bodies by more than a quarter of its thickness.
     bool overlaps_others(uint32_t body, uint32_t least) const {
         const BodyRecord& record = input.objects.bodies[body];
         if (record.contact_count < least || record.mobility != Mobility::dynamic) return false;

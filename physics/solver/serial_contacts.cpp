@@ -203,7 +203,7 @@ void store_serial(SingleContacts& contacts, const Touching& touching, float hit_
     }
 }
 
-/// Those that passed a blow on have touched, even if they are apart after the step.
+/// Contacts that passed an impact on have touched, even if they are apart after the step.
 void note_passed_blows(ContactScratch& scratch) {
     for (const ContactConstraint& constraint : scratch.passing.constraints) {
         const ContactExtra& extra = scratch.passing.extras[constraint.extra - 1];

@@ -9,7 +9,7 @@
 // Contacts that are solved one at a time: if a body is locked along an axis, if surfaces roll, move
 // or are curved, if they approach so fast that they bounce, or if no color was left. Constraints
 // are written once per step in the order of their nodes, and their impulses are read back.
-// Constraints of contacts that only pass a blow on serve for this; their group solves them.
+// Contacts that only pass an impact on have such constraints too, but their group solves them.
 
 namespace fettle::physics::detail {
 

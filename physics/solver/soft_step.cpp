@@ -258,7 +258,7 @@ struct alignas(line_size) FirstBlock {
         step.bodies.bounced.assign(step.bodies.solver_bodies.size(), 0);
         const int substeps = step.input.settings.substeps;
         if (step.input.joints.acting_joints() > 0) {
-            // A blow that goes through joints may reach bodies of any strip.
+            // An impact that goes through joints may reach bodies of any strip.
             JointResponse joints;
             joints.read(step.input, step.h);
             ContactSolver fast = serial, others = passing;

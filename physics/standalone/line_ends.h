@@ -19,14 +19,15 @@ class LineEnds {
         bool last = false;  ///< the last point of the line, not the first
     };
 
-    /// `reach` (m): the greatest distance of what is near. Each line has two points at least.
+    /// `reach`: ends within this distance are near, m. Each line has two points at least.
     LineEnds(std::span<const std::vector<Vec2>> lines, float reach);
 
     bool is_used(uint32_t line) const { return used_[line]; }
     void use(uint32_t line);
 
-    /// The nearest end of an unused line; null if none is within reach. Among equals, `last` is the
-    /// end that keeps the direction of its line, and comes first; then the earlier line.
+    /// The nearest end of an unused line; null if none is within reach. If two ends are equally
+    /// near, the one whose `last` equals the argument comes first (its line keeps its direction),
+    /// then the one of the earlier line.
     const End* nearest(Vec2 to, bool last);
 
   private:
@@ -36,7 +37,8 @@ class LineEnds {
         std::array<uint32_t, 2> next = {};  ///< in `ends_`: the first that may be unused, by `last`
         std::array<uint32_t, 2> end = {};
     };
-    /// The middle one of a range of places; what it says of the range is in it.
+    /// A node of the tree: the middle place of a range, with the box and the number of unused ends
+    /// of the whole range.
     struct Node {
         Place place;
         Box4 box = no_box;    ///< of the range

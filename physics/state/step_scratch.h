@@ -128,7 +128,7 @@ struct ContactScratch {
     std::vector<uint64_t> reported;  ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
     SingleContacts serial;
-    SingleContacts passing;  ///< those in lanes that a blow may pass through
+    SingleContacts passing;  ///< contacts in lanes that may pass an impact on
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
                    s.spare_lanes, s.news, s.reported, s.hits, s.serial, s.passing)

@@ -86,9 +86,10 @@ class FieldOnBody {
     }
 
     void operator()(const AttractorField& attractor) {
-        // The sub-steps move the body with the velocity after each share of the force. That is the
-        // motion after one blow half a sub-step before the middle of the step. With the force at
-        // the place of that blow this is a leapfrog method, which keeps orbits closed.
+        // The sub-steps move the body with the velocity after each share of the force. One impulse
+        // of the whole force, half a sub-step before the middle of the step, would have the same
+        // effect. With the force at the place of the body at that time this is a leapfrog method,
+        // which keeps orbits closed.
         const Vec2 d = attractor.center - (body_.center + (0.5f * (dt_ - h_)) * velocity_);
         const float distance = length(d);
         const float far = max(distance, attractor.core);

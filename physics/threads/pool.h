@@ -48,8 +48,8 @@ class ThreadPool {
         /// Throws what the host throws; then no thread helps.
         explicit Helping(ThreadPool* pool);
         ~Helping();
-        /// Waits for the threads of the host. Returns what the host has thrown, or null. The host
-        /// is not asked again then: nobody knows which of its tasks are still to be called.
+        /// Waits for the threads of the host. Returns what the host has thrown, or null. After an
+        /// exception it is unknown which tasks the host will still call, so it gets no more.
         std::exception_ptr finish() noexcept;
         Helping(const Helping&) = delete;
         Helping& operator=(const Helping&) = delete;

@@ -25,8 +25,8 @@ namespace {
 /// Without gravity in the world, loads are measured with this gravity, m/s².
 constexpr float usual_gravity = 10.0f;
 
-/// The impulses of a resting load grow with the length of a step, but not those of a blow, which
-/// may be among them. So they grow by no more than this when the step grows.
+/// The impulses of a resting load grow with the length of a step, but those of an impact do not.
+/// Stored impulses may contain both, so they grow by this factor at most when the step grows.
 constexpr float greatest_growth = 2.0f;
 /// A step has at most this many times the usual number of sub-steps.
 constexpr int most_times = 4;

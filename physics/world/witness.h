@@ -5,7 +5,7 @@
 
 #include <span>
 
-// How the world tells a recording what happens to it. The recording itself is in physics/recording.
+// The interface through which a world reports its changes to a recording (physics/recording).
 
 namespace fettle::physics::detail {
 
@@ -36,8 +36,7 @@ struct BodyFunctions {
     bool moves = false;  ///< it was awake at the beginning of the step
 };
 
-/// Is told what changes a world. `step_begins` and `step_ends` may throw, and then it is told no
-/// more.
+/// Gets the changes of a world. If `step_begins` or `step_ends` throws, it gets no more.
 class Witness {
   public:
     Witness() = default;

@@ -22,8 +22,8 @@ using namespace detail;
 namespace {
 
 /// The worlds whose functions of `after_step` are being called in this thread, the innermost first.
-/// A later world may be at the same address and have the same link, so neither tells whether the
-/// first one still exists.
+/// A later world may have the same address and the same link, so neither shows whether the first
+/// world still exists.
 struct CallsAfterStep {
     const WorldData* world;
     CallsAfterStep* outer;

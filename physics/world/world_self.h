@@ -71,8 +71,7 @@ struct WorldSelf {
         if (locked()) [[unlikely]]
             refuse_edit("World", "step");
     }
-    /// Like `may_edit`, for creating, destroying or attaching objects. Does not tell a recording of
-    /// the call.
+    /// Like `may_edit`, for creating, destroying or attaching objects. The call is not recorded.
     void may_populate(const char* of, const char* function) const {
         if (locked()) [[unlikely]]
             refuse_edit(of, function);
@@ -84,7 +83,7 @@ struct WorldSelf {
             refuse_copy(what);
     }
 
-    /// Lets `witness` see what changes the world; null: nobody.
+    /// Sets the witness, which gets all changes of the world; null: none.
     void set_witness(std::unique_ptr<Witness> witness);
     Witness* witness() const { return witness_.get(); }
     /// Tells a recording what a function of the user answered in a step.

@@ -16,7 +16,7 @@ namespace {
 
 using fettle::app::Pixels;
 
-/// The share of the pixels of which a channel differs visibly, 0 to 1.
+/// The share of the pixels that differ visibly in a channel, 0 to 1.
 double difference(const Pixels& a, const Pixels& b) {
     constexpr int visible = 24;  // of 255
     if (a.width != b.width || a.height != b.height) return 1;

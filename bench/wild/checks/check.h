@@ -25,7 +25,7 @@ struct Moment {
     float dt = 0;
     bool edited = false;  // something was made or edited before this step
     const std::vector<bool>&
-        edited_bodies;                   // their shape, pose or kind was edited before this step
+        edited_bodies;                   // true: shape, pose or kind was edited before this step
     const std::vector<BodyNow>& before;  // after these edits
     const std::vector<BodyNow>& after;
     World* world = nullptr;  // of the library; null for another engine
@@ -50,7 +50,7 @@ struct Invariant {
     std::function<std::unique_ptr<Check>(const WorldPlan& plan)> watch;
 };
 
-/// All of them, but for the comparison of runs (same_runs.h).
+/// All invariants except the comparison of runs (same_runs.h).
 std::span<const Invariant> invariants();
 
 std::unique_ptr<Check> check_finite(const WorldPlan& plan);

@@ -104,7 +104,7 @@ class Energy : public Check {
     bool driven_ = false;
     double first_ = 0, most_moving_ = 0, stored_ = 0;
     std::vector<bool> overlapped_;
-    std::vector<std::size_t> pushes_;  // by so many others, at most
+    std::vector<std::size_t> pushes_;  // greatest number of other bodies that push each body
 };
 
 /// Impulses act on two bodies with opposite signs, so their sum changes by rounding alone: a part

@@ -13,8 +13,8 @@
 namespace fettle::bench::wild {
 namespace {
 
-/// A joint is a soft constraint of 60 Hz: what a blow leaves is gone within some periods, so only
-/// what lasts for a quarter of a second is a failure of the joint.
+/// A joint is a soft constraint of 60 Hz: what an impact leaves is gone within some periods, so
+/// only what lasts for a quarter of a second is a failure of the joint.
 constexpr double settling_time = 0.25;  // s
 
 /// The library closes a gap at 4 m/s at most, and more slowly under a load: what a joint is given

@@ -52,13 +52,14 @@ class Frozen : public Check {
     std::vector<int> still_;
 };
 
-/// A blow of a heavy body doubles the speed of a light one, and a whip multiplies it further. Four
-/// times is rare in games, and an explosion is far beyond it. 20 m/s more are for what begins in
-/// overlap, which many bodies at once may push out.
+/// An impact of a heavy body doubles the speed of a light one, and a whip multiplies it further.
+/// Four times is rare in games, and an explosion is far beyond it. 20 m/s more are for what begins
+/// in overlap, which many bodies at once may push out.
 ///
 /// Nothing bounds the speed of a body that bounces between a wall that moves by command and
-/// something fixed: each blow of the wall adds twice the speed of the wall, and the blows follow
-/// faster and faster as the gap closes. Such a body, and what it may hit afterwards, is not judged.
+/// something fixed: each impact of the wall adds twice the speed of the wall, and the impacts
+/// follow faster and faster as the gap closes. Such a body, and what it may hit afterwards, is not
+/// judged.
 class Speed : public Check {
   public:
     std::optional<std::string> look(const Moment& moment) override {

@@ -74,7 +74,7 @@ void draw_level(Sketch& sketch, int size) {
     if (!sketch.calm && random.chance(0.15)) draw_fields(sketch);
 }
 
-/// So many boxes that a step is shared out to threads, which only the default solver does.
+/// A heap of boxes, large enough that several threads share a step. Only the default solver does.
 void draw_heap(Sketch& sketch) {
     draw_ground(sketch);
     sketch.plan.def.solver = Solver::soft_step;

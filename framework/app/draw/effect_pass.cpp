@@ -34,7 +34,8 @@ vec4 picture(vec2 at) {
 
 constexpr std::string_view version_word = "#version";
 
-/// The code behind our declarations. Its own `#version` has to be the first line.
+/// The code of a game after the declarations of Fettle. If it has a `#version`, that becomes the
+/// first line.
 std::string whole(std::string code) {
     std::string version = "#version 120";
     const std::size_t at = code.find(version_word);

@@ -270,7 +270,7 @@ void Input::State::update_actions() {
 }
 
 void Input::State::update_action(Action& action, bool tells_press) {
-    // The farthest of each side, so that two keys for one side are no more than one.
+    // The largest value of each direction, so that two keys for one direction do not add up.
     Vec2 most(0, 0), least(0, 0);
     double strength = 0;
     for (const ActionDirection& each : action.bindings.directions) {

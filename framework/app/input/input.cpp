@@ -77,7 +77,7 @@ void Input::State::queue(Act act, bool taken, std::string_view callback,
 
 void Input::State::queue_switch(Act act, bool& taken, std::string_view callback,
                                 std::vector<Value> arguments) {
-    // A release belongs to the one that has the press.
+    // A release goes where its press went: to the game or to what lies over it.
     const bool had = std::exchange(taken, act.down && takes(act));
     const bool now = act.down ? taken : had;
     queue(std::move(act), now, callback, std::move(arguments));

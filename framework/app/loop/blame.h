@@ -14,9 +14,9 @@ struct Blamed {
     std::string writer;  // "main.lua:30", "console", "inspector", "physics", "unknown"
 };
 
-/// The instances with a position that are below no other such instance, each with who wrote last
-/// one of its values or of those below it. The simulation counts if it moves the instance and
-/// nobody else wrote within the last second of `dt` steps.
+/// The topmost instances with a position, each with the last writer of a value of it or of an
+/// instance below it. The simulation counts as the writer if it moves the instance and no other
+/// writer wrote within the last second (`dt`: s, a step).
 std::vector<Blamed> blamed(const property::Tree& tree, double dt);
 
 /// Draws them again in the colors of their writers, and the legend at the lower left.

@@ -20,8 +20,8 @@ class Effects {
     Effects(property::Tree& tree, const View& view, property::Assets* assets);
     Effects(const Effects&) = delete;
 
-    /// Reads the file if another one is named. So a missing file is told where nothing is drawn,
-    /// too.
+    /// Reads the file if its name has changed. So a missing file is reported also if nothing is
+    /// drawn.
     void step();
     /// What is to be drawn now; null without an effect. `time`: s.
     const Effect* now(double time);

@@ -15,8 +15,8 @@ namespace fettle::app::sfml {
 /// stream exists.
 void silence_audio_libraries();
 
-/// Stereo samples of 16 bits that the library asks for on a thread of its own. A derived class
-/// calls `stop` in its destructor, since that thread calls its members.
+/// A stream of stereo samples of 16 bits. The library fetches them on its own thread. A derived
+/// class calls `stop` in its destructor, because that thread calls its members.
 class AudioStream : public StereoStream {
   protected:
     /// The next samples, left and right in turn. They stay valid until the next call.

@@ -197,7 +197,7 @@ void Timeline::switch_to(const std::string& branch) {
         if (!jumps_->arrived) exchange_with(*found);
         throw;
     }
-    // The branch that was left is the one that was left last.
+    // The former branch becomes the last in the list: it was left last.
     std::rotate(found, std::next(found), others_.end());
 }
 

@@ -65,7 +65,7 @@ class Packer {
   private:
     void work();
 
-    std::mutex mutex_;  // held only to hand over a state, not during packing
+    std::mutex mutex_;  // locked only to pass a state on, not during packing
     std::condition_variable wake_;
     std::deque<std::weak_ptr<PackedBytes>> waiting_;
     bool ending_ = false;

@@ -267,8 +267,8 @@ class SfmlWindow : public Window {
             cursor_ = std::move(cursor);
         }
     }
-    /// The system may tell the size with which the window was first opened, which the game knows.
-    /// It may have set another one meanwhile.
+    /// True for the event with the size with which the window was first opened. The game knows this
+    /// size, and may have set another one meanwhile.
     bool is_size_of_opening(const InputEvent& event) {
         if (event.kind != EventKind::resized) return false;
         const std::optional<property::Vec2> opened = std::exchange(opened_, std::nullopt);

@@ -82,8 +82,8 @@ void Player::focus(Widget* widget, bool shown) {
     }
 }
 
-/// The modal widget in front has the keyboard; a widget that cannot have it loses it. When no modal
-/// widget is left, the one has it again that had it before.
+/// Gives the keyboard to the modal widget in front, and takes it from a widget that cannot have it.
+/// When no modal widget is left, the widget that had the keyboard before gets it again.
 void Player::keep_focus() {
     Widget* const now = focused();
     Widget* const top = modal();
@@ -157,11 +157,11 @@ void Player::towards(const Vec2& direction) {
         if (each == now) continue;
         const Vec2 apart = each->box.center() - now->box.center();
         const double ahead = apart.dot(direction);
-        // Those beside it count less than those in line with it.
+        // A widget in line with it is preferred to one beside the line.
         const double overlap = std::min(each->box.upper[across], now->box.upper[across]) -
                                std::max(each->box.lower[across], now->box.lower[across]);
         const double aside = overlap > 0 ? 0 : -overlap;
-        // Left and right never go to what is rather above or below.
+        // Left and right never lead to a widget above or below the row.
         const bool leaves_row = along == 0 && overlap <= 0 && std::abs(apart[across]) > ahead;
         if (ahead > 1 && !leaves_row && ahead + 3 * aside < least) {
             least = ahead + 3 * aside;

@@ -25,7 +25,7 @@ constexpr double pushed = 0.5;  // of a stick
 
 }  // namespace
 
-// --- What is the interface's
+// --- Input that the interface uses
 
 bool Player::takes(const Act& act) {
     if (act.kind == Act::Kind::pointer || act.kind == Act::Kind::mouse_button) mouse_ = act.value;
@@ -58,7 +58,7 @@ void Player::frame(const Vec2& mouse, const Vec2& screen) {
     lay_out();
     binding_.update_all();
     keep_focus();
-    // It may have been deleted, or a snapshot of a moment when it was held was restored.
+    // The held widget may have been deleted, or a restored snapshot may contain one that is held.
     if (widgets_.board.held && (!down_ || widgets_.find(widgets_.board.held) == nullptr)) hold({});
 }
 

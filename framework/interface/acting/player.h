@@ -1,5 +1,5 @@
 #pragma once
-// What the player does with the widgets: mouse, keys and gamepads.
+// The effect of mouse, keys and gamepads on the widgets.
 
 #include <string>
 #include <string_view>
@@ -25,7 +25,7 @@ class Player {
     const Widget* hovered() { return under(at(mouse_)); }
 
   private:
-    // Where things are.
+    // Positions.
     property::Vec2 at(const property::Vec2& pixels) const { return pixels / widgets_.scale; }
     Widget* under(const property::Vec2& point);
     Widget* list_under(const property::Vec2& point);

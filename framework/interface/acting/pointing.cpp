@@ -1,4 +1,4 @@
-// What the mouse does.
+// The effect of the mouse.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ using property::Vec2;
 
 namespace {
 
-/// Whether a click on it does not go through.
+/// True if a click on it does not reach what lies below it.
 bool is_solid(const Widget& widget) {
     return is_active(widget.kind) || widget.kind == Kind::panel ||
            (is_container(widget.kind) && (widget.modal || widget.color));
@@ -46,13 +46,14 @@ void Player::press(const Vec2& point) {
     Widget* const before = focused();
     const bool is_modal = modal() != nullptr;
     if (widget == nullptr || !enabled(*widget) || !is_active(widget->kind)) {
-        // A click beside it takes the keyboard away from a widget, but not from a menu.
+        // A click outside of all widgets takes the keyboard from a widget, but not from a modal
+        // menu.
         if (before != nullptr && !is_modal) focus(nullptr, false);
         return;
     }
     hold(widget->self);
     drags_bar_ = false;
-    // In a menu that is always there, a click must not take the keys away from the game.
+    // In a menu that is always visible, a click must not take the keyboard from the game.
     const bool wants_keys = is_modal || widget->kind == Kind::text_field || before != nullptr;
     if (wants_keys && can_focus(*widget)) focus(widget, false);
     const Box inner = Layout::inside(*widget);

@@ -80,7 +80,7 @@ void Binding::write(const Place& place, const Value& value) {
     preferences_.note(place);
 }
 
-/// The value of the widget for that of the property.
+/// Converts the value of the property to a value of the widget.
 Value Binding::shown(const Widget& widget, const Value& target) const {
     const property::Tree& tree = widgets_.tree();
     switch (widget.kind) {
@@ -108,7 +108,7 @@ Value Binding::shown(const Widget& widget, const Value& target) const {
     }
 }
 
-/// The value of the property for that of the widget.
+/// Converts the value of the widget to a value of the property.
 Value Binding::wanted(const Widget& widget, const Place& place, const Value& own) const {
     const Value target = read(widgets_.tree(), place);
     if (widget.kind == Kind::slider && target.is(Type::integer))
@@ -160,7 +160,7 @@ void Binding::update(Widget& widget) {
         }
         widget.target_before = read(tree, place_of(widget));
         if (!typing && !reads_only) {
-            // The property may have made something else of the value, such as an integer.
+            // The property may have changed the value, for example to an integer.
             const Value now = shown(widget, widget.target_before);
             if (!(now == tree.get(self, name))) tree.set(self, name, now);
         }
@@ -190,7 +190,7 @@ property::Range Binding::range(const Widget& widget) const {
             const property::Range& own = place.property->range;
             if (std::isfinite(own.min) && std::isfinite(own.max) && own.min < own.max) range = own;
         } catch (const std::exception&) {
-            // `update` tells what is wrong.
+            // `update` reports the error.
         }
     }
     range.min = widget.min.value_or(range.min);
@@ -203,7 +203,7 @@ double Binding::step(const Widget& widget) const {
     try {
         if (place_of(widget).property->type == Type::integer) return std::max(1.0, widget.step);
     } catch (const std::exception&) {
-        // `update` tells what is wrong.
+        // `update` reports the error.
     }
     return widget.step;
 }

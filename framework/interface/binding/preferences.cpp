@@ -18,7 +18,7 @@ using property::Value;
 
 namespace {
 
-/// Below it everything is the player's.
+/// All properties below these instances belong to the player.
 constexpr std::string_view players_roots[] = {"audio", "input.actions"};
 
 const std::string& path_in(const Value& entry) {

@@ -13,9 +13,9 @@
 
 namespace fettle::interface {
 
-/// The preferences are kept twice: here as they are now, and in a property of the tree as they were
-/// at its moment. After a jump, the two tell which values the player has changed since that moment.
-/// So the writes of the game to the same properties stay state.
+/// The preferences are stored twice: here as they are now, and in a property of the tree as they
+/// were at the moment of the tree. After a jump, a comparison of the two shows which values the
+/// player has changed since that moment. Other writes to the same properties are state of the game.
 class Preferences : public property::Observer {
   public:
     /// The name of the property in the tree.
@@ -32,7 +32,7 @@ class Preferences : public property::Observer {
     /// Whether a widget that writes the property sets a preference: those of `audio` and of
     /// `input.actions` are the player's.
     bool is_players(const property::Place& place) const;
-    /// The property has the value that the player wants.
+    /// Notes the value of the property as the player's choice.
     void note(const property::Place& place);
     /// Writes the property, and notes it. nil: it is a preference no longer. Throws Error.
     void prefer(const std::string& path, const property::Value& value);

@@ -1,4 +1,4 @@
-// Draws what the player operates.
+// Draws controls: buttons, sliders, text fields and others.
 
 #include <algorithm>
 #include <cmath>

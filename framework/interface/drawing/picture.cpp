@@ -25,7 +25,7 @@ bool has_background(const Widget& widget) {
 
 }  // namespace
 
-// --- Soft changes
+// --- Gradual changes
 
 void Picture::advance(double seconds) {
     constexpr double fade = 0.09;  // s
@@ -51,7 +51,7 @@ void Picture::advance(double seconds) {
     }
 }
 
-// --- The whole
+// --- All widgets
 
 void Picture::draw(property::Painter& painter, const Vec2& screen) {
     if (layout_.shown().empty()) return;

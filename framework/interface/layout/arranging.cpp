@@ -1,4 +1,4 @@
-// Where a widget is within the one above it.
+// The place of a widget within its parent.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array<const char*, 9> anchors{"top_left",    "top",    "top_right
                                              "left",        "center", "right",
                                              "bottom_left", "bottom", "bottom_right"};
 
-/// The part of what is left that lies before it.
+/// The share of the free length that lies before the widget.
 double share_before(const std::string& where) {
     return where == "center" ? 0.5 : where == "end" ? 1 : 0;
 }

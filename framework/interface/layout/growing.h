@@ -1,5 +1,5 @@
 #pragma once
-// What widgets do with length that is left over.
+// How widgets share the free length of a row or a column.
 
 #include <widgets/widget.h>
 
@@ -10,7 +10,7 @@ inline bool fills(const Widget& widget, int axis) {
     return widget.fill == "both" || widget.fill == (axis == 0 ? "width" : "height");
 }
 
-/// The share of the length that is left over; 0: none.
+/// The share of the free length that the widget gets; 0: none.
 inline double growth(const Widget& widget, int along) {
     return widget.grow > 0 ? widget.grow : fills(widget, along) ? 1 : 0;
 }

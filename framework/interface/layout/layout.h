@@ -1,6 +1,6 @@
 #pragma once
-// Where the widgets are on the screen. They are laid out when something has changed and someone
-// needs to know it.
+// The places of the widgets on the screen. They are computed when one is needed and something has
+// changed.
 
 #include <cstdint>
 #include <functional>
@@ -33,7 +33,7 @@ class Layout {
 
     /// Lays out if something has changed. `screen`: px.
     void update(const property::Vec2& screen);
-    /// Widgets without one above them, those that are drawn first first.
+    /// Widgets without a parent, in the order of drawing.
     const std::vector<property::Row>& tops() const { return tops_; }
     /// All widgets that are shown, in the order of drawing.
     const std::vector<property::Row>& shown() const { return shown_; }

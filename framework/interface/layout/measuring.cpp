@@ -1,4 +1,4 @@
-// How large a widget is if nothing else decides it.
+// The natural sizes of widgets.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace fettle::interface {
 using property::Row;
 using property::Vec2;
 
-/// `width`: what is there for it.
+/// `width`: the available width.
 Vec2 Layout::measure(Row row, double width) {
     Widget& widget = widgets_[row];
     if (widget.size.x > 0) width = widget.size.x;
@@ -89,7 +89,7 @@ Vec2 Layout::natural_control(Widget& widget, double width) {
     return {std::ceil(widest) + beside, std::round(count * lettering.line_height() + edge)};
 }
 
-/// The width that a text needs which grows in a row and wraps; 0 for other widgets.
+/// The least width of a text that grows in a row and wraps; 0 for other widgets.
 double Layout::longest_word(const Widget& widget) const {
     if (widget.kind != Kind::label || widget.overflow != "wrap" || widget.size.x > 0) return 0;
     const Lettering lettering = Lettering::of(widget);
@@ -100,8 +100,8 @@ double Layout::longest_word(const Widget& widget) const {
     return std::max(std::ceil(longest), widget.min_size.x);
 }
 
-/// The width to which the widest texts of a row are cut, so that everything has room in it: short
-/// ones stay whole. `width` if all have room. `needed`: by those that grow.
+/// The width to which the widest texts of a row are cut, so that all widgets fit into it; short
+/// texts stay whole. `width` if all fit. `needed`: width of the widgets that grow.
 double Layout::widest_text(Widget& row, double width, double needed) {
     std::vector<double> texts;
     double room = width - needed;
@@ -147,7 +147,7 @@ Vec2 Layout::natural_line(Widget& widget, double width, int along) {
         wanted[1 - along] = std::max(wanted[1 - along], one[1 - along]);
         if (along == 0) left = std::max(0.0, left - one.x);
     };
-    // In a row, those that grow get what the others leave.
+    // In a row, widgets that grow share the width that the others leave.
     double shares = 0, needed = 0;
     for (const Row child : widget.children) {
         const double grow = growth(widgets_[child], along);

@@ -41,7 +41,7 @@ class Themes {
         if (changed_) changed_();
     }
     const property::Class& of() const { return *class_; }
-    /// What a widget without a theme looks like if there is no other.
+    /// The look of widgets without a theme.
     const Theme plain{};
 
   private:

@@ -76,14 +76,14 @@ struct Widget {
     double content = 0;                // height of what a list shows
     bool shown = false;                // visible, with all above it
 
-    // --- Of the picture only
+    // --- Only for drawing
     double hover = 0, press = 0, ring = 0, switched = -1;  // 0 to 1; below 0: not known yet
     double view_left = 0;                                  // px, what a text field has scrolled
 
     // --- Of the bound property
     property::Value own_before{}, target_before{};
     bool bound_before = false;
-    std::string problem{};  // the last one that was told
+    std::string problem{};  // the last one that was reported
 
     static constexpr property::Row none = std::numeric_limits<property::Row>::max();
 };

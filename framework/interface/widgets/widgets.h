@@ -31,7 +31,7 @@ struct ServiceParts {
 class Widgets {
   public:
     using Element = Widget;
-    /// Needs of the parts above it, for properties and methods.
+    /// Functions of the rooms above this one, which properties and methods call.
     struct Answers {
         std::function<void()> lay_out;  // if it is necessary
         std::function<bool(property::Row)> hovered;

@@ -8,8 +8,8 @@
 
 namespace fettle::property {
 
-/// A list with the same fields. Equal lists are stored once for the whole program and, like
-/// symbols, never given back, so a record needs no share of them and costs nothing more.
+/// A list with the same fields that is never freed. Equal lists are stored once for the whole
+/// program, as symbols are. So a record can refer to the list without owning a share of it.
 const std::vector<Field>& lasting(const std::vector<Field>& fields);
 
 }  // namespace fettle::property

@@ -248,8 +248,9 @@ void Formulas::settle(Cell cell) {
     // An inquiry must not write the memory of the owner, so the formula keeps its value.
     if (!settled(*e) && underway_.inquiry == nullptr) settle(*e);
     if (e->error.empty() || e->removed) return;
-    // An error that goes through many formulas names the one that was read and the one in which it
-    // began. With all of them in between, the texts of n formulas would have the length of n².
+    // An error that passes through many formulas names the formula that was read and the formula in
+    // which the error began. With all formulas in between, the texts of n formulas would need space
+    // for n² names.
     const std::string start = tree_.path(e->instance, *e->property) + " is in error: ";
     passed_on_ = e->origin.empty() ? start + e->error : e->origin;
     throw Error(ErrorKind::formula, e->origin.empty() ? passed_on_ : start + e->origin);

@@ -17,7 +17,7 @@ struct Machine;
 struct Errors {
     std::optional<ScriptError> caught;        // described where it was raised, not reported yet
     std::optional<ScriptError> thread_error;  // raised in a coroutine, now on its way out
-    // Places where an error about an instance that a restore had taken away was told.
+    // Places whose error about an instance that a restore removed was reported.
     std::set<std::string> told_gone;
     int reports = 0;  // running calls of the host's function for errors
     // Functions that pass on a script's own error unchanged: `error`, `assert` and the functions of

@@ -52,7 +52,7 @@ std::string Context::text(Machine& machine) const {
 namespace {
 
 /// A handler of a game may hold an instance that was made after the step to which the game went
-/// back. The game goes on then, and the place is told once, as a note.
+/// back. The game goes on then, and the log gets one note for each place.
 bool tell_gone(Machine& machine, const Context& context, const ScriptError& error) {
     if (machine.lua.gone.empty() || context.what == "chunk" || context.what == "load" ||
         error.message.find(machine.lua.gone) == std::string::npos)

@@ -105,7 +105,7 @@ std::string Hints::of_added(Handle instance, std::string_view name) const {
 }
 
 void Hints::property_added(Handle instance, std::string_view name) {
-    if (machine_.recording.active) return;  // the line of the change tells it
+    if (machine_.recording.active) return;  // the console shows the hint beside the change
     const Class& of = machine_.tree.class_of(instance);
     const Class* native = &of;
     while (machine_.classes.scripted(*native)) native = native->base();

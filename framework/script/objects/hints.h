@@ -22,8 +22,8 @@ class Hints {
     /// ` (did you mean position = vec(x, y)?)` for a property that a native class does not have, or
     /// "".
     std::string did_you_mean(const property::Class& of, std::string_view name) const;
-    /// What a person may have meant who added that name at the console: ` (did you mean "mass"?)`,
-    /// `; its Circle has radius`, or "". It is told each time.
+    /// A hint for a name that a person has just added at the console: ` (did you mean "mass"?)`,
+    /// `; its Circle has radius`, or "". It is given each time.
     std::string of_added(property::Handle instance, std::string_view name) const;
     /// To be called when the game is loaded: notes functions that are never called although their
     /// names look like callbacks.

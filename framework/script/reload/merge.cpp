@@ -92,8 +92,8 @@ const Merge::Declared* Merge::said_before(Handle living, const std::string& path
     return declared_before(path);
 }
 
-/// The instance that was declared so: itself wherever it is now, or another one of its class that
-/// the game has put in its place.
+/// The living instance for an earlier declaration: the declared instance, also if it has moved, or
+/// an instance of the same class that the game has put in its place.
 Handle Merge::living(const Declared& before, Handle parent, const std::string& name) const {
     if (tree_.alive(before.instance) && &tree_.class_of(before.instance) == before.of)
         return before.instance;

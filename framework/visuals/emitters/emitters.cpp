@@ -19,7 +19,7 @@ namespace {
 
 constexpr int dot_size = 32;  // px
 
-/// Of all emitters of a game together; a step moves so many in some milliseconds.
+/// Greatest number of particles of all emitters together; a step moves them in some milliseconds.
 constexpr std::size_t most_in_game = 500'000;
 
 /// A white disc with a soft edge.
@@ -144,7 +144,7 @@ void Emitters::step(double dt) {
     for (const Row& row : rows_) all_ += row.particles.size();
     for (Row& row : rows_) {
         if (!row.state.self) continue;
-        (void)sheet_of(row);  // tells of a missing file also where nothing is drawn
+        (void)sheet_of(row);  // reports a missing file also if nothing is drawn
         // A detached emitter is not in the game yet.
         if (tree_->parent(row.state.self)) advance(row, dt);
     }

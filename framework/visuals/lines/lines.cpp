@@ -90,8 +90,8 @@ void draw_segments(Painter& painter, Handle self, const Segments& segments, doub
             painter.line(from, to, color, static_cast<float>(std::max(1.0, pixels)));
         return;
     }
-    // The parts of one whole: where they overlap, a translucent color is drawn once. The highest
-    // bit tells the number from those of bodies.
+    // All segments are parts of one figure: where they overlap, a translucent color is drawn once.
+    // The highest bit distinguishes the number of the figure from numbers of bodies.
     const std::uint64_t whole =
         std::uint64_t{1} << 63 | std::uint64_t{self.generation} << 32 | self.index;
     painter.part_of(whole);

@@ -86,7 +86,7 @@ Sprites::Playing Sprites::playing(const Row& row, const Sheet& sheet) const {
 /// The frame that is shown.
 Frame Sprites::frame(Row& row) {
     const Sheet& sheet = *row.sheet;
-    // Most images are one frame, of which no animation can show another one.
+    // Most images have only one frame.
     if (sheet.found && sheet.frames.empty() && frames_in(row, sheet) == 1) return whole_of(sheet);
     const Playing plays = playing(row, sheet);
     const auto n = static_cast<std::size_t>(row.frame % plays.count);
@@ -120,7 +120,7 @@ double Sprites::seconds_of(const Row& row, const Sheet& sheet, const Playing& pl
 }
 
 void Sprites::advance(Row& row, double dt) {
-    const Sheet* const shown = sheet(row);  // also tells of a missing file where nothing is drawn
+    const Sheet* const shown = sheet(row);  // reports a missing file also if nothing is drawn
     if (shown == nullptr) return;
     const Reader read(*tree_, row.self);
     // Most sprites have no animation.

@@ -18,8 +18,8 @@ class Texts {
     void define(property::Tree& tree);
     /// To be called when a font has changed.
     void forget_layouts();
-    /// Loads fonts that have not been loaded. So a missing file is told where nothing is drawn,
-    /// too.
+    /// Loads fonts that have not been loaded. So a missing file is reported also if nothing is
+    /// drawn.
     void step();
 
   private:

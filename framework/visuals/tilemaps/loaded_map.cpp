@@ -110,7 +110,7 @@ TileShape LoadedMap::flipped(const TileShape& shape, std::uint32_t flips, const 
     for (auto* group : {&made.polygons, &made.lines})
         for (Outline& corners : *group) {
             for (Vec2& p : corners) {
-                // The exchange of x and y is meant with y down.
+                // A diagonal flip exchanges x and y in coordinates with y down.
                 if (cell.has(PackedCell::flip_diagonal)) p = Vec2(size.y - p.y, size.x - p.x);
                 if (cell.has(PackedCell::flip_x)) p.x = size.x - p.x;
                 if (cell.has(PackedCell::flip_y)) p.y = size.y - p.y;

@@ -1,5 +1,5 @@
-// The body with the outlines of the solid cells. Its classes are those of whatever module defines
-// `Body` and `Chain`; without one, nothing is solid.
+// The body with the outlines of the solid cells. Any module may define its classes `Body` and
+// `Chain`; without them, nothing is solid.
 
 #include <bit>
 #include <cstddef>

@@ -106,7 +106,7 @@ class ObjectMaker {
             else
                 make_.set_if_there(made, name, value);
         };
-        // Every object is somewhere, so the property is added if the class does not have it.
+        // Every object has a place, so the property is added if the class does not declare it.
         make_.set_or_add(made, "position", Value(place_.point(middle)));
         if (turn != 0) put("angle", Value(-turn));
         if (object.size.x > 0 || object.size.y > 0) {

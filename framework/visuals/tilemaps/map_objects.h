@@ -27,7 +27,7 @@ struct MapPlace {
     MapPlace moved(const property::Vec2& pixels) const { return {point(pixels), pixels_per_unit}; }
 };
 
-/// Makes instances and sets their properties; what is refused is told with its place in the file.
+/// Makes instances and sets their properties. Reports refused values with their place in the file.
 class Maker {
   public:
     Maker(property::Tree& tree, std::function<void(const std::string&)> tell)

@@ -86,7 +86,7 @@ class Tilemaps {
     // --- tilemaps.cpp
     bool is_map(property::Handle instance) const;
     bool is_layer(property::Handle instance) const;
-    /// Null if the instance has no map or its file cannot be read, which is told once.
+    /// Null if the instance has no map, or its file cannot be read; this is reported once.
     std::shared_ptr<const LoadedMap> loaded(property::Handle map);
     std::shared_ptr<const LoadedMap> read(const std::string& file);
     /// The cells of a layer as they are now; null if it has no map.

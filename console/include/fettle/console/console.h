@@ -83,7 +83,7 @@ struct Options {
     std::function<void(const Layout&)> keep_layout{};
     /// Commands of the player, which are run before the first frame as if they were typed.
     std::string first_commands{};
-    /// The run repeats a recording, which contains the commands that `exec` ran: it runs none.
+    /// True in a replay. The recording contains the commands that `exec` ran, so `exec` runs none.
     bool replay = false;
 };
 
@@ -115,7 +115,8 @@ class Console : public app::Layer {
 
     bool is_open() const;         ///< whether the player sees it
     void open(bool open = true);  ///< opens or closes it
-    /// Whether terminals may attach (`console.listen`). The host listens, and says no by `false`.
+    /// Whether terminals may attach (`console.listen`). The host listens then; if it cannot, it
+    /// calls `listen(false)`.
     bool listens() const;
     void listen(bool listens);  ///< sets `listens`
     /// Pixels at the lower edge of the window that the console covers now.

@@ -141,8 +141,8 @@ void KeptTweaks::report_unused_values() {
     }
 }
 
-/// Makes parents first, whatever the order in the file. References are set after all instances
-/// exist.
+/// Makes parents before their children, in any order of the file. Sets references after all
+/// instances exist.
 void KeptTweaks::create_all() {
     std::unordered_map<std::string, const std::string*> open;  // keys by path
     for (const std::string& key : contents_.created) {

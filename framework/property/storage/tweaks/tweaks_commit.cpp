@@ -209,8 +209,8 @@ void Tweaks::State::refresh(Entry& entry) {
         return;
     }
     if (entry.row.kind != Kind::value) return;
-    // A formula is settled now. Any other value stays as the person entered it, whatever changed it
-    // later.
+    // A formula is settled now. Any other value is kept as the person entered it, also if something
+    // changed it later.
     if (entry.now.kind == Image::Kind::formula && tree.alive(entry.handle))
         entry.now = image_now(tree, entry.handle, entry.property, true);
     entry.row.was = image_json(entry.was);
