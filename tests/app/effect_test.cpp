@@ -77,7 +77,7 @@ TEST_CASE_METHOD(Shown, "an effect has the values that its code declares") {
                           "view.uniforms.strong: glow.frag declares no uniform of that name"});
 }
 
-TEST_CASE_METHOD(Shown, "the file of an effect is read again and a missing one is told once") {
+TEST_CASE_METHOD(Shown, "the file of an effect is read again and a missing one is reported once") {
     write("glow.frag", "one");
     set("view.effect", Value("glow.frag"));
     CHECK(now()->code == "one");

@@ -23,7 +23,7 @@ std::string writer_of(const Game& game, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the writer of an instance is who wrote last") {
+TEST_CASE("the writer of an instance is the last one") {
     Game game("game.crate = Object {}\ngame.crate.position = vec(1, 2)\ngame.empty = Object {}");
     CHECK(writer_of(game, "crate") == "script");
     CHECK(writer_of(game, "empty") == "nobody");

@@ -254,7 +254,7 @@ TEST_CASE("a greeting and a request may come in any pieces") {
     CHECK(game.commands.size() == 3);
 }
 
-TEST_CASE("who never speaks is put out") {
+TEST_CASE("a connection that never sends a greeting is closed") {
     Game game({.greeting_seconds = 0});
     Visitor silent = game.visitor();
     game.frames(2);
@@ -367,7 +367,7 @@ TEST_CASE("a flood of requests waits for its turn") {
     tell_cost("a flood of requests", game);
 }
 
-TEST_CASE("who does not read the answers gets no more of them") {
+TEST_CASE("a terminal that does not read its answers gets no more of them") {
     Game game({.busy_seconds = 1e9});
     game.lines_of_answer = 400;
     Visitor slow = game.terminal(), terminal = game.terminal();
@@ -395,7 +395,7 @@ TEST_CASE("who does not read the answers gets no more of them") {
     tell_cost("a slow reader", game);
 }
 
-TEST_CASE("who goes in the middle of an answer is forgotten") {
+TEST_CASE("a terminal that disconnects during an answer is removed") {
     Game game;
     game.lines_of_answer = 400;
     for (int i = 0; i < 100; ++i) {

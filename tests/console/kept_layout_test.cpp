@@ -76,7 +76,7 @@ TEST_CASE("sizes and what is pinned and plotted are kept from run to run") {
     CHECK_FALSE(second.runtime.running());
 }
 
-TEST_CASE("a layout that does not fit is told and the rest is used") {
+TEST_CASE("a layout that does not fit is reported and the rest is used") {
     console::Layout damaged;
     damaged.settings = {{"height", Value("tall")}, {"scale", Value(2.0)}, {"wings", Value(1.0)}};
     damaged.pins = {"world.ball.mass +", "world.ball.mass"};
@@ -145,7 +145,7 @@ TEST_CASE("the log shows only lines with the text of the filter") {
     CHECK(rows().size() == 2);
 }
 
-TEST_CASE("what the game prints is told apart from what commands print") {
+TEST_CASE("the log distinguishes prints of the game from prints of commands") {
     Run run;
     run.lua->print("tick");
     run.lua->print("tick");

@@ -136,7 +136,7 @@ TEST_CASE("of a vector only the edited component goes to the others") {
     CHECK(rig.value("world.floor.position").vec2() == Vec2(2, -4));
 }
 
-TEST_CASE("different values are told as mixed") {
+TEST_CASE("different values are shown as mixed") {
     property::Tree tree;
     console::test::make_game(tree);
     const Handle world = tree.child(tree.root(), "world");

@@ -77,7 +77,7 @@ TEST_CASE("a reload leaves what the player has set") {
     CHECK(contains(store, "\"key\": \"j\""));
 }
 
-TEST_CASE("an error of a changed file is told and the game goes on") {
+TEST_CASE("an error of a changed file is reported and the game goes on") {
     Run run;
     run.folder.write("game/main.lua",
                      "world.ball = Body { Circle { } } "

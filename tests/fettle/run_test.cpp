@@ -251,7 +251,7 @@ TEST_CASE("chunks run at their step of the run even if the time of the game was 
     CHECK(run.err == "fettle: --at 41 was never reached: the run ended with its step 40\n");
 }
 
-TEST_CASE("missing files are told where nothing is drawn") {
+TEST_CASE("missing files are reported also if nothing is drawn") {
     const Folder folder;
     folder.write("game/main.lua",
                  "Text { text = 'hi', font = 'a.ttf' } Sprite { image = 'b.png' }\n"

@@ -61,7 +61,7 @@ void keep_problems(const Game& game, std::vector<std::string>* told) {
 
 const char* const falling = "world.ball = Body { Circle {}, position = vec(0, 5) }";
 
-TEST_CASE("what of a state does not fit the game is told in the same words however it comes back") {
+TEST_CASE("a save and a snapshot report in the same words what does not fit the game") {
     const Folder folder("fettle_host_remarks");
     const std::string saves = folder / "saves";
     fettle_hosted_def def = definition();

@@ -28,7 +28,7 @@ TEST_CASE("a velocity function that sets nothing changes no bit of the result") 
     REQUIRE(plain.hash() == asked.hash());
 }
 
-TEST_CASE("a velocity function is told gravity and forces and damping") {
+TEST_CASE("a velocity function gets gravity and forces and damping") {
     World world({.gravity = {0, -10}});
     Body body = world.create_body({.velocity = {3, 0}, .linear_damping = 0.5f});
     body.add(Circle{});

@@ -26,7 +26,7 @@ TEST_CASE("bounds keep bodies of every kind inside") {
     REQUIRE(ball.position().y == Approx(0.5f).margin(0.02));
 }
 
-TEST_CASE("bounds are live and wake who rests on them") {
+TEST_CASE("bounds are live and wake bodies that rest on them") {
     World world({.bounds = Aabb{{-5, 0}, {5, 10}}});
     Body box = add_box(world, {0, 0.5f});
     run(world, 3.0f);

@@ -134,7 +134,7 @@ TEST_CASE("the rules of mixing are what they are called and act on what rests") 
     }
 }
 
-TEST_CASE("a filter function decides who collides and setting it asks anew") {
+TEST_CASE("a filter function decides which shapes collide and a new one is asked again") {
     World world;
     add_floor(world);
     Body ghost = add_box(world, {0, 0.5f}), solid = add_box(world, {5, 0.5f});
@@ -153,7 +153,7 @@ TEST_CASE("a filter function decides who collides and setting it asks anew") {
     REQUIRE(ghost.position().y == Approx(0.5f).margin(0.01));
 }
 
-TEST_CASE("a touch that lasts is told in every step after its first") {
+TEST_CASE("a touch that lasts is reported in every step after its first") {
     World world({.sleeping = false, .persist_events = true});
     add_floor(world);
     add_box(world, {0, 0.5f});

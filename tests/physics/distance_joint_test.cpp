@@ -188,7 +188,7 @@ TEST_CASE("a cradle whose balls touch swings for a minute without fading") {
     REQUIRE(moved < 0.1f);
 }
 
-TEST_CASE("an elastic cradle passes the blow on to the last ball") {
+TEST_CASE("an elastic cradle passes the impact on to the last ball") {
     World world({.sleeping = false});
     std::vector<Body> balls;
     const float length = 4.0f, aside = 0.5f, pitch = 1.025f;

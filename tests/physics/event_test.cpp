@@ -53,7 +53,7 @@ TEST_CASE("a bounce that is over within a step begins and ends too") {
     REQUIRE(ended == 1);
 }
 
-TEST_CASE("a hit reports its speed and impulse and point to who asked") {
+TEST_CASE("a hit of a shape with hit events reports its speed and impulse and point") {
     World world({.gravity = {0, 0}});
     add_floor(world);
     Body ball = add_ball(world, {0, 2}, 0.5f, {.hit_events = true});
@@ -78,7 +78,7 @@ TEST_CASE("a hit reports its speed and impulse and point to who asked") {
     }
 }
 
-TEST_CASE("falling asleep and waking are told") {
+TEST_CASE("falling asleep and waking are reported") {
     World world;
     add_floor(world);
     Body box = add_box(world, {0, 0.5f});
@@ -95,7 +95,7 @@ TEST_CASE("falling asleep and waking are told") {
     REQUIRE(world.events().woke.empty());
 }
 
-TEST_CASE("a sensor tells who enters and who leaves and pushes nobody") {
+TEST_CASE("a sensor reports bodies that enter and leave and pushes none") {
     World world;
     Body zone = world.create_body({.type = BodyType::static_body});
     Shape sensor = zone.add(Box{.width = 4, .height = 2}, {.sensor = true});

@@ -81,7 +81,7 @@ TEST_CASE("a body that rests longer than a number can say sleeps and can be save
     REQUIRE(body.awake());
 }
 
-TEST_CASE("a saved contact that nobody uses and that touches is refused") {
+TEST_CASE("a saved world in which a free contact touches is refused") {
     World world;
     add_floor(world);
     Body first = add_ball(world, {0, 0.4f});

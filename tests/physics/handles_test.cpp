@@ -161,7 +161,7 @@ TEST_CASE("an id of one world names nothing in any other") {
     REQUIRE(first.is_valid(made_in_copy.id()));
 }
 
-TEST_CASE("no generation is given again whatever is restored from wherever") {
+TEST_CASE("no generation is given twice after any restore") {
     World world;
     const auto make = [](World& in) { return add_ball(in, {0, 0}); };
     Body old = make(world);
@@ -275,7 +275,7 @@ TEST_CASE("a mouse joint drags a body, by whatever name that is set") {
     REQUIRE(things.mouse.body() == things.third);
 }
 
-TEST_CASE("counts are told as whole numbers") {
+TEST_CASE("messages contain counts as whole numbers") {
     World world;
     REQUIRE_THROWS_WITH(world.set_threads(2147483647),
                         "threads = 2147483647: expected a whole number from 1 to 64");

@@ -61,7 +61,7 @@ TEST_CASE("vertices on a line are refused and the polygon stays as it was") {
     REQUIRE(shape.area() == Approx(0.5f));
 }
 
-TEST_CASE("a handle to what was destroyed is told apart from what came into its place") {
+TEST_CASE("a handle to a destroyed object does not refer to its successor") {
     World world;
     Body a = add_box(world, {0, 0});
     Shape shape = a.shapes()[0];
@@ -379,7 +379,7 @@ TEST_CASE("reading a shape may make the parts of others") {
     CHECK_FALSE(world.validate());
 }
 
-TEST_CASE("a world that a refresh callback of another one destroys in a query is told") {
+TEST_CASE("a query reports that a refresh callback has destroyed its other world") {
     for (const bool queried : {true, false})
         for (int which = 0; which < 3; ++which) {
             auto first = std::make_unique<World>(), second = std::make_unique<World>();

@@ -54,7 +54,7 @@ TEST_CASE("friction of a resting body that is awake set to 0 makes it slide") {
     REQUIRE(slope.box.velocity().dot(slope.down) > 1.0f);
 }
 
-TEST_CASE("a change of gravity wakes all who sleep") {
+TEST_CASE("a change of gravity wakes all sleeping bodies") {
     Resting scene;
     scene.world.set_gravity({0, 5});
     REQUIRE(scene.box.awake());
@@ -188,7 +188,7 @@ TEST_CASE("waking one wakes the island it sleeps in and not its neighbors") {
     REQUIRE_FALSE(apart.awake());
 }
 
-TEST_CASE("who is hit wakes") {
+TEST_CASE("a sleeping body that is hit wakes") {
     Resting scene;
     Body ball = add_ball(scene.world, {-5, 0.5f});
     ball.set_velocity({8, 0});
@@ -319,7 +319,7 @@ TEST_CASE("gravity scale and locks edited on a sleeping body take effect") {
     REQUIRE(scene.box.position().y > 3.0f);
 }
 
-TEST_CASE("sleeping switched off wakes all and nobody sleeps again") {
+TEST_CASE("sleeping switched off wakes all bodies and none falls asleep again") {
     Resting scene;
     scene.world.set_sleeping(false);
     REQUIRE(scene.box.awake());

@@ -267,7 +267,7 @@ TEST_CASE("no edit is possible inside a function that the world is calling") {
     }
 }
 
-TEST_CASE("inside a function that the world is calling everything can be read and asked") {
+TEST_CASE("inside a function that the world is calling everything can be read") {
     for (const Way& way : every_way()) {
         World world;
         Things things = make_things(world);

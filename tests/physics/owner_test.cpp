@@ -82,7 +82,7 @@ TEST_CASE("the owner of a world alone makes and ends what is in it") {
     REQUIRE(world.body_count() == 0);
 }
 
-TEST_CASE("what a field is and whose it is are its owner's, its numbers anybody's") {
+TEST_CASE("only the owner changes the kind and the user data of a field and anyone its numbers") {
     World world;
     Field field = world.create_field({.force = WindField{}, .user_data = 7});
     Owner owner("it belongs to a tree");

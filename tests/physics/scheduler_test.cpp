@@ -201,7 +201,7 @@ TEST_CASE("a host that cannot start its tasks has stopped the step before it beg
     REQUIRE_FALSE(helped.validate());
 }
 
-TEST_CASE("a host that cannot wait for its tasks is told so after the step and not asked again") {
+TEST_CASE("a host that cannot wait for its tasks gets an error after the step and no more tasks") {
     World plain;
     Failing engine(3), other(3);  // they outlive the world
     World helped;

@@ -34,7 +34,7 @@ TEST_CASE("a shape cast stops where the shape first meets another") {
     REQUIRE(hit->fraction == Approx(16.5f / 40));
 }
 
-TEST_CASE("an overlap finds who shares ground with a shape of any kind") {
+TEST_CASE("an overlap query finds all shapes that overlap a shape of any kind") {
     World world;
     Body left = add_box(world, {0, 0}), right = add_box(world, {3, 0});
     Body bar = world.create_body({.type = BodyType::static_body, .position = {1.5f, 0}});

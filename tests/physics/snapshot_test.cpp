@@ -249,7 +249,7 @@ TEST_CASE("assigning an older world does not give its generations twice") {
     REQUIRE_FALSE(first.is_valid());
 }
 
-TEST_CASE("bytes that end early or belong to somebody else change nothing") {
+TEST_CASE("bytes that end early or are no saved world change nothing") {
     World world;
     build_tumbler(world);
     run(world, 1.0f);

@@ -171,7 +171,7 @@ TEST_CASE("strips hold about as much work each and lie across the longer side") 
     REQUIRE(strips.leaf_at({1, 1}) < strips.leaf_at({1, 59}));
 }
 
-TEST_CASE("strips are as good with somebody who has left for the far away") {
+TEST_CASE("strips are as good with a body that is far away") {
     auto samples = samples_in(100, 60, 4000);
     samples[17].place = {3e7f, 1};
     samples[90].place = {-2e5f, 1};

@@ -88,7 +88,7 @@ TEST_CASE("a velocity is the sum of what changed it on a stack") {
     CHECK(has(told, "impulse vec("));
 }
 
-TEST_CASE("a write between two steps is told apart") {
+TEST_CASE("a write between two steps is listed separately") {
     Game game;
     const Handle ball = game.body("Circle", {0, 5});
     adds_up(game, ball, 2);
@@ -100,7 +100,7 @@ TEST_CASE("a write between two steps is told apart") {
     CHECK((sum_of(told) - game.vec(ball, "velocity")).length() < 1e-4);
 }
 
-TEST_CASE("forces and damping are told apart") {
+TEST_CASE("forces and damping are listed separately") {
     Game game;
     const Handle ball = game.body("Circle", {0, 5});
     game.set(ball, "force", Vec2(7, 0));
@@ -217,7 +217,7 @@ TEST_CASE("circles and eggs that roll and bounce turn by their contacts") {
     CHECK(has(turns_add_up(game, egg, 50), "contact with world."));
 }
 
-TEST_CASE("joints of every kind turn their bodies by what is told") {
+TEST_CASE("the listed turns by joints of every kind are those of their bodies") {
     for (const char* kind : {"RevoluteJoint", "WeldJoint", "DistanceJoint", "PrismaticJoint",
                              "WheelJoint", "PulleyJoint", "MotorJoint", "GrooveJoint",
                              "PinSlotJoint", "GearJoint", "RatchetJoint", "RotaryLimitJoint"}) {

@@ -126,7 +126,7 @@ TEST_CASE("a text that is no condition is refused with its place") {
     CHECK(Field::refusal(std::string(40, '(') + "1" + std::string(40, ')')) == "");
 }
 
-TEST_CASE("a name that nothing has is told with the nearest one") {
+TEST_CASE("a name that no instance has is reported with the nearest one") {
     Field field;
     CHECK(field.unknown("mass > 5 and awake") == "");
     CHECK(field.unknown("score > 5") == "");

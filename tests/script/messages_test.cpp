@@ -97,13 +97,13 @@ TEST_CASE("an error that a script raises without a position has none") {
         "false\tplain|reason|inside");
 }
 
-TEST_CASE("a table with named keys is told by the same key in every run") {
+TEST_CASE("a message about a table with named keys names the same key in every run") {
     Stage s;
     CHECK_THAT(s.fails("world.scale = {zork = 1, yy = 2, b = 3, c = 4, other = 5}"),
                contains("a table with named keys (b)"));
 }
 
-TEST_CASE("a value of a wrong type is told in words") {
+TEST_CASE("a message describes a value of a wrong type in words") {
     Stage s;
     CHECK_THAT(s.fails("local o = Object {} world.o = o o:delete() world.scale = o"),
                contains("got an instance that was deleted"));

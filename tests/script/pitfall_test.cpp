@@ -21,7 +21,8 @@ struct Game : Stage {
 
 }  // namespace
 
-TEST_CASE("a handler that touches what a restore took away is told and the game goes on") {
+TEST_CASE(
+    "a handler that uses an instance that a restore removed leaves a note and the game goes on") {
     Game s;
     s.run(
         "function step() if mine then print(mine.mass) end print('step') end mine = nil "
@@ -65,7 +66,7 @@ TEST_CASE("a handler that touches what a script deleted is still an error") {
     CHECK(s.notes.empty());
 }
 
-TEST_CASE("a vector in a variable is connected and this is told once") {
+TEST_CASE("a vector in a variable is connected and a note says so once") {
     Game s;
     s.run("world.ball = Body {} world.ball.position.x = 3 world.ball.position.y = 4");
     CHECK(s.notes.empty());
@@ -80,7 +81,7 @@ TEST_CASE("a vector in a variable is connected and this is told once") {
     CHECK(s.get("world.ball.position").vec2() == Vec2(5, 8));
 }
 
-TEST_CASE("a vector in a variable of an outer function is told as well") {
+TEST_CASE("a vector in a variable of an outer function gets a note too") {
     Game s;
     s.run("world.ball = Body {} local v = world.ball.position local function f() v.x = 1 end f()");
     REQUIRE(s.notes.size() == 1);

@@ -20,7 +20,7 @@ struct Folder : TemporaryFolder {
 
 }  // namespace
 
-TEST_CASE("an error in a module is told as it is and leaves the module to be loaded again") {
+TEST_CASE("an error in a module is reported unchanged and the module can be loaded again") {
     const auto [text, message] = GENERATE(table<std::string, std::string>({
         {"error('broken')", "broken"},
         {"error('broken', 2)", "broken"},

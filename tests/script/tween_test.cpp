@@ -183,7 +183,7 @@ TEST_CASE("a tween ends with its target") {
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("finished is told once in the step in which the value is reached") {
+TEST_CASE("finished is emitted once in the step in which the value is reached") {
     Game s;
     s.run(
         "ball.mass = 1 t = tween(ball, 'mass', 2, 0.5) "
@@ -332,7 +332,7 @@ TEST_CASE("tweens are part of a snapshot") {
     CHECK(s.mass() == 2);
 }
 
-TEST_CASE("a game that has its own child called tweens is told") {
+TEST_CASE("a game with its own child called tweens gets an error") {
     Game s;
     CHECK_THAT(s.fails("game.tweens = Object {} tween(ball, 'mass', 2, 1)"),
                contains("tweens are below game.tweens, but that is an Object of the game"));

@@ -183,7 +183,7 @@ TEST_CASE("a value that is assigned again and again is written once it is old en
     CHECK(at(after, "n") == Value(999));
 }
 
-TEST_CASE("a damaged file is told and kept beside the new one") {
+TEST_CASE("a damaged file is reported and kept beside the new one") {
     const auto text = GENERATE(as<std::string>(), "{ \"fettle_store\": 1, \"values\": {", "[]", "",
                                R"({"fettle_store": 2, "values": {}})",
                                R"({"fettle_store": 1, "values": {"a": null}})",
@@ -206,7 +206,7 @@ TEST_CASE("a damaged file is told and kept beside the new one") {
     CHECK(aside.is_open());
 }
 
-TEST_CASE("a store that cannot be written is told and written later") {
+TEST_CASE("a store that cannot be written is reported and written later") {
     const Place place;
     std::ofstream(place.path / "player") << "a file in the place of the folder";
     std::string told;

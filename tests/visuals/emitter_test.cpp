@@ -243,7 +243,7 @@ TEST_CASE_METHOD(Sparks, "pictures and blending") {
     CHECK((d.upper_left - d.lower_left).length() == Approx(1));
 }
 
-TEST_CASE_METHOD(Sparks, "a missing image is told where nothing is drawn, and once") {
+TEST_CASE_METHOD(Sparks, "a missing image is reported once also if nothing is drawn") {
     const Handle e = emitter({{"rate", 0.0}, {"image", "hreo.tga"}});
     step(2);
     const std::vector<std::string> expected{

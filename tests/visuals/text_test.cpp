@@ -173,7 +173,7 @@ TEST_CASE_METHOD(Written, "fonts are files of the game or those of the system") 
     CHECK(problems.size() == 2);
 }
 
-TEST_CASE_METHOD(Written, "a missing font is told where nothing is drawn, and once") {
+TEST_CASE_METHOD(Written, "a missing font is reported once also if nothing is drawn") {
     tree.set(text, "font", Value("onw.ttf"));
     step(3);
     CHECK(problems == std::vector<std::string>{"Text.font: there is no file \"onw.ttf\""});

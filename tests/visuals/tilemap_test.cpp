@@ -112,7 +112,7 @@ TEST_CASE_METHOD(Land, "wrong calls say what is right") {
     CHECK_THROWS_WITH(call(top, "tile", {Value(0), Value(0)}), contains("no map file"));
 }
 
-TEST_CASE_METHOD(Land, "a missing file is told once with the nearest name") {
+TEST_CASE_METHOD(Land, "a missing file is reported once with the nearest name") {
     const Handle top = map("levle.tmj");
     step(3);
     REQUIRE(problems.size() == 1);
@@ -390,7 +390,7 @@ TEST_CASE_METHOD(Land, "objects become instances of their class") {
     CHECK(problems.empty());
 }
 
-TEST_CASE_METHOD(Land, "what an object cannot be is told with its place") {
+TEST_CASE_METHOD(Land, "an object that cannot be made is reported with its place") {
     write("level.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "things",
         "objects": [
         {"id": 1, "name": "hero", "type": "Sprit", "x": 0, "y": 0, "point": true},

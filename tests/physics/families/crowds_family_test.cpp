@@ -109,7 +109,7 @@ TEST_CASE("a crowd is computed equally by several threads and after a restore") 
     }
 }
 
-TEST_CASE("a sensor is told of every body of a crowd") {
+TEST_CASE("a sensor reports every body of a crowd") {
     Random random{std::mt19937(7)};
     World world({.gravity = {0, 0}});
     world.create_body({.type = BodyType::static_body})
