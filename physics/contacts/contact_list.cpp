@@ -1,52 +1,9 @@
 #include <contacts/contact_list.h>
+#include <contacts/mixing.h>
 #include <geometry/growth.h>
 #include <state/active_lists.h>
-#include <state/limits.h>
 
 namespace fettle::physics::detail {
-namespace {
-
-float mixed(MixRule rule, float a, float b) {
-    switch (rule) {
-        case MixRule::average:
-            return 0.5f * (a + b);
-        case MixRule::minimum:
-            return min(a, b);
-        case MixRule::maximum:
-            return max(a, b);
-        case MixRule::multiply:
-            return a * b;
-        default:
-            return std::sqrt(a * b);
-    }
-}
-
-}  // namespace
-
-void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& c) {
-    const ShapeDef& a = objects.shapes[c.shape_a].surface;
-    const ShapeDef& b = objects.shapes[c.shape_b].surface;
-    // Limited like the results of callbacks, because the product of two large numbers may be
-    // infinite.
-    c.friction = bounded(mixed(settings.friction_mix, a.friction, b.friction), greatest_grip);
-    c.restitution = mixed(settings.restitution_mix, a.restitution, b.restitution);
-    // On a flat shape, the other one rolls.
-    const float radius_a = objects.forms[c.shape_a].radius,
-                radius_b = objects.forms[c.shape_b].radius;
-    c.rolling_resistance =
-        bounded(max(a.rolling_resistance * (radius_a > 0.0f ? radius_a : radius_b),
-                    b.rolling_resistance * (radius_b > 0.0f ? radius_b : radius_a)),
-                greatest_grip);
-    c.surface_speed = bounded(a.surface_speed + b.surface_speed, greatest_speed);
-    c.hit_events = a.hit_events || b.hit_events;
-    c.special = c.restitution > 0.0f || c.rolling_resistance > 0.0f || c.surface_speed != 0.0f;
-}
-
-void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape) {
-    objects.for_each_contact_of(
-        shape, [&](uint32_t contact) { remix(objects, settings, objects.contacts[contact]); });
-}
-
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b) {
     ObjectState& objects = list.touching.objects;

@@ -52,10 +52,6 @@ void destroy_contact(const ContactList& list, uint32_t contact);
 void destroy_contacts_of_shape(const ContactList& list, uint32_t shape);  ///< and its parts
 void destroy_contacts_of_body(const ContactList& list, uint32_t body);
 
-/// Mixes the surfaces of the two shapes of a contact.
-void remix(const ObjectState& objects, const WorldDef& settings, ContactRecord& contact);
-void remix_shape(ObjectState& objects, const WorldDef& settings, uint32_t shape);
-
 // Decision which pairs of shapes may collide.
 
 /// The filter of the user, if there is one.

@@ -1,4 +1,5 @@
 #include <collision/large_polygon.h>
+#include <contacts/mixing.h>
 #include <edits/edits.h>
 #include <fettle/physics/hull.h>
 #include <geometry/growth.h>

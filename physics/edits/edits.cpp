@@ -1,4 +1,5 @@
 #include <collision/ellipse.h>
+#include <contacts/mixing.h>
 #include <edits/edits.h>
 #include <forms/corners.h>
 #include <state/active_lists.h>
@@ -275,44 +276,51 @@ void refresh_shape(const Editing& e, uint32_t shape) {
     if (form.body == none) place_shape(objects, e.broad_phase.boxes, shape, {}, 0.0f);
 }
 
-void refresh_edited_mass(const Editing& e, uint32_t body) {
-    ObjectState& objects = e.objects;
-    BodyRecord& record = objects.bodies[body];
-    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next)
-        refresh_shape(e, s);
-    if (!record.mass_dirty) return;
-    record.mass_dirty = false;
-    ++record.rebuilds;
+namespace {
 
-    double mass = 0.0, first_x = 0.0, first_y = 0.0;
-    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+/// The mass of the shapes of a body, and their mean point weighted by mass.
+struct ShapeMass {
+    double mass = 0.0, x = 0.0, y = 0.0;
+};
+
+ShapeMass mass_of_shapes(const ObjectState& objects, const BodyRecord& body) {
+    ShapeMass sum;
+    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
         if (objects.shapes[s].owner != none) continue;  // parts are processed with their owner
         const ShapeRecord& shape = objects.shapes[s];
         const double part = double(shape.area) * double(shape.surface.density);
-        mass += part;
-        first_x += part * double(shape.centroid.x);
-        first_y += part * double(shape.centroid.y);
+        sum.mass += part;
+        sum.x += part * double(shape.centroid.x);
+        sum.y += part * double(shape.centroid.y);
     }
-    double cx = mass > 0.0 ? first_x / mass : 0.0, cy = mass > 0.0 ? first_y / mass : 0.0;
-    if (is_given(record.given_center.x)) {
-        cx = record.given_center.x;
-        cy = record.given_center.y;
-    }
-    // Only bodies that move need their size, and a static body may have many shapes.
-    const bool is_static = record.type == BodyType::static_body;
+    sum.x = sum.mass > 0.0 ? sum.x / sum.mass : 0.0;
+    sum.y = sum.mass > 0.0 ? sum.y / sum.mass : 0.0;
+    return sum;
+}
+
+/// The inertia of the shapes about a point (body coordinates).
+double inertia_about(const ObjectState& objects, const BodyRecord& body, double x, double y) {
     double inertia = 0.0;
-    float extent = 0.0f, thickness = infinity;
-    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next) {
+    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
         const ShapeRecord& shape = objects.shapes[s];
-        const double dx = double(shape.centroid.x) - cx, dy = double(shape.centroid.y) - cy;
-        if (shape.owner == none)
-            inertia += double(shape.surface.density) *
-                       (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
-        if (is_static || !objects.is_solid(s)) continue;
+        if (shape.owner != none) continue;
+        const double dx = double(shape.centroid.x) - x, dy = double(shape.centroid.y) - y;
+        inertia += double(shape.surface.density) *
+                   (double(shape.moment) + double(shape.area) * (dx * dx + dy * dy));
+    }
+    return inertia;
+}
+
+/// Notes how far the solid shapes reach from a point (body coordinates), and how thin they are.
+void measure_shapes(const ObjectState& objects, Vec2 center, BodyRecord& body) {
+    float extent = 0.0f, thickness = infinity;
+    for (uint32_t s = body.first_shape; s != none; s = objects.shapes[s].next) {
+        if (!objects.is_solid(s)) continue;
+        const ShapeRecord& shape = objects.shapes[s];
         const ShapeForm& form = objects.forms[s];
         float inner = infinity;
         for (uint32_t i = form.begin; i < form.begin + form.count; ++i) {
-            const Vec2 v = objects.pool.local[i] - Vec2{float(cx), float(cy)};
+            const Vec2 v = objects.pool.local[i] - center;
             extent = max(extent, length(v) + form.radius);
             if (form.count > 2)
                 inner = min(inner,
@@ -326,6 +334,34 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
         }
         thickness = min(thickness, form.count > 2 ? max(inner, 0.0f) + form.radius : form.radius);
     }
+    body.extent = extent;
+    body.thickness = thickness == infinity ? 0.0f : thickness;
+}
+
+}  // namespace
+
+void refresh_edited_mass(const Editing& e, uint32_t body) {
+    ObjectState& objects = e.objects;
+    BodyRecord& record = objects.bodies[body];
+    for (uint32_t s = record.first_shape; s != none; s = objects.shapes[s].next)
+        refresh_shape(e, s);
+    if (!record.mass_dirty) return;
+    record.mass_dirty = false;
+    ++record.rebuilds;
+
+    auto [mass, cx, cy] = mass_of_shapes(objects, record);
+    if (is_given(record.given_center.x)) {
+        cx = record.given_center.x;
+        cy = record.given_center.y;
+    }
+    const Vec2 local_center = {float(cx), float(cy)};
+    // Only bodies that move need their size, and a static body may have many shapes.
+    const bool is_static = record.type == BodyType::static_body;
+    if (is_static)
+        record.extent = record.thickness = 0.0f;
+    else
+        measure_shapes(objects, local_center, record);
+    double inertia = inertia_about(objects, record, cx, cy);
     const bool weightless = !(mass > 0.0);
     if (is_given(record.given_mass)) {
         const double wanted = double(record.given_mass);
@@ -341,9 +377,7 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     const Vec2 old_local_center = record.local_center;
     record.mass = float(mass);
     record.inertia = float(inertia);
-    record.extent = extent;
-    record.thickness = thickness == infinity ? 0.0f : thickness;
-    record.local_center = {float(cx), float(cy)};
+    record.local_center = local_center;
     record.center = state.position + rotate({state.cosine, state.sine}, record.local_center);
     // The motion of the body does not change, but its velocity refers to another point now.
     const Vec2 drift = cross(state.angular_velocity, record.center - old_center);

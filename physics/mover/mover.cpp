@@ -85,6 +85,46 @@ void push_body(World& world, const MoverDef& def, const Push& push, Vec2 velocit
     body.apply_impulse(-impulse * push.normal, push.point);
 }
 
+/// The motion in a step of the ground on which a mover stands.
+struct Ride {
+    uint32_t carrier = none;  ///< body of the ground
+    Vec2 motion;
+};
+
+Ride ride_on(const WorldData& data, const MoverState& state, float dt) {
+    const uint32_t carrier = data.forms[state.ground.index].body;
+    if (carrier == none) return {};
+    const Vec2 belt = belt_velocity(data, state.ground.index, state.ground_normal);
+    return {carrier, motion_of(data, carrier, state.position, dt) + bounded(dt * belt, 1e3f)};
+}
+
+/// The velocity that a mover keeps on the ground: without its part along `up`, and without the part
+/// that a wall stops.
+Vec2 kept_on_ground(const WorldData& data, const Obstacles& obstacles, const Moving& moving,
+                    Vec2 wanted, Vec2 up) {
+    const Vec2 kept = wanted - dot(wanted, up) * up;
+    if (!moving.wall || moving.step) return kept;
+    const Vec2 wall = moving.wall->normal;
+    const Vec2 aside = normalized(wall - dot(wall, up) * up);
+    const Obstacle& by = obstacles[moving.wall->obstacle];
+    // The speed of a pushed body is kept.
+    const Vec2 gives_way = by.dynamic ? data.states[by.body].velocity : Vec2{};
+    return kept - min(0.0f, dot(kept - gives_way, aside)) * aside;
+}
+
+void report_hits(Moved& moved, const Moving& moving, const Obstacles& obstacles, World& world,
+                 WorldData& data) {
+    const auto note_wall = [&](const Plane& plane) {
+        moved.wall_normal = plane.normal;
+        const uint32_t shape = obstacles[plane.obstacle].shape;
+        moved.wall = Shape(&world, data.shape_id(data.named_shape(shape)));
+    };
+    if (moving.wall) note_wall(*moving.wall);
+    if (moving.ceiling) note_wall(*moving.ceiling);
+    moved.hit_wall = moving.wall.has_value() && !moving.step;
+    moved.hit_ceiling = moving.ceiling.has_value();
+}
+
 }  // namespace
 
 Moved Mover::move(World& world, const Vec2& velocity, float dt) {
@@ -105,14 +145,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const bool walks = stood && !lifts;
 
     data.read_all();
-    const bool rides =
-        stood && world.is_valid(state_.ground) && data.forms[state_.ground.index].body != none;
-    const uint32_t carrier = rides ? data.forms[state_.ground.index].body : none;
-    Vec2 ride;
-    if (rides) {
-        const Vec2 belt = belt_velocity(data, state_.ground.index, state_.ground_normal);
-        ride = motion_of(data, carrier, start, dt) + bounded(dt * belt, 1e3f);
-    }
+    const Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
     Vec2 way = dt * wanted;
     if (walks) {
         const Vec2 aside = wanted - dot(wanted, up) * up;
@@ -121,14 +154,15 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         way = dt * length(aside) * normalized(along);
         wanted = aside;
     }
-    way = bounded(way, 1e6f) + ride;
+    way = bounded(way, 1e6f) + ride.motion;
     if (length(way) > most_motion) way = most_motion * normalized(way);
 
     // Obstacles may deflect the motion to any side.
     const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(way);
     const auto left_out =
         world.is_valid(state_.dropped) ? std::optional(state_.dropped) : std::nullopt;
-    obstacles.find(box_between(capsule, start, start + way, margin), start, carrier, dt, left_out);
+    obstacles.find(box_between(capsule, start, start + way, margin), start, ride.carrier, dt,
+                   left_out);
     const MoveSettings settings{.skin = def_.skin,
                                 .least_cosine = std::cos(def_.max_slope) - 1e-3f,
                                 .step_height = walks ? def_.step_height : 0.0f,
@@ -147,15 +181,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.motion = moving.position - start;
     moved.stepped = moving.step.has_value();
     moved.crushed = !moving.has_room();
-    const auto note_wall = [&](const Plane& plane) {
-        moved.wall_normal = plane.normal;
-        const uint32_t shape = obstacles[plane.obstacle].shape;
-        moved.wall = Shape(&world, data.shape_id(data.named_shape(shape)));
-    };
-    if (moving.wall) note_wall(*moving.wall);
-    if (moving.ceiling) note_wall(*moving.ceiling);
-    moved.hit_wall = moving.wall.has_value() && !moving.step;
-    moved.hit_ceiling = moving.ceiling.has_value();
+    report_hits(moved, moving, obstacles, world, data);
 
     Vec2 left = moving.clipped(wanted);
     const auto found = state_.climbing || lifts ? std::nullopt : moving.ground();
@@ -170,15 +196,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     if (below != nullptr) {
         state_.ground = data.shape_id(data.named_shape(below->shape));
         state_.ground_normal = ground.normal;
-        left = wanted - dot(wanted, up) * up;
-        if (moving.wall && !moving.step) {
-            const Vec2 wall = moving.wall->normal;
-            const Vec2 aside = normalized(wall - dot(wall, up) * up);
-            const Obstacle& by = obstacles[moving.wall->obstacle];
-            // The speed of a pushed body is kept.
-            const Vec2 gives_way = by.dynamic ? data.states[by.body].velocity : Vec2{};
-            left = left - min(0.0f, dot(left - gives_way, aside)) * aside;
-        }
+        left = kept_on_ground(data, obstacles, moving, wanted, up);
         if (!below->border) {
             const Vec2 carried = motion_of(data, below->body, moving.position, dt);
             moved.ground_velocity =
@@ -191,7 +209,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.ground_normal = state_.ground_normal;
     if (left_out && !overlaps_dropped(world)) state_.dropped = {};
 
-    const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride;
+    const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride.motion;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (below != nullptr && below->dynamic && def_.mass > 0.0f) {
         // A force, not an impulse: what weighs much less than the mover would jump under it.

@@ -46,16 +46,21 @@ struct ActingContact {
     StripNode node = 1;
     uint8_t hub = 0;        ///< index + 1 of the hub whose copy it acts on; 0: no copy
     bool serially = false;  ///< solved one at a time
-    uint8_t tells = 0;      ///< bits of `Tells`
+    uint8_t flags = 0;      ///< bits of `Flag`
 
-    /// Reports: it touches, it tells hits. Bounces: it has restitution; its shapes approach fast
-    /// enough for a bounce; a blow may pass through it in this step.
-    enum Tells : uint8_t { is_touching = 1, of_hits = 2, of_bounces = 4, meets = 8, of_blows = 16 };
-    bool bounces() const { return (tells & of_bounces) != 0; }
-    /// It is in a group, but a blow is computed for it alone.
-    bool passes_blows() const { return (tells & of_blows) != 0 && !serially; }
-    bool touching() const { return (tells & is_touching) != 0; }
-    bool hit_events() const { return (tells & of_hits) != 0; }
+    enum Flag : uint8_t {
+        is_touching = 1,
+        reports_hits = 2,
+        has_restitution = 4,
+        approaches_fast = 8,  ///< fast enough for a bounce
+        in_impact = 16        ///< an impact may pass through it in this step
+    };
+    bool bounces() const { return (flags & has_restitution) != 0; }
+    bool meets() const { return (flags & approaches_fast) != 0; }
+    /// It is solved in a group, but its share of an impact is computed for it alone.
+    bool passes_impacts() const { return (flags & in_impact) != 0 && !serially; }
+    bool touching() const { return (flags & is_touching) != 0; }
+    bool hit_events() const { return (flags & reports_hits) != 0; }
 
     uint32_t a() const { return end_a.index(); }
     uint32_t b() const { return end_b.index(); }

@@ -249,7 +249,7 @@ struct Coloring {
         list(contacts.serial, &ActingPiece::serially,
              [](const ActingContact& c) { return c.serially; });
         list(contacts.passing, &ActingPiece::passing,
-             [](const ActingContact& c) { return c.passes_blows(); });
+             [](const ActingContact& c) { return c.passes_impacts(); });
     }
     void list(SingleContacts& into, uint32_t ActingPiece::*expected, auto&& belongs) {
         const auto for_each = [&](auto&& visit) {
@@ -316,15 +316,15 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
         return heaps.find(c.moves_a() ? a : b);
     };
     for_each([&](const ActingContact& c, const ActingPiece&) {
-        if ((c.tells & ActingContact::meets) != 0) hit[heap_of(c)] = true;
+        if (c.meets()) hit[heap_of(c)] = true;
     });
     for_each([&](ActingContact& c, ActingPiece& piece) {
         if (c.serially || !hit[heap_of(c)]) return;
-        if ((c.tells & ActingContact::meets) != 0) {
+        if (c.meets()) {
             c.serially = true;
             ++piece.serially;
         } else {
-            c.tells |= ActingContact::of_blows;
+            c.flags |= ActingContact::in_impact;
             ++piece.passing;
         }
     });
@@ -364,17 +364,18 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
                                                       record.surface_speed != 0.0f)) ||
                                   on_locked_axis(objects, bodies, record) ||
                                   passes_corner(objects, bodies, record, dt);
-            auto tells = uint8_t((record.touching ? ActingContact::is_touching : 0) |
-                                 (record.hit_events ? ActingContact::of_hits : 0));
+            auto flags = uint8_t((record.touching ? ActingContact::is_touching : 0) |
+                                 (record.hit_events ? ActingContact::reports_hits : 0));
             if (record.special && record.restitution > 0.0f) {
                 const bool meets =
                     approaches(record, bodies.solver_bodies[a.index()],
                                bodies.solver_bodies[b.index()], settings.restitution_threshold);
-                tells |= ActingContact::of_bounces | (meets ? ActingContact::meets : 0);
+                flags |=
+                    ActingContact::has_restitution | (meets ? ActingContact::approaches_fast : 0);
                 piece.meets |= meets;
             }
             ActingContact& c = *last++;
-            c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, tells};
+            c = {slot, a, b, 0, 0, node_of(a, b), 0, serially, flags};
             if (any_hubs && (a.is_hub() || b.is_hub()))
                 schedule.hubs.settle(c, bodies.solver_bodies);
             nodes |= 1u << c.node;

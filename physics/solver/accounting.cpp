@@ -285,4 +285,13 @@ void end_sums(const SolverInput& input, const Columns& columns) {
     }
 }
 
+void note_velocities_after(std::span<VelocitySums> all, const Columns& columns) {
+    for (VelocitySums& sums : all) {
+        if (sums.solver_body == 0) continue;
+        const BodyState& state = columns.states[sums.body.index];
+        sums.after = state.velocity;
+        sums.turn.after = state.angular_velocity;
+    }
+}
+
 }  // namespace fettle::physics::detail

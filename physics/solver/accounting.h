@@ -2,6 +2,8 @@
 
 #include <solver/solvers.h>
 
+#include <span>
+
 // Sums of impulses for the few bodies whose changes of velocity the user asked for. The passes of
 // the solver do not know about them: after each sub-step, the impulses of the constraints on these
 // bodies are added. A step without such bodies does none of this.
@@ -19,5 +21,7 @@ void add_biased(const SolverInput& input);
 void add_substep(const SolverInput& input, const SolverBlock& block, WideBlock& wide);
 /// Ends the sums after the solver, while all contacts of the step still exist.
 void end_sums(const SolverInput& input, const Columns& columns);
+/// To be called when the bodies are finished.
+void note_velocities_after(std::span<VelocitySums> all, const Columns& columns);
 
 }  // namespace fettle::physics::detail

@@ -204,7 +204,7 @@ void store_serial(SingleContacts& contacts, const Touching& touching, float hit_
 }
 
 /// Contacts that passed an impact on have touched, even if they are apart after the step.
-void note_passed_blows(ContactScratch& scratch) {
+void note_passed_impacts(ContactScratch& scratch) {
     for (const ContactConstraint& constraint : scratch.passing.constraints) {
         const ContactExtra& extra = scratch.passing.extras[constraint.extra - 1];
         if (!(extra.greatest[0] + extra.greatest[1] > 0.0f)) continue;
@@ -256,7 +256,7 @@ void prepare_serial(const ObjectState& objects, const Columns& columns, const Bo
 
 void store_contacts(ContactScratch& contacts, const Touching& touching, float hit_threshold,
                     ThreadPool* threads) {
-    note_passed_blows(contacts);
+    note_passed_impacts(contacts);
     report_wide(contacts, touching, hit_threshold, threads);
     store_serial(contacts.serial, touching, hit_threshold, threads);
 }

@@ -74,7 +74,7 @@ struct BodyRecord {
     float angle_rest = 0.0f;    ///< part of the angle below the resolution of `angle`
     float extent = 0.0f;        ///< farthest point of the shapes from the center of mass, m
     float thickness = 0.0f;     ///< smallest half width, m; a longer motion per step is fast
-    float sleep_time = 0.0f;    ///< s at rest: step/rest.h
+    float sleep_time = 0.0f;    ///< s at rest: sleep/rest.h
     uint32_t solver_index = 0;  ///< 1 + index in the list of awake bodies; 0: fixed or asleep
     // Both are in one byte, so that one access writes them.
     Mobility mobility : 4 = Mobility::fixed;
@@ -128,7 +128,7 @@ struct BodyTraits {
     }
 };
 
-/// Where a body was when it came to rest: step/rest.h.
+/// Where a body was when it came to rest: sleep/rest.h.
 struct RestPose {
     Position center;
     float angle = 0.0f;

@@ -1,9 +1,9 @@
 #include <contacts/narrow_phase.h>
 #include <geometry/trigonometry.h>
+#include <sleep/rest.h>
 #include <state/limits.h>
 #include <state/place_shape.h>
 #include <step/finish.h>
-#include <step/rest.h>
 
 namespace fettle::physics::detail {
 namespace {

@@ -1,5 +1,6 @@
 #include <checks/arguments.h>
 #include <checks/hooks.h>
+#include <contacts/mixing.h>
 #include <contacts/reports.h>
 #include <world/world_data.h>
 

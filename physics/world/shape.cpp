@@ -1,3 +1,4 @@
+#include <contacts/mixing.h>
 #include <geometry/trigonometry.h>
 #include <step/shape_box.h>
 #include <world/live.h>

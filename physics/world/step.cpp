@@ -65,6 +65,33 @@ ContactStiffness stiffness_of(const WorldDef& settings, float h, float longest) 
     return {hertz, settings.contact_damping, h, gravity > 0.0f ? gravity : usual_gravity};
 }
 
+/// How a step is divided.
+struct SubSteps {
+    WorldDef settings;  ///< with the number of sub-steps of this step
+    float h;            ///< length of a sub-step, s
+    float ratio;        ///< of this length to the last one; scales stored impulses
+    ContactStiffness stiffness;
+};
+
+SubSteps divide(WorldState& state, float dt) {
+    WorldDef of_step = state.settings;
+    of_step.substeps = substeps_of(state.settings, dt, state.last_length);
+    const float h = dt / float(of_step.substeps);
+    const float ratio =
+        state.last_substep > 0.0f ? min(h / state.last_substep, greatest_growth) : 1.0f;
+    // Softer contacts yield more. If the stiffness followed each length of a step at once, steps of
+    // different lengths would press a stack together and let it spring up in turn.
+    float& longest = state.long_substep;
+    longest = max(h, longest + (h - longest) * min(dt, 1.0f));
+    return {of_step, h, ratio, stiffness_of(state.settings, h, longest)};
+}
+
+void note_lengths(WorldState& state, const SubSteps& sub) {
+    state.last_substep = sub.h;
+    state.last_length = sub.h * float(state.settings.substeps);
+    state.last_substeps = sub.settings.substeps;
+}
+
 }  // namespace
 
 void WorldData::step(float dt) {
@@ -79,14 +106,8 @@ void WorldData::step(float dt) {
     ScheduleScratch& schedule = *this;
     const WideKernels& kernels = wide_kernels(most_lanes);
     const bool groups = settings.solver == Solver::soft_step;  // other solvers have no groups
-    WorldDef of_step = settings;
-    of_step.substeps = substeps_of(settings, dt, last_length);
-    const float h = dt / float(of_step.substeps);
-    const float ratio = last_substep > 0.0f ? min(h / last_substep, greatest_growth) : 1.0f;
-    // Softer contacts yield more. If the stiffness followed each length of a step at once, steps of
-    // different lengths would press a stack together and let it spring up in turn.
-    long_substep = max(h, long_substep + (h - long_substep) * min(dt, 1.0f));
-    const ContactStiffness stiffness = stiffness_of(settings, h, long_substep);
+    const SubSteps sub = divide(*this, dt);
+    const float h = sub.h;
     StageClock total, clock;
 
     begin_step();
@@ -103,44 +124,39 @@ void WorldData::step(float dt) {
     cut_into_strips(objects, active, groups, steps, strips);
     gather_bodies(objects, columns, active, settings, strips, h, body_scratch, hubs, threads);
     apply_fields(objects, columns, boxes, awake_bodies, settings.gravity, h, dt, solver_forces);
-    if (!self.functions.empty()) ask_velocity_functions(dt, of_step.substeps);
-    const JointStep joint_step =
-        prepare_joints(objects, columns, active, body_scratch, joint_scratch, h, ratio, threads);
+    if (!self.functions.empty()) ask_velocity_functions(dt, sub.settings.substeps);
+    const JointStep joint_step = prepare_joints(objects, columns, active, body_scratch,
+                                                joint_scratch, h, sub.ratio, threads);
     find_acting(objects, active, body_scratch, settings, schedule, contact_scratch, dt, threads);
     color_contacts(active, body_scratch, strips, acting_joints(), contact_scratch, schedule,
                    threads);
-    prepare_serial(objects, columns, body_scratch, contact_scratch, stiffness, dt, ratio, threads);
+    prepare_serial(objects, columns, body_scratch, contact_scratch, sub.stiffness, dt, sub.ratio,
+                   threads);
     const SolverInput solver_input = {
-        of_step,         objects,
+        sub.settings,    objects,
         active,          strips,
         body_scratch,    joint_scratch,
         contact_scratch, schedule,
         threads,         groups ? std::span(self.sums) : std::span<VelocitySums>()};
     begin_sums(solver_input, columns, steps, h);
-    solve(solver_input, joint_step, stiffness, kernels, statistics);
+    solve(solver_input, joint_step, sub.stiffness, kernels, statistics);
     if (groups && objects.crowded_shapes > 0) limit_pushes(solver_input, columns);
     end_sums(solver_input, columns);
     if (!groups) keep_pushed_awake(objects, active, body_scratch, settings, dt);
-    last_substep = h;
-    last_length = h * float(settings.substeps);
-    last_substeps = of_step.substeps;
+    note_lengths(*this, sub);
     store_joints(objects, body_scratch, joint_scratch, joint_step, threads);
-    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(of_step.substeps));
+    break_joints(editing(), joint_scratch, joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch, touching(), settings.hit_threshold, threads);
     if (settings.persist_events)
-        report_persisting(objects, columns, active, uint32_t(steps), of_step.substeps, events);
+        report_persisting(objects, columns, active, uint32_t(steps), sub.settings.substeps, events);
     statistics.solve_ms = clock.lap();
 
     sleep_candidates = finish_bodies(
-        {objects, columns, broad_phase, active, settings, body_scratch, of_step.substeps, *this,
-         pair_scratch, contact_list(), activity(), pending, user_filter(),
+        {objects, columns, broad_phase, active, settings, body_scratch, sub.settings.substeps,
+         *this, pair_scratch, contact_list(), activity(), pending, user_filter(),
          self.see_contacts() || !ignored_pairs.empty(), statistics, threads},
         dt);
-    for (VelocitySums& sums : self.sums)
-        if (sums.solver_body != 0) {
-            sums.after = states[sums.body.index].velocity;
-            sums.turn.after = states[sums.body.index].angular_velocity;
-        }
+    note_velocities_after(self.sums, columns);
     report_parted(touching());
     order_lists(objects, active, strips, body_scratch, steps, reordering, threads);
     forget_ends(active, body_scratch);

@@ -2,6 +2,7 @@
 
 #include <checks/arguments.h>
 #include <checks/hooks.h>
+#include <contacts/mixing.h>
 #include <contacts/reports.h>
 #include <fettle/physics/instruction_set.h>
 #include <fettle/physics/version.h>
