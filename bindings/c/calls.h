@@ -16,7 +16,7 @@
 namespace fettle::physics_c {
 
 /// Keeps the message of the exception that is being handled, and returns its code.
-fettle_code told(const char* function) noexcept;
+fettle_code code_of_exception(const char* function) noexcept;
 
 /// Runs `act`; `function`: the name of the function in C, for messages.
 template <class Act>
@@ -25,7 +25,7 @@ fettle_code guarded(const char* function, Act&& act) noexcept {
         act();
         return FETTLE_DONE;
     } catch (...) {
-        return told(function);
+        return code_of_exception(function);
     }
 }
 

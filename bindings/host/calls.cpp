@@ -31,7 +31,7 @@ fettle_code keep(fettle_code code, const char* function, const char* message) no
 
 }  // namespace
 
-fettle_code told(const char* function) noexcept {
+fettle_code code_of_exception(const char* function) noexcept {
     try {
         throw;
     } catch (const Failure& failure) {

@@ -8,7 +8,7 @@
 namespace fettle::host {
 
 /// Keeps the message of the exception that is being handled, and returns its code.
-fettle_code told(const char* function) noexcept;
+fettle_code code_of_exception(const char* function) noexcept;
 
 /// The game; throws Failure if it is null or destroyed.
 Game& live(const fettle_hosted* hosted);
@@ -20,7 +20,7 @@ fettle_code with(const char* function, const fettle_hosted* hosted, Act&& act) n
         act(live(hosted));
         return FETTLE_DONE;
     } catch (...) {
-        return told(function);
+        return code_of_exception(function);
     }
 }
 
@@ -50,7 +50,7 @@ fettle_code init(const char* function, Def* def, std::size_t size, const Def& de
         result.size = sizeof(Def);
         return FETTLE_DONE;
     } catch (...) {
-        return told(function);
+        return code_of_exception(function);
     }
 }
 template <class Def>

@@ -80,7 +80,7 @@ fettle_code fettle_hosted_create(const fettle_hosted_def* def, fettle_hosted** g
         made = hosted.release();
         return FETTLE_DONE;
     } catch (...) {
-        return told(__func__);
+        return code_of_exception(__func__);
     }
 }
 

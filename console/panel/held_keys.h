@@ -15,7 +15,6 @@ class HeldKeys {
         (owner == Owner::game ? game_ : console_).insert(name);
     }
     bool held_by_game(const std::string& name) const { return game_.contains(name); }
-    bool held_by_console(const std::string& name) const { return console_.contains(name); }
     /// The receiver of the release.
     Owner release(const std::string& name) {
         if (game_.erase(name) > 0) return Owner::game;

@@ -1,16 +1,21 @@
-// What the parts of a gamepad do to one another: buttons by number and by name, the directional pad
-// and its four buttons, axes and what they move.
+// Sticks, triggers and buttons of gamepads. The parts of a gamepad set one another: buttons by
+// number and by name, the directional pad and its four buttons, axes and what they move.
 //
-// A property that is set sets those that stand for the same part, each by a write of its own, so
-// that watchers and callbacks hear all of them. The own value is set before the others, which then
+// A property that is set sets the other properties of the same part, each by its own write, so that
+// watchers and callbacks are called for all of them. The own value is set first. The others then
 // find it equal and stop.
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include <input/input_state.h>
 
 namespace fettle::app {
 
+using property::Handle;
 using property::Vec2;
 
 namespace {
@@ -44,6 +49,10 @@ HatPart hat_part(int direction) {
 double seen(const PadSource& source, double value) {
     if (source.inverted) value = -value;
     return source.half == 0 ? value : std::max(0.0, value * source.half);
+}
+
+std::string axis_name(std::string_view stick, int component) {
+    return std::string(stick) + (component == 0 ? "_x" : "_y");
 }
 
 }  // namespace
@@ -152,6 +161,48 @@ void Input::State::move_raw_axis(Gamepad& gamepad, std::size_t axis, double valu
     Vec2 pad = gamepad.sticks[hat_stick];
     pad[axis == hat_x ? 0 : 1] = axis == hat_x ? value : -value;
     tree.set(gamepad.instance, gamepad_stick_names[hat_stick], pad);
+}
+
+void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
+    const Vec2 from = gamepad.sticks[stick];
+    gamepad.sticks[stick] = to;
+    Act act{.kind = Act::Kind::stick,
+            .name = std::string(gamepad_stick_names[stick]),
+            .gamepad = number_of(gamepad),
+            .value = to};
+    bool& taken = gamepad.taken_sticks[stick];
+    // A stick that the foreground has returns to the game when it has been released.
+    taken = takes(act) || (taken && from.length() > dead_zone);
+    for (const int axis : {0, 1})
+        if (to[axis] != from[axis])
+            queue(act, taken, "gamepad_axis",
+                  {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
+    if (stick == hat_stick) press_hat_buttons(gamepad);
+    update_actions();
+}
+
+void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
+    const double from = std::exchange(gamepad.triggers[trigger], to);
+    Act act{.kind = Act::Kind::trigger,
+            .name = std::string(gamepad_trigger_names[trigger]),
+            .gamepad = number_of(gamepad),
+            .value = {to, 0}};
+    bool& taken = gamepad.taken_triggers[trigger];
+    taken = takes(act) || (taken && from > dead_zone);
+    queue(std::move(act), taken, "gamepad_axis",
+          {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
+    update_actions();
+}
+
+void Input::State::connect(Gamepad& gamepad, bool connected) {
+    gamepad.connected = connected;
+    if (connected) return;
+    const Handle self = gamepad.instance;
+    for (const std::string_view stick : gamepad_stick_names) tree.set(self, stick, Vec2(0, 0));
+    for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
+    for (const GamepadButton& button : gamepad_button_columns)
+        tree.set(self, "button_" + button.name, false);
+    for (const std::string_view name : gamepad_button_names) tree.set(self, name, false);
 }
 
 }  // namespace fettle::app

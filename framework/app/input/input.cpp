@@ -39,10 +39,6 @@ bool is_control(char32_t c) {
     return c < 0x20 || (c >= 0x7F && c < 0xA0);
 }
 
-std::string axis_name(std::string_view stick, int component) {
-    return std::string(stick) + (component == 0 ? "_x" : "_y");
-}
-
 /// The number of a device's axis that an event names, as in mappings. An event has the name that
 /// the axis has on a common gamepad.
 std::optional<std::size_t> raw_axis(std::string_view name) {
@@ -109,48 +105,6 @@ void Input::State::turn_wheel(double notches) {
     Act act{.kind = Act::Kind::wheel, .value = {0, delta}};
     const bool taken = takes(act);
     queue(std::move(act), taken, "wheel", {delta, view.to_world(mouse)});
-}
-
-void Input::State::move_stick(Gamepad& gamepad, std::size_t stick, const Vec2& to) {
-    const Vec2 from = gamepad.sticks[stick];
-    gamepad.sticks[stick] = to;
-    Act act{.kind = Act::Kind::stick,
-            .name = std::string(gamepad_stick_names[stick]),
-            .gamepad = number_of(gamepad),
-            .value = to};
-    bool& taken = gamepad.taken_sticks[stick];
-    // One that the foreground has is the game's again when it has been let go of.
-    taken = takes(act) || (taken && from.length() > dead_zone);
-    for (const int axis : {0, 1})
-        if (to[axis] != from[axis])
-            queue(act, taken, "gamepad_axis",
-                  {number_of(gamepad), axis_name(gamepad_stick_names[stick], axis), to[axis]});
-    if (stick == hat_stick) press_hat_buttons(gamepad);
-    update_actions();
-}
-
-void Input::State::pull_trigger(Gamepad& gamepad, std::size_t trigger, double to) {
-    const double from = std::exchange(gamepad.triggers[trigger], to);
-    Act act{.kind = Act::Kind::trigger,
-            .name = std::string(gamepad_trigger_names[trigger]),
-            .gamepad = number_of(gamepad),
-            .value = {to, 0}};
-    bool& taken = gamepad.taken_triggers[trigger];
-    taken = takes(act) || (taken && from > dead_zone);
-    queue(std::move(act), taken, "gamepad_axis",
-          {number_of(gamepad), std::string(gamepad_trigger_names[trigger]), to});
-    update_actions();
-}
-
-void Input::State::connect(Gamepad& gamepad, bool connected) {
-    gamepad.connected = connected;
-    if (connected) return;
-    const Handle self = gamepad.instance;
-    for (const std::string_view stick : gamepad_stick_names) tree.set(self, stick, Vec2(0, 0));
-    for (const std::string_view trigger : gamepad_trigger_names) tree.set(self, trigger, 0.0);
-    for (const GamepadButton& button : gamepad_button_columns)
-        tree.set(self, "button_" + button.name, false);
-    for (const std::string_view name : gamepad_button_names) tree.set(self, name, false);
 }
 
 // --- Input ---------------------------------------------------------------------------------------

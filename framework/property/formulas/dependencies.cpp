@@ -18,7 +18,7 @@ void Formulas::depend(Entry& e, std::uint32_t dependency) {
 
 /// Removes a dependent. The last dependent takes its place, so the cost does not depend on the
 /// length of the list.
-void Formulas::depend_no_more(const Dependency& gone) {
+void Formulas::remove_dependent(const Dependency& gone) {
     std::vector<Dependent>& list = dependents_.at(gone.cell).list;
     const Dependent last = list.back();
     list.pop_back();
@@ -46,7 +46,7 @@ void Formulas::enter_dependencies(Entry& e, std::vector<Dependency> found, const
     for (const Dependency& d : before) {
         const auto found_again = places.find(d.cell);
         if (found_again == places.end()) {
-            depend_no_more(d);
+            remove_dependent(d);
             continue;
         }
         const auto dependency = static_cast<std::uint32_t>(found_again->second);

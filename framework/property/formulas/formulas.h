@@ -122,7 +122,7 @@ class Formulas {
     using Places = std::unordered_map<Cell, std::size_t, CellHash>;
     void enter_dependencies(Entry& e, std::vector<Dependency> found, const Places& places);
     void depend(Entry& e, std::uint32_t dependency);
-    void depend_no_more(const Dependency& gone);
+    void remove_dependent(const Dependency& gone);
     bool settled(const Entry& e) const;
     /// Whether the sources of the last run changed, or must be settled first.
     enum class Finding : std::uint8_t { unchanged, changed, unsettled_source };

@@ -42,7 +42,6 @@ class ErrorScreen : public Layer {
     /// goes on and gets all input.
     void show_over(const script::ScriptError& error) { over_ = error; }
     void hide_over() { over_.reset(); }
-    const std::optional<script::ScriptError>& error_over() const { return over_; }
     bool visible() const { return error_.has_value() || running_.has_value(); }
 
     /// Shows the place of a script that does not return, and asks whether to stop it; to be called

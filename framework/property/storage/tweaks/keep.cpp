@@ -219,7 +219,7 @@ class Keeping {
             if (row->kind == Kind::moved) row->instance = home;
         paths_ = RowPaths(state_);  // the moves have new home paths
         for (const auto& [row, home] : homes) {
-            const std::string said = paths_.said(*row, home);
+            const std::string said = paths_.path_in_rows(*row, home);
             if (std::exchange(row->instance, said) != said || row->kind == Kind::moved)
                 state_.renamed_earlier(*row);
         }

@@ -50,7 +50,7 @@ std::string RowPaths::moved_out_of(const JournalRow& deletion) const {
     return now_.moved_out_of(deletion.instance);
 }
 
-std::string RowPaths::said(const JournalRow& row, const std::string& home) const {
+std::string RowPaths::path_in_rows(const JournalRow& row, const std::string& home) const {
     return row.kind == Kind::value || row.kind == Kind::created
                ? without_marks(moves_of(row).now(home))
                : home;

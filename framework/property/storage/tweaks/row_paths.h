@@ -26,7 +26,7 @@ class RowPaths {
     /// The home path of the topmost instance of the scene in which the row is to be kept.
     std::string home_of_top(const JournalRow& row) const;
     /// The inverse of `home`: the path that rows of the same run use for the instance.
-    std::string said(const JournalRow& row, const std::string& home) const;
+    std::string path_in_rows(const JournalRow& row, const std::string& home) const;
     /// The home path of the instance at a current path.
     std::string home_of_live(const std::string& path) const;
     /// The current path of the instance with that home path if they differ; otherwise "".
